@@ -1,0 +1,113 @@
+"""Parameters declared once: a dataclass field carries its unit, range, meaning and symbol.
+
+Everything that needs to know of a parameter (validation, vehicle files, ROS descriptors, command
+line, tables in the documentation) reads it from here.
+"""
+
+import dataclasses
+import difflib
+import math
+from collections.abc import Iterable, Mapping
+
+
+class InputError(ValueError):
+    """Something that a user gave is not allowed; its text is one line for that user."""
+
+    def __init__(self, field: str, value, allowed: str):
+        super().__init__(f"{field}: {value!r} is not allowed: {allowed}")
+        self.field, self.value, self.allowed = field, value, allowed
+
+
+@dataclasses.dataclass(frozen=True)
+class Parameter:
+    """What is known of one parameter."""
+
+    name: str
+    kind: type
+    default: object
+    unit: str
+    minimum: float
+    maximum: float
+    description: str
+    symbol: str
+    choices: tuple[str, ...]
+    tunable: bool
+
+    def validate(self, value, field: str | None = None):
+        """`value` as this parameter's type; raises InputError naming `field`, else the name."""
+        field = field or self.name
+        if self.kind is float:
+            return self._validate_number(value, field)
+        if not isinstance(value, self.kind):
+            raise InputError(field, value, f"a {self.kind.__name__} is wanted")
+        if self.choices and value not in self.choices:
+            raise InputError(field, value, "one of " + ", ".join(self.choices))
+        return value
+
+    def _validate_number(self, value, field: str) -> float:
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise InputError(field, value, self.allowed)
+        if not (math.isfinite(value) and self.minimum <= value <= self.maximum):
+            raise InputError(field, value, self.allowed)
+        return float(value)
+
+    @property
+    def allowed(self) -> str:
+        """The allowed values in words."""
+        if self.kind is bool:
+            return "true or false"
+        if self.choices:
+            return " or ".join(self.choices)
+        if self.kind is not float:
+            return "any text"
+        unit = f" {self.unit}" if self.unit else ""
+        return f"a number from {self.minimum:g} to {self.maximum:g}{unit}"
+
+
+def parameter(
+    description: str,
+    unit: str = "",
+    minimum: float = -math.inf,
+    maximum: float = math.inf,
+    symbol: str = "",
+    choices: tuple[str, ...] = (),
+    tunable: bool = False,
+    default=dataclasses.MISSING,
+):
+    """A dataclass field that declares a parameter; without `default` it must be given."""
+    about = {
+        "description": description,
+        "unit": unit,
+        "minimum": minimum,
+        "maximum": maximum,
+        "symbol": symbol,
+        "choices": choices,
+        "tunable": tunable,
+    }
+    return dataclasses.field(default=default, metadata=about)
+
+
+def parameters_of(declaring_class) -> dict[str, Parameter]:
+    """The parameters that a dataclass declares, by name, in order."""
+    return {
+        field.name: Parameter(field.name, field.type, field.default, **field.metadata)
+        for field in dataclasses.fields(declaring_class)
+        if field.metadata
+    }
+
+
+def unknown_name(name: str, known: Iterable[str], field: str) -> InputError:
+    """The error for a name that is not among the `known` ones, with the nearest of them."""
+    known = list(known)
+    nearest = difflib.get_close_matches(name, known, n=1)
+    allowed = f"did you mean {nearest[0]}?" if nearest else "known: " + ", ".join(known)
+    return InputError(field, name, allowed)
+
+
+def validated(declaring_class, values: Mapping, prefix: str = "") -> dict:
+    """`values` checked one by one against the declarations; names are reported with `prefix`."""
+    known = parameters_of(declaring_class)
+    for name in values:
+        if name not in known:
+            raise unknown_name(name, known, f"{prefix}name" if prefix else "name")
+    return {name: known[name].validate(value, prefix + name) for name, value in values.items()}

@@ -1,0 +1,54 @@
+"""Several steps at once, in one call of compiled code."""
+
+from vehicle_roll_sim.model.events import (
+    Condition,
+    condition_of,
+    first_implausible,
+    note_crossings,
+    note_peaks,
+)
+from vehicle_roll_sim.model.fourteen_dof import derivatives
+from vehicle_roll_sim.model.integrator import BEFORE, K1, rk4_step
+from vehicle_roll_sim.model.jit import kernel
+
+SECONDS = 1e-9
+"""Seconds in a nanosecond, the unit of simulated time."""
+
+
+@kernel
+def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, stages):
+    """Integrate up to `steps` steps; return how many were taken, the condition and the culprit.
+
+    state: flat vector laid out as STATE, changed in place. commands: 2 * steps + 1 records, one
+    for the beginning, the middle and the end of each step, or a single one that is held.
+    start_ns, step_ns: simulated time and step (ns). plant: vehicle, tire, options and limits;
+    they, outputs and events are one-element arrays of records. stages: work space.
+
+    A step after which a state is implausible is taken back; the index of that state is the
+    culprit, else -1. At the end `outputs` belong to the final state and the last command.
+    """
+    vehicle, tire, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
+    out, seen = outputs[0], events[0]
+    car = (vehicle, tire, options, out)
+    stride = 0 if len(commands) == 1 else 1
+    step = step_ns * SECONDS
+    taken, condition, culprit = 0, Condition.RUNNING, -1
+    derivatives(state, commands[0], vehicle, tire, options, out, stages[K1])
+    while taken < steps and condition == Condition.RUNNING:
+        time = (start_ns + taken * step_ns) * SECONDS
+        note_peaks(time, state, tire, out, seen)
+        stages[BEFORE, :] = state
+        row = 2 * taken * stride
+        rk4_step(state, commands[row + stride], commands[row + 2 * stride], step, car, stages)
+        culprit = first_implausible(state, limits.largest)
+        if culprit >= 0:
+            state[:] = stages[BEFORE]
+            condition = Condition.DIVERGED
+        else:
+            taken += 1
+            note_crossings(time, step, stages[BEFORE], state, limits.rollover_angle, seen)
+            condition = condition_of(state, limits)
+        last = commands[2 * taken * stride]
+        derivatives(state, last, vehicle, tire, options, out, stages[K1])
+    note_peaks((start_ns + taken * step_ns) * SECONDS, state, tire, out, seen)
+    return taken, condition, culprit

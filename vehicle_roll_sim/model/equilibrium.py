@@ -1,0 +1,42 @@
+"""Static equilibrium: what the springs carry at rest, and the state a run starts from."""
+
+import numpy as np
+
+from vehicle_roll_sim.model.records import STATE, WHEEL_COUNT
+
+
+def axle_load_share(to_front: float, to_rear: float) -> np.ndarray:
+    """Share of the sprung weight on each wheel (4), the sum being 1."""
+    wheelbase = to_front + to_rear
+    front, rear = to_rear / (2 * wheelbase), to_front / (2 * wheelbase)
+    return np.array([front, front, rear, rear])
+
+
+def static_suspension_compression(sprung_mass, share, spring_stiffness, gravity) -> np.ndarray:
+    """xsi of each corner (m; eq. 19 with the g that the source drops)."""
+    return sprung_mass * gravity * share / spring_stiffness
+
+
+def static_tire_compression(
+    sprung_mass, share, unsprung_mass, tire_stiffness, gravity
+) -> np.ndarray:
+    """xti of each wheel (m; eq. 20 with the g that the source drops)."""
+    return (sprung_mass * share + unsprung_mass) * gravity / tire_stiffness
+
+
+def static_strut_length(cg_height, tire_radius, tire_compression) -> np.ndarray:
+    """lsi of each corner (m; eq. 18)."""
+    return cg_height - (tire_radius - tire_compression)
+
+
+def equilibrium(vehicle: np.ndarray, speed: float) -> np.ndarray:
+    """The state (one STATE record in an array) of free rolling straight ahead at `speed` (m/s)."""
+    state = np.zeros(1, STATE)
+    car, start = vehicle[0], state[0]
+    start.z = car.cg_height
+    start.u = speed
+    start.suspension_compression = car.static_suspension_compression
+    start.tire_compression = car.static_tire_compression
+    radius = car.tire_radius - car.static_tire_compression
+    start.wheel_speed = np.full(WHEEL_COUNT, speed) / radius
+    return state

@@ -1,0 +1,128 @@
+"""What happens on the way: wheels lift, the vehicle rolls over, a run must stop; and the peaks."""
+
+import enum
+
+import numpy as np
+
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.records import STATE, STATE_SIZE, WHEEL_COUNT, per_wheel, record_dtype
+
+MINIMUM_SPEED = 3.5
+"""Lowest forward speed (m/s) of the model: the slip of equation 5 divides by it."""
+SPEED_ROUNDING = 1e-9
+"""Relative allowance for rounding, so that a run at exactly the lowest speed goes on."""
+
+
+class Condition(enum.IntEnum):
+    """Whether a run can go on, and if not, why."""
+
+    RUNNING = 0
+    ROLLED_OVER = 1
+    TOO_SLOW = 2
+    DIVERGED = 3
+
+
+VALUE, TIME = 0, 1
+SLIP_RATIO, SLIP_ANGLE, NORMAL_FORCE = 0, 1, 2
+
+EVENTS = record_dtype(
+    *per_wheel("lift_off_time"),
+    ("rollover_time", (1,)),
+    ("peak_roll", 2),
+    ("peak_lateral_acceleration", 2),
+    ("out_of_range_time", 3),
+)
+"""Times (s) are nan until the event. lift_off_time: the first time that Fz reaches 0, and
+rollover_time: that the roll angle reaches its limit, both interpolated linearly between steps.
+Peaks are (value, time) of the largest magnitude at the steps. out_of_range_time: when slip ratio,
+slip angle or load of any loaded tire first left the range of the tire file."""
+
+LIMITS = record_dtype("rollover_angle", "minimum_speed", ("largest", STATE_SIZE))
+"""Where a run stops: roll angle (rad), forward speed (m/s) and the largest plausible magnitude of
+every state."""
+
+
+def plausible_magnitudes() -> np.ndarray:
+    """Largest magnitude of each state that a road vehicle can show; beyond it is divergence."""
+    largest = np.full(1, np.inf, STATE)
+    bound = largest[0]
+    bound.z = 1e3
+    bound.pitch = 1.55  # short of the singularity of the Euler angles
+    bound.u = bound.v = bound.w = 1e3
+    bound.roll_rate = bound.pitch_rate = bound.yaw_rate = 1e3
+    bound.suspension_compression = bound.tire_compression = 1e2
+    bound.unsprung_velocity = 1e3
+    bound.wheel_speed = 1e6
+    return largest.view(np.float64)
+
+
+def no_events() -> np.ndarray:
+    """An EVENTS record, in an array, in which nothing has happened yet."""
+    events = np.full(1, np.nan, EVENTS)
+    events[0].peak_roll = events[0].peak_lateral_acceleration = 0.0
+    return events
+
+
+@kernel
+def crossing_time(time, step, before, after):
+    """When a quantity that is `before` at `time` and `after` a step later passes 0 (s)."""
+    return time + step * before / (before - after)
+
+
+@kernel
+def note_peaks(time, state, tire, outputs, events):
+    """Largest roll angle and lateral acceleration so far, and tires beyond their ranges."""
+    keep_peak(time, state[at.ROLL], events.peak_roll)
+    keep_peak(time, outputs.acceleration[1], events.peak_lateral_acceleration)
+    for i in range(WHEEL_COUNT):
+        fz = outputs.normal_force[i]
+        if fz > 0.0:
+            kappa, alpha = outputs.slip_ratio[i], outputs.slip_angle[i]
+            noted = events.out_of_range_time
+            note_range(time, kappa, tire.KPUMIN, tire.KPUMAX, noted, SLIP_RATIO)
+            note_range(time, alpha, tire.ALPMIN, tire.ALPMAX, noted, SLIP_ANGLE)
+            note_range(time, fz, tire.FZMIN, tire.FZMAX, noted, NORMAL_FORCE)
+
+
+@kernel
+def keep_peak(time, value, peak):
+    if abs(value) > abs(peak[VALUE]):
+        peak[VALUE], peak[TIME] = value, time
+
+
+@kernel
+def note_range(time, value, lowest, highest, noted, quantity):
+    if math.isnan(noted[quantity]) and not lowest <= value <= highest:
+        noted[quantity] = time
+
+
+@kernel
+def note_crossings(time, step, before, state, rollover_angle, events):
+    """Lift-offs and rollover during the step that began at `time` with the state `before`."""
+    xt_before, xt = before[at.TIRE_COMPRESSION], state[at.TIRE_COMPRESSION]
+    for i in range(WHEEL_COUNT):
+        if xt[i] <= 0.0 < xt_before[i] and math.isnan(events.lift_off_time[i]):
+            events.lift_off_time[i] = crossing_time(time, step, xt_before[i], xt[i])
+    left, gone = rollover_angle - abs(before[at.ROLL]), rollover_angle - abs(state[at.ROLL])
+    if gone <= 0.0 < left:
+        events.rollover_time[0] = crossing_time(time, step, left, gone)
+
+
+@kernel
+def first_implausible(state, largest):
+    """Index of the first state that is not finite or beyond its bound; -1 if there is none."""
+    for i in range(len(state)):
+        if not (math.isfinite(state[i]) and abs(state[i]) <= largest[i]):
+            return i
+    return -1
+
+
+@kernel
+def condition_of(state, limits):
+    """Whether the run can go on from `state`."""
+    if abs(state[at.ROLL]) >= limits.rollover_angle:
+        return Condition.ROLLED_OVER
+    if state[at.U] < limits.minimum_speed * (1 - SPEED_ROUNDING):
+        return Condition.TOO_SLOW
+    return Condition.RUNNING

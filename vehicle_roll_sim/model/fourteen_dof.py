@@ -1,0 +1,105 @@
+"""Model 1: the vehicle with 14 degrees of freedom of Shim and Ghike (2007), equations 1-37."""
+
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.contact import (
+    contact_forces,
+    contact_forces_on_body_axes,
+    contact_kinematics,
+)
+from vehicle_roll_sim.model.frames import body_to_yawed, euler_rates, yawed_to_ground
+from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, LR, WHEEL_COUNT
+from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
+from vehicle_roll_sim.model.suspension import (
+    applied_link_forces,
+    link_forces,
+    link_load_transfer,
+    strut_forces,
+    strut_kinematics,
+    unsprung_rates,
+)
+
+
+@kernel
+def derivatives(state, command, vehicle, tire, options, outputs, rates):
+    """Time derivative of the state, into `rates`, and all that leads to it, into `outputs`.
+
+    `state` and `rates` are flat vectors laid out as records.STATE, the others records.
+    """
+    s_roll, c_roll = math.sin(state[at.ROLL]), math.cos(state[at.ROLL])
+    s_pitch, c_pitch = math.sin(state[at.PITCH]), math.cos(state[at.PITCH])
+    attitude = (s_roll, c_roll, s_pitch, c_pitch)
+
+    strut_kinematics(state, vehicle, outputs)
+    contact_kinematics(state, vehicle, attitude, outputs)
+    contact_forces(state, command, vehicle, tire, outputs)
+    contact_forces_on_body_axes(attitude, outputs)
+    strut_forces(state, command, vehicle, outputs)
+    applied_link_forces(state, vehicle, attitude, outputs)
+
+    mass_matrix(vehicle, options, outputs)
+    applied_forces(state, vehicle, options, attitude, outputs)
+    solve_in_place(outputs.mass_matrix, outputs.body_acceleration)
+    link_forces(vehicle, outputs)
+    link_load_transfer(vehicle, options, outputs)
+
+    body_rates(state, attitude, outputs, rates)
+    unsprung_rates(state, vehicle, attitude, outputs, rates)
+    compression_rates(state, attitude, outputs, rates)
+    wheel_rates(state, command, vehicle, outputs, rates)
+    accelerations(state, vehicle.gravity, attitude, outputs)
+
+
+@kernel
+def body_rates(state, attitude, outputs, rates):
+    """Position, attitude (eqs 35-37) and velocity of the sprung mass."""
+    wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
+    forward, left, rates[at.Z] = body_to_yawed(attitude, state[at.U], state[at.V], state[at.W])
+    rates[at.X], rates[at.Y] = yawed_to_ground(state[at.YAW], forward, left)
+    rates[at.ROLL], rates[at.PITCH], rates[at.YAW] = euler_rates(attitude, wx, wy, wz)
+    q = outputs.body_acceleration
+    rates[at.U], rates[at.V], rates[at.W] = q[DU], q[DV], q[DW]
+    rates[at.ROLL_RATE], rates[at.PITCH_RATE], rates[at.YAW_RATE] = q[DWX], q[DWY], q[DWZ]
+
+
+@kernel
+def compression_rates(state, attitude, outputs, rates):
+    """Rates of the suspension springs (eq. 12) and of the tires on a smooth road (eq. 14)."""
+    wu = state[at.UNSPRUNG_VELOCITY]
+    for i in range(WHEEL_COUNT):
+        uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]
+        _, _, rise = body_to_yawed(attitude, uu, vu, wu[i])
+        rates[at.SUSPENSION_COMPRESSION][i] = outputs.suspension_rate[i]
+        rates[at.TIRE_COMPRESSION][i] = -rise
+
+
+@kernel
+def wheel_rates(state, command, vehicle, outputs, rates):
+    """Spin of the wheels: Jw dw/dt = T - r Fxt, with the speed hold added at the rear."""
+    spin = state[at.WHEEL_SPEED]
+    hold = command.speed_hold_gain * (command.speed_hold_target - state[at.U])
+    for i in range(WHEEL_COUNT):
+        torque = command.wheel_torque[i]
+        if i >= LR:
+            torque += hold
+        torque -= outputs.loaded_radius[i] * outputs.tire_longitudinal[i]
+        rates[at.WHEEL_SPEED][i] = torque / vehicle.wheel_inertia
+        rates[at.WHEEL_ANGLE][i] = spin[i]
+
+
+@kernel
+def accelerations(state, gravity, attitude, outputs):
+    """Acceleration of the sprung c.g. in frame 2, and its specific force in frame 1."""
+    s_roll, c_roll, s_pitch, c_pitch = attitude
+    q, u, v, w = outputs.body_acceleration, state[at.U], state[at.V], state[at.W]
+    wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
+    ax, ay, az = q[DU] + wy * w - wz * v, q[DV] + wz * u - wx * w, q[DW] + wx * v - wy * u
+    yawed = body_to_yawed(attitude, ax, ay, az)
+    specific = (
+        ax - gravity * s_pitch,
+        ay + gravity * s_roll * c_pitch,
+        az + gravity * c_roll * c_pitch,
+    )
+    for axis in range(len(yawed)):
+        outputs.acceleration[axis] = yawed[axis]
+        outputs.specific_force[axis] = specific[axis]

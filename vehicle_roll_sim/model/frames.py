@@ -1,0 +1,57 @@
+"""Rotations between the body (frame 1), the yawed ground frame (frame 2) and the ground.
+
+Angles are Rz(yaw) Ry(pitch) Rx(roll), ISO 8855 / REP-103: pitch positive nose down, roll positive
+left side up. Arguments named s_ and c_ are a sine and a cosine.
+"""
+
+from vehicle_roll_sim.model.jit import kernel, math
+
+
+@kernel
+def body_to_yawed(attitude, x, y, z):
+    """A vector of frame 1 along the axes of frame 2: Ry(pitch) Rx(roll)."""
+    s_roll, c_roll, s_pitch, c_pitch = attitude
+    y_pitched = c_roll * y - s_roll * z
+    z_pitched = s_roll * y + c_roll * z
+    return c_pitch * x + s_pitch * z_pitched, y_pitched, -s_pitch * x + c_pitch * z_pitched
+
+
+@kernel
+def yawed_to_body(attitude, x, y, z):
+    """A force of frame 2 along the axes of frame 1 (eq. 2)."""
+    s_roll, c_roll, s_pitch, c_pitch = attitude
+    z_pitched = s_pitch * x + c_pitch * z
+    return (
+        c_pitch * x - s_pitch * z,
+        c_roll * y + s_roll * z_pitched,
+        -s_roll * y + c_roll * z_pitched,
+    )
+
+
+@kernel
+def yawed_to_ground(yaw, x, y):
+    """A horizontal vector of frame 2 along the axes of the ground: Rz(yaw)."""
+    s_yaw, c_yaw = math.sin(yaw), math.cos(yaw)
+    return c_yaw * x - s_yaw * y, s_yaw * x + c_yaw * y
+
+
+@kernel
+def euler_rates(attitude, wx, wy, wz):
+    """Roll, pitch and yaw rates (rad/s) from the body rates (eqs 37, 35, 36)."""
+    s_roll, c_roll, s_pitch, c_pitch = attitude
+    turning = (wy * s_roll + wz * c_roll) / c_pitch
+    return wx + turning * s_pitch, wy * c_roll - wz * s_roll, turning
+
+
+@kernel
+def quaternion(roll, pitch, yaw):
+    """The attitude as a unit quaternion (x, y, z, w), for messages."""
+    sr, cr = math.sin(roll / 2), math.cos(roll / 2)
+    sp, cp = math.sin(pitch / 2), math.cos(pitch / 2)
+    sy, cy = math.sin(yaw / 2), math.cos(yaw / 2)
+    return (
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    )

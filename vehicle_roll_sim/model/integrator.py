@@ -1,0 +1,35 @@
+"""Classical Runge-Kutta integration of fourth order with a fixed step."""
+
+from vehicle_roll_sim.model.fourteen_dof import derivatives
+from vehicle_roll_sim.model.jit import kernel
+
+STAGE_VECTORS = 6
+"""Rows of work space: four slopes, the trial state and the state before the step."""
+K1, K2, K3, K4, TRIAL, BEFORE = range(STAGE_VECTORS)
+
+
+@kernel
+def along(state, slope, interval, result):
+    """result = state + interval * slope."""
+    for i in range(len(state)):
+        result[i] = state[i] + interval * slope[i]
+
+
+@kernel
+def rk4_step(state, midway, after, step, car, stages):
+    """Advance `state` in place by one step (s), its first slope being in stages[K1] already.
+
+    `midway` and `after` are the commands at the middle and the end of the step; `car` holds the
+    vehicle, tire, options and outputs of `derivatives`.
+    """
+    vehicle, tire, options, outputs = car
+    trial = stages[TRIAL]
+    along(state, stages[K1], step / 2, trial)
+    derivatives(trial, midway, vehicle, tire, options, outputs, stages[K2])
+    along(state, stages[K2], step / 2, trial)
+    derivatives(trial, midway, vehicle, tire, options, outputs, stages[K3])
+    along(state, stages[K3], step, trial)
+    derivatives(trial, after, vehicle, tire, options, outputs, stages[K4])
+    for i in range(len(state)):
+        inner = stages[K2, i] + stages[K3, i]
+        state[i] += step / 6 * (stages[K1, i] + 2 * inner + stages[K4, i])

@@ -1,0 +1,118 @@
+"""One source for compiled and plain Python: the `kernel` decorator and the arguments it takes.
+
+With numba installed (and NUMBA_DISABLE_JIT unset) a kernel is compiled once and kept in a cache on
+disk; without it the same function runs as ordinary Python, slower.
+"""
+
+import functools
+import hashlib
+import math as standard_math
+import os
+import tempfile
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+
+try:
+    import numba
+except ImportError:
+    numba = None
+
+COMPILED = numba is not None and not numba.config.DISABLE_JIT
+
+
+def _quiet(function):
+    """`function` as compiled code has it: nan instead of an exception."""
+
+    @functools.wraps(function)
+    def call(*arguments):
+        try:
+            return function(*arguments)
+        except (ValueError, OverflowError):
+            return standard_math.nan
+
+    return call
+
+
+def _quiet_math() -> SimpleNamespace:
+    raising = ("sin", "cos", "exp")
+    quiet = {name: _quiet(getattr(standard_math, name)) for name in raising}
+    return SimpleNamespace(**(vars(standard_math) | quiet))
+
+
+math = standard_math if COMPILED else _quiet_math()
+"""The mathematical functions for kernels."""
+
+
+def _source_fingerprint() -> str:
+    """Hash of every source file of the model.
+
+    numba renews its cache when the file of a function changes, but not when a function that it
+    calls, in another file, does; a folder named after all of the sources does both.
+    """
+    digest = hashlib.sha256()
+    for source in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(source.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _writable_cache() -> Path | None:
+    """The folder for compiled code, made if need be; None where none can be written to."""
+    home = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    chosen = numba.config.CACHE_DIR or os.path.join(home, "vehicle_roll_sim")
+    folder = Path(chosen) / _source_fingerprint()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return folder
+    except OSError:
+        return None
+
+
+CACHE = _writable_cache() if COMPILED else None
+
+
+def kernel(function):
+    """Compile `function` where numba is there; division by zero then gives inf or nan."""
+    if not COMPILED:
+        return function
+    if CACHE is None:
+        return numba.njit(error_model="numpy")(function)
+    users_choice = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(CACHE)
+    try:
+        return numba.njit(cache=True, error_model="numpy")(function)
+    finally:
+        numba.config.CACHE_DIR = users_choice
+
+
+def kernel_argument(records: np.ndarray):
+    """The form in which a kernel takes `records`, a one-element array of a structured dtype.
+
+    Compiled code takes the array itself. Plain Python gets an object with the same fields, some
+    twenty times faster to read than a numpy record; its arrays share memory with `records`, its
+    scalars are copies, so a kernel writes only into array fields.
+    """
+    if COMPILED:
+        return records
+    record = records[0]
+    fields = {name: record[name] for name in records.dtype.names}
+    return (SimpleNamespace(**{name: _plain(value) for name, value in fields.items()}),)
+
+
+def _plain(value):
+    return value if isinstance(value, np.ndarray) else value.item()
+
+
+def describe() -> str:
+    """One line on how the model runs here, for start-up messages."""
+    if numba is None:
+        return "numba is not installed: the model runs in plain Python, a few hundred times slower"
+    if not COMPILED:
+        return (
+            "NUMBA_DISABLE_JIT is set: the model runs in plain Python, a few hundred times slower"
+        )
+    if CACHE is None:
+        return "no folder for compiled code can be written: the model is compiled at every start"
+    return f"compiled model, cached in {CACHE}"

@@ -1,0 +1,108 @@
+"""The data that the equations read and write, as numpy structured dtypes: names and layout.
+
+Wheels come in the order lf, rf, lr, rr everywhere. SI units and radians.
+"""
+
+import numpy as np
+
+WHEELS = ("lf", "rf", "lr", "rr")
+WHEEL_COUNT = len(WHEELS)
+LF, RF, LR, RR = range(WHEEL_COUNT)
+DEGREES_OF_ACCELERATION = 6
+DU, DV, DW, DWX, DWY, DWZ = range(DEGREES_OF_ACCELERATION)
+"""Places of the derivatives of u, v, w and of the body rates among the accelerations."""
+
+
+def record_dtype(*fields) -> np.dtype:
+    """A structured dtype of float64 fields whose elements give their fields as attributes.
+
+    `fields` are names (scalars), (name, shape) or (name, type) pairs.
+    """
+    return np.dtype((np.record, [_field(field) for field in fields]))
+
+
+def _field(field):
+    if isinstance(field, str):
+        return (field, np.float64)
+    name, kind = field
+    return (name, kind) if isinstance(kind, type) else (name, np.float64, kind)
+
+
+def per_wheel(*names: str) -> tuple:
+    return tuple((name, WHEEL_COUNT) for name in names)
+
+
+MODEL_STATE = record_dtype(
+    *("x", "y", "z", "roll", "pitch", "yaw"),
+    *("u", "v", "w", "roll_rate", "pitch_rate", "yaw_rate"),
+    *per_wheel("suspension_compression", "tire_compression", "unsprung_velocity", "wheel_speed"),
+)
+"""The 28 states: position of the sprung c.g. (m, ground frame), Euler angles (rad), velocity
+(m/s) and rates (rad/s) in the body frame, then per wheel xs, xt (m), wu (m/s) and spin (rad/s)."""
+
+STATE = record_dtype(
+    *((name, MODEL_STATE[name].shape or ()) for name in MODEL_STATE.names),
+    *per_wheel("wheel_angle"),
+)
+"""What is integrated: the 28 states and, after them, the spin angle of each wheel (rad)."""
+
+MODEL_STATE_SIZE = MODEL_STATE.itemsize // 8
+STATE_SIZE = STATE.itemsize // 8
+
+
+def _place(name: str):
+    """Where a field lies in the flat state vector: an index, or a slice of four."""
+    dtype, offset = STATE.fields[name]
+    first = offset // 8
+    return slice(first, first + WHEEL_COUNT) if dtype.shape else first
+
+
+X, Y, Z = _place("x"), _place("y"), _place("z")
+ROLL, PITCH, YAW = _place("roll"), _place("pitch"), _place("yaw")
+U, V, W = _place("u"), _place("v"), _place("w")
+ROLL_RATE, PITCH_RATE, YAW_RATE = _place("roll_rate"), _place("pitch_rate"), _place("yaw_rate")
+SUSPENSION_COMPRESSION = _place("suspension_compression")
+TIRE_COMPRESSION = _place("tire_compression")
+UNSPRUNG_VELOCITY = _place("unsprung_velocity")
+WHEEL_SPEED = _place("wheel_speed")
+WHEEL_ANGLE = _place("wheel_angle")
+
+COMMAND = record_dtype(
+    *("steering", "rear_steering"),
+    *per_wheel("wheel_torque", "normal_force"),
+    *("speed_hold_gain", "speed_hold_target"),
+)
+"""What drives the model: road-wheel angles (rad), torque at each wheel (N m), active normal force
+at each corner (N), and a speed hold, a torque gain * (target - u) added at each rear wheel."""
+
+VEHICLE = record_dtype(
+    *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
+    *("tire_radius", "wheel_inertia", "gravity"),
+    *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass"),
+    *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
+    *per_wheel("static_strut_length", "static_suspension_compression"),
+    *per_wheel("static_tire_compression"),
+)
+"""The vehicle as the equations want it: front and rear values laid out per wheel."""
+
+OPTIONS = record_dtype(("euler_terms", np.bool_), ("no_roll_centre", np.bool_))
+
+OUTPUTS = record_dtype(
+    *per_wheel("normal_force", "longitudinal_force", "lateral_force"),
+    *per_wheel("slip_ratio", "slip_angle", "steering", "suspension_rate"),
+    ("acceleration", 3),
+    ("specific_force", 3),
+    *per_wheel("strut_length", "loaded_radius", "unsprung_u", "unsprung_v"),
+    *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
+    *per_wheel("contact_x", "contact_y", "strut_force", "link_load_transfer"),
+    *per_wheel("applied_x", "applied_y", "link_x", "link_y"),
+    ("body_acceleration", DEGREES_OF_ACCELERATION),
+    ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
+)
+"""Everything that is computed on the way from a state to its derivative.
+
+normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N); acceleration: of
+the sprung c.g. along the axes of frame 2 (m/s^2); specific_force: what an accelerometer at the
+c.g. reads, in frame 1 (m/s^2); body_acceleration: derivatives of u, v, w and the body rates. The
+rest are the terms of the equations, named where they are computed.
+"""

@@ -1,0 +1,105 @@
+"""The six equations of the sprung mass as one linear system in its accelerations (eqs 29-34)."""
+
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.jit import kernel
+from vehicle_roll_sim.model.records import (
+    DEGREES_OF_ACCELERATION,
+    DU,
+    DV,
+    DW,
+    DWX,
+    DWY,
+    DWZ,
+    WHEEL_COUNT,
+)
+
+
+@kernel
+def mass_matrix(vehicle, options, outputs):
+    """Left-hand side: the inertia of the body and of what its links carry along.
+
+    Symmetric and positive definite without a roll centre; with one, the roll equation has the
+    roll centre's depth for a lever where the others have the length of the strut.
+    """
+    a = outputs.mass_matrix
+    a[:, :] = 0.0
+    a[DU, DU] = a[DV, DV] = a[DW, DW] = vehicle.sprung_mass
+    a[DWX, DWX], a[DWY, DWY] = vehicle.roll_inertia, vehicle.pitch_inertia
+    a[DWZ, DWZ] = vehicle.yaw_inertia
+    for i in range(WHEEL_COUNT):
+        mu, ls = vehicle.unsprung_mass[i], outputs.strut_length[i]
+        x, y = vehicle.x[i], vehicle.y[i]
+        lever = ls if options.no_roll_centre else vehicle.roll_centre_depth[i]
+        a[DU, DU] += mu  # longitudinal link forces, (21) and (54)
+        a[DU, DWY] -= mu * ls
+        a[DU, DWZ] -= mu * y
+        a[DV, DV] += mu  # lateral link forces, (22) and (55)
+        a[DV, DWX] += mu * ls
+        a[DV, DWZ] += mu * x
+        a[DWX, DV] += lever * mu  # their moments, (24) or (25)
+        a[DWX, DWX] += lever * mu * ls
+        a[DWX, DWZ] += lever * mu * x
+        a[DWY, DU] -= ls * mu  # (27)
+        a[DWY, DWY] += ls * mu * ls
+        a[DWY, DWZ] += ls * mu * y
+        a[DWZ, DU] -= y * mu  # (34)
+        a[DWZ, DV] += x * mu
+        a[DWZ, DWX] += x * mu * ls
+        a[DWZ, DWY] += y * mu * ls
+        a[DWZ, DWZ] += mu * (x * x + y * y)
+
+
+@kernel
+def applied_forces(state, vehicle, options, attitude, outputs):
+    """Right-hand side: weight, gyroscopic terms and the forces and moments of the corners."""
+    s_roll, c_roll, s_pitch, c_pitch = attitude
+    f = outputs.body_acceleration
+    u, v, w = state[at.U], state[at.V], state[at.W]
+    wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
+    m = vehicle.sprung_mass
+    weight = m * vehicle.gravity
+    f[DU] = weight * s_pitch - m * (wy * w - wz * v)  # (29)
+    f[DV] = -weight * s_roll * c_pitch - m * (wz * u - wx * w)  # (30)
+    f[DW] = -weight * c_roll * c_pitch - m * (wx * v - wy * u)  # (31)
+    f[DWX] = f[DWY] = f[DWZ] = 0.0
+    if options.euler_terms:
+        jx, jy, jz = vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia
+        f[DWX] += (jy - jz) * wy * wz
+        f[DWY] += (jz - jx) * wz * wx
+        f[DWZ] += (jx - jy) * wx * wy
+    for i in range(WHEEL_COUNT):
+        x, y, ls, r = vehicle.x[i], vehicle.y[i], outputs.strut_length[i], outputs.loaded_radius[i]
+        fx, fy, fz = outputs.applied_x[i], outputs.applied_y[i], outputs.strut_force[i]
+        f[DU] += fx
+        f[DV] += fy
+        f[DW] += fz
+        f[DWX] += y * fz + roll_moment(i, vehicle, options, outputs)  # (32)
+        f[DWY] -= x * fz + outputs.contact_x[i] * r + fx * ls  # (33), (27)
+        f[DWZ] += x * fy - y * fx  # (34), (28)
+
+
+@kernel
+def roll_moment(i, vehicle, options, outputs):
+    """Roll moment of the lateral link force of corner i, with or without roll centre (25, 24)."""
+    if options.no_roll_centre:
+        about_strut = outputs.contact_y[i] * outputs.loaded_radius[i]
+        return about_strut + outputs.applied_y[i] * outputs.strut_length[i]
+    return outputs.applied_y[i] * vehicle.roll_centre_depth[i]
+
+
+@kernel
+def solve_in_place(a, f):
+    """Replace f by the solution of a q = f; `a` is destroyed. Gaussian elimination.
+
+    No pivoting: the matrix is an inertia, dominated by its diagonal, with every pivot a mass.
+    """
+    for k in range(DEGREES_OF_ACCELERATION):
+        for row in range(k + 1, DEGREES_OF_ACCELERATION):
+            factor = a[row, k] / a[k, k]
+            for column in range(k + 1, DEGREES_OF_ACCELERATION):
+                a[row, column] -= factor * a[k, column]
+            f[row] -= factor * f[k]
+    for k in range(DEGREES_OF_ACCELERATION - 1, -1, -1):
+        for column in range(k + 1, DEGREES_OF_ACCELERATION):
+            f[k] -= a[k, column] * f[column]
+        f[k] /= a[k, k]

@@ -1,0 +1,102 @@
+"""Struts and links: what the unsprung masses do to the body, and the body to them.
+
+The longitudinal and lateral link forces (eqs 21, 22) hold the accelerations of the unsprung mass,
+which hold those of the body (eqs 54, 55, the first with the y term that the source omits). Each
+link force is therefore kept in two parts, `applied` less inertia times body acceleration, and the
+accelerations are found from one linear system (`rigid_body`).
+"""
+
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.jit import kernel
+from vehicle_roll_sim.model.records import DU, DV, DWX, DWY, DWZ, LF, LR, RF, RR, WHEEL_COUNT
+
+
+@kernel
+def strut_kinematics(state, vehicle, outputs):
+    """Strut length and rate, and the velocity of each unsprung mass (eqs 1, 9, 10, 12, 17)."""
+    u, v, w = state[at.U], state[at.V], state[at.W]
+    wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
+    xs, wu = state[at.SUSPENSION_COMPRESSION], state[at.UNSPRUNG_VELOCITY]
+    for i in range(WHEEL_COUNT):
+        x, y = vehicle.x[i], vehicle.y[i]
+        us, vs, ws = u - y * wz, v + x * wz, w + y * wx - x * wy  # (1)
+        extension = vehicle.static_suspension_compression[i] - xs[i]
+        ls = vehicle.static_strut_length[i] + extension  # (17)
+        outputs.strut_length[i] = ls
+        outputs.suspension_rate[i] = wu[i] - ws  # (12)
+        outputs.unsprung_u[i] = us - ls * wy  # (9)
+        outputs.unsprung_v[i] = vs + ls * wx  # (10)
+
+
+@kernel
+def strut_forces(state, command, vehicle, outputs):
+    """Fzs of every corner (N): spring, damper and active normal force (eq. 23)."""
+    xs = state[at.SUSPENSION_COMPRESSION]
+    for i in range(WHEEL_COUNT):
+        passive = vehicle.spring_stiffness[i] * xs[i]
+        passive += vehicle.damping[i] * outputs.suspension_rate[i]
+        outputs.strut_force[i] = passive + command.normal_force[i]
+
+
+@kernel
+def applied_link_forces(state, vehicle, attitude, outputs):
+    """Link forces of every corner but for the body's accelerations (eqs 21, 22, 54, 55)."""
+    s_roll, _, s_pitch, c_pitch = attitude
+    wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
+    wu = state[at.UNSPRUNG_VELOCITY]
+    for i in range(WHEEL_COUNT):
+        mu = vehicle.unsprung_mass[i]
+        weight = mu * vehicle.gravity
+        ls_rate = -outputs.suspension_rate[i]
+        uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]
+        x_inertia = mu * (-ls_rate * wy - wz * vu + wy * wu[i])
+        y_inertia = mu * (ls_rate * wx - wx * wu[i] + wz * uu)
+        outputs.applied_x[i] = outputs.contact_x[i] + weight * s_pitch - x_inertia
+        outputs.applied_y[i] = outputs.contact_y[i] - weight * s_roll * c_pitch - y_inertia
+
+
+@kernel
+def link_forces(vehicle, outputs):
+    """Fxs and Fys of every corner (N), once the accelerations are known (eqs 21, 22)."""
+    q = outputs.body_acceleration
+    du, dv, dwx, dwy, dwz = q[DU], q[DV], q[DWX], q[DWY], q[DWZ]
+    for i in range(WHEEL_COUNT):
+        mu, ls = vehicle.unsprung_mass[i], outputs.strut_length[i]
+        outputs.link_x[i] = outputs.applied_x[i] - mu * (du - vehicle.y[i] * dwz - ls * dwy)
+        outputs.link_y[i] = outputs.applied_y[i] - mu * (dv + vehicle.x[i] * dwz + ls * dwx)
+
+
+@kernel
+def link_moment(i, vehicle, outputs):
+    """Roll moment that the links of corner i pass on beside the roll centre (N m)."""
+    about_strut = outputs.contact_y[i] * outputs.loaded_radius[i]
+    arm = outputs.strut_length[i] - vehicle.roll_centre_depth[i]
+    return about_strut + outputs.link_y[i] * arm
+
+
+@kernel
+def link_load_transfer(vehicle, options, outputs):
+    """Fdz of every corner (N): the roll centre's share of the load transfer (eq. 26)."""
+    for left, right in ((LF, RF), (LR, RR)):
+        transfer = 0.0
+        if not options.no_roll_centre:
+            track = vehicle.y[left] - vehicle.y[right]
+            moments = link_moment(right, vehicle, outputs) + link_moment(left, vehicle, outputs)
+            transfer = moments / track
+        outputs.link_load_transfer[left] = -transfer
+        outputs.link_load_transfer[right] = transfer
+
+
+@kernel
+def unsprung_rates(state, vehicle, attitude, outputs, rates):
+    """Vertical acceleration of every unsprung mass, in frame 1 (eq. 11)."""
+    s_roll, c_roll, s_pitch, c_pitch = attitude
+    wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
+    for i in range(WHEEL_COUNT):
+        mu = vehicle.unsprung_mass[i]
+        load = outputs.normal_force[i] - mu * vehicle.gravity
+        upward = c_pitch * load + s_pitch * outputs.longitudinal_force[i]
+        force = c_roll * upward - s_roll * outputs.lateral_force[i]
+        force -= outputs.link_load_transfer[i] + outputs.strut_force[i]
+        turning = outputs.unsprung_v[i] * wx - outputs.unsprung_u[i] * wy
+        rates[at.UNSPRUNG_VELOCITY][i] = force / mu - turning

@@ -1,0 +1,1 @@
+"""Running the model: stepping, commands, recording, what came out. No ROS."""

@@ -1,0 +1,39 @@
+"""What drives the vehicle: a command that is held, or one that varies with time."""
+
+import dataclasses
+from collections.abc import Callable
+
+import numpy as np
+
+from vehicle_roll_sim.model.records import COMMAND, WHEELS
+
+NO_FORCE = (0.0,) * len(WHEELS)
+
+
+@dataclasses.dataclass(frozen=True)
+class Command:
+    """One set of commands, wheels in the order lf, rf, lr, rr.
+
+    steering, rear_steering: road-wheel angle of both wheels of an axle (rad, left positive).
+    wheel_torque: external torque at each wheel (N m, signed). normal_force: active force at each
+    suspension corner (N, positive pushes the body up). speed_hold_gain, speed_hold_target: at each
+    rear wheel a further torque gain * (target - u), in N m per m/s and m/s.
+    """
+
+    steering: float = 0.0
+    rear_steering: float = 0.0
+    wheel_torque: tuple[float, float, float, float] = NO_FORCE
+    normal_force: tuple[float, float, float, float] = NO_FORCE
+    speed_hold_gain: float = 0.0
+    speed_hold_target: float = 0.0
+
+    def records(self) -> np.ndarray:
+        """The command as the equations take it: one COMMAND record in an array."""
+        record = np.zeros(1, COMMAND)
+        for name in COMMAND.names:
+            record[name] = getattr(self, name)
+        return record
+
+
+Programme = Callable[[np.ndarray], np.ndarray]
+"""Commands as a function of time: takes n times (s) and gives n COMMAND records."""

@@ -1,0 +1,147 @@
+"""The simulated vehicle: reset it, step it, look at it. Everything else is built on this."""
+
+import functools
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.model.advance import SECONDS, advance
+from vehicle_roll_sim.model.equilibrium import equilibrium
+from vehicle_roll_sim.model.events import (
+    LIMITS,
+    MINIMUM_SPEED,
+    Condition,
+    no_events,
+    plausible_magnitudes,
+)
+from vehicle_roll_sim.model.integrator import STAGE_VECTORS
+from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.records import OUTPUTS, STATE, STATE_SIZE, WHEELS
+from vehicle_roll_sim.simulation.command import Command, Programme
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+
+DEFAULT_STEP = 0.001
+"""s"""
+DEFAULT_SPEED = 50 / 3.6
+"""m/s: the 50 km/h of the source's manoeuvres."""
+MAXIMUM_SPEED = 100.0
+"""m/s"""
+DEFAULT_ROLLOVER_ANGLE = math.radians(85.0)
+NANOSECONDS = 1_000_000_000
+STATE_NAMES = tuple(
+    f"{name}_{wheel}" if STATE[name].shape else name
+    for name in STATE.names
+    for wheel in (WHEELS if STATE[name].shape else ("",))
+)
+"""Name of every element of the state vector."""
+
+
+def whole_steps(duration: float, step_ns: int, field: str) -> int:
+    """How many steps make `duration` (s); raises InputError naming `field` if no whole number."""
+    wanted = duration * NANOSECONDS / step_ns if math.isfinite(duration) else math.nan
+    if not wanted >= 1 - 1e-6 or abs(wanted - round(wanted)) > 1e-6 * max(1.0, wanted / 1e6):
+        raise InputError(field, duration, f"a multiple of the step, {step_ns * SECONDS:g} s")
+    return round(wanted)
+
+
+class Simulation:
+    """The 14 degree-of-freedom model of one vehicle.
+
+    vehicle: what is simulated. options: variants of the equations. step: integration step (s),
+    rounded to whole nanoseconds. rollover_angle: roll angle (rad) at which a run stops.
+
+    It starts in static equilibrium at 50 km/h. Attributes, all of the present simulated time:
+
+    - `time` (s) and `time_ns`: since the last reset, an exact multiple of the step
+    - `state`: a STATE record: `.roll`, `.u`, `.wheel_speed[LF]`, ... (model.records)
+    - `outputs`: an OUTPUTS record: `.normal_force`, `.slip_angle`, `.acceleration`, ...
+    - `events`: an EVENTS record: lift-off and rollover times, peaks (model.events)
+    - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
+
+    The records are views of memory that the next step changes: copy what is to be kept.
+    """
+
+    def __init__(
+        self,
+        vehicle: Vehicle,
+        options: Options | None = None,
+        *,
+        step: float = DEFAULT_STEP,
+        rollover_angle: float = DEFAULT_ROLLOVER_ANGLE,
+    ):
+        if not 1e-6 <= step <= 0.1:
+            raise InputError("step", step, "a number from 1e-06 to 0.1 s")
+        if not 0.0 < rollover_angle <= math.pi / 2:
+            raise InputError("rollover_angle", rollover_angle, "an angle up to 1.5708 rad")
+        self.vehicle, self.options = vehicle, options or Options()
+        self.step_ns = round(step * NANOSECONDS)
+        self._vehicle = vehicle.record()
+        self._limits = np.zeros(1, LIMITS)
+        self._limits["rollover_angle"] = rollover_angle
+        self._limits["minimum_speed"] = MINIMUM_SPEED
+        self._limits["largest"] = plausible_magnitudes()
+        parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
+        self._plant = tuple(kernel_argument(part) for part in parts)
+        self._state = np.zeros(1, STATE)
+        self._outputs = np.zeros(1, OUTPUTS)
+        self._events = no_events()
+        self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
+        self.state, self.outputs, self.events = self._state[0], self._outputs[0], self._events[0]
+        self.reset()
+
+    @property
+    def time(self) -> float:
+        return self.time_ns * SECONDS
+
+    @functools.cached_property
+    def step_seconds(self) -> float:
+        return self.step_ns * SECONDS
+
+    def reset(self, speed: float = DEFAULT_SPEED) -> None:
+        """Back to time 0, static equilibrium and free rolling straight ahead at `speed` (m/s)."""
+        if not MINIMUM_SPEED <= speed <= MAXIMUM_SPEED:
+            allowed = f"from {MINIMUM_SPEED:g} to {MAXIMUM_SPEED:g} m/s"
+            raise InputError("speed", speed, allowed)
+        self._state[:] = equilibrium(self._vehicle, speed)
+        self._events[:] = no_events()
+        self.time_ns = 0
+        self.condition, self.implausible = Condition.RUNNING, None
+        self._advance(Command().records(), 0)
+
+    def step(self, command: Command | Programme, duration: float) -> Condition:
+        """Go on for `duration` (s, a multiple of the step) or until the run must stop.
+
+        A Command is held; a Programme is evaluated at every stage of the integration, its times
+        being seconds since the reset. A run that has stopped stays where it is until a reset.
+        """
+        steps = whole_steps(duration, self.step_ns, "duration")
+        if self.condition is Condition.RUNNING:
+            self._advance(self._records(command, steps), steps)
+        return self.condition
+
+    def _records(self, command: Command | Programme, steps: int) -> np.ndarray:
+        if isinstance(command, Command):
+            return command.records()
+        halves = np.arange(2 * steps + 1)
+        return command((self.time_ns + halves * (self.step_ns / 2)) * SECONDS)
+
+    def _advance(self, commands: np.ndarray, steps: int) -> None:
+        arguments = (
+            self._state.view(np.float64),
+            commands,
+            steps,
+            self.time_ns,
+            self.step_ns,
+            self._plant,
+            kernel_argument(self._outputs),
+            kernel_argument(self._events),
+            self._stages,
+        )
+        with np.errstate(all="ignore"):  # divergence is found by its result
+            taken, condition, culprit = advance(*arguments)
+        self.time_ns += taken * self.step_ns
+        self.condition = Condition(condition)
+        if self.condition is Condition.DIVERGED:
+            self.implausible = STATE_NAMES[culprit]

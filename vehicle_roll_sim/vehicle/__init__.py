@@ -1,0 +1,1 @@
+"""Vehicle data: the parameters, their files and the shipped presets."""

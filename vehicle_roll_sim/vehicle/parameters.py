@@ -1,0 +1,136 @@
+"""The vehicle's parameters: the one declaration of names, units, ranges and meaning."""
+
+import dataclasses
+import functools
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError, parameter, validated
+from vehicle_roll_sim.model.equilibrium import (
+    axle_load_share,
+    static_strut_length,
+    static_suspension_compression,
+    static_tire_compression,
+)
+from vehicle_roll_sim.model.records import VEHICLE
+from vehicle_roll_sim.vehicle.tire_file import Tire
+
+GRAVITY = 9.81
+"""m/s^2, the value of the source."""
+
+_LENGTH = {"unit": "m", "minimum": 0.01, "maximum": 50.0}
+_INERTIA = {"unit": "kg m^2", "minimum": 1e-3, "maximum": 1e7}
+_STIFFNESS = {"unit": "N/m", "minimum": 1.0, "maximum": 1e8}
+_DAMPING = {"unit": "N s/m", "minimum": 0.0, "maximum": 1e7}
+_MASS = {"unit": "kg", "minimum": 0.01, "maximum": 1e6}
+_DEPTH = {"unit": "m", "minimum": -5.0, "maximum": 50.0}
+
+
+@dataclasses.dataclass(frozen=True)
+class Vehicle:
+    """A vehicle: the values of a vehicle file and its tire."""
+
+    sprung_mass: float = parameter("mass carried by the springs", **_MASS, symbol="m")
+    roll_inertia: float = parameter("of the sprung mass about x", **_INERTIA, symbol="Jx")
+    pitch_inertia: float = parameter("of the sprung mass about y", **_INERTIA, symbol="Jy")
+    yaw_inertia: float = parameter("of the sprung mass about z", **_INERTIA, symbol="Jz")
+    cg_to_front_axle: float = parameter("sprung c.g. to front axle", **_LENGTH, symbol="a")
+    cg_to_rear_axle: float = parameter("sprung c.g. to rear axle", **_LENGTH, symbol="b")
+    cg_height: float = parameter("sprung c.g. above ground at rest", **_LENGTH, symbol="h")
+    front_track: float = parameter("between the front wheels", **_LENGTH, symbol="cf")
+    rear_track: float = parameter("between the rear wheels", **_LENGTH, symbol="cr")
+    front_spring_stiffness: float = parameter("of one spring", **_STIFFNESS, symbol="ksf")
+    rear_spring_stiffness: float = parameter("of one spring", **_STIFFNESS, symbol="ksr")
+    front_damping: float = parameter("of one damper", **_DAMPING, symbol="bsf")
+    rear_damping: float = parameter("of one damper", **_DAMPING, symbol="bsr")
+    front_unsprung_mass: float = parameter("per wheel", **_MASS, symbol="muf")
+    rear_unsprung_mass: float = parameter("per wheel", **_MASS, symbol="mur")
+    front_tire_stiffness: float = parameter("vertical, of one tire", **_STIFFNESS, symbol="ktf")
+    rear_tire_stiffness: float = parameter("vertical, of one tire", **_STIFFNESS, symbol="ktr")
+    tire_radius: float = parameter("unloaded", **_LENGTH, symbol="r0")
+    wheel_inertia: float = parameter("of one wheel about its axle", **_INERTIA, symbol="Jw")
+    front_roll_centre_depth: float = parameter(
+        "roll centre below the sprung c.g.", **_DEPTH, symbol="hrcf"
+    )
+    rear_roll_centre_depth: float = parameter(
+        "roll centre below the sprung c.g.", **_DEPTH, symbol="hrcr"
+    )
+    steering_ratio: float = parameter(
+        "handwheel angle over road-wheel angle", minimum=0.1, maximum=100.0
+    )
+    tire: Tire = dataclasses.field(kw_only=True)
+
+    def __post_init__(self):
+        _check_inertias(self)
+        _check_fits_on_its_wheels(self)
+
+    def with_values(self, values: dict, prefix: str = "") -> "Vehicle":
+        """A copy with some values replaced; raises InputError naming them with `prefix`."""
+        return dataclasses.replace(self, **validated(Vehicle, values, prefix))
+
+    @functools.cached_property
+    def axle_load_share(self) -> np.ndarray:
+        return axle_load_share(self.cg_to_front_axle, self.cg_to_rear_axle)
+
+    @functools.cached_property
+    def static_tire_compression(self) -> np.ndarray:
+        """xti of each wheel (m, eq. 20)."""
+        return static_tire_compression(
+            self.sprung_mass,
+            self.axle_load_share,
+            self.per_wheel("unsprung_mass"),
+            self.per_wheel("tire_stiffness"),
+            GRAVITY,
+        )
+
+    @functools.cached_property
+    def static_strut_length(self) -> np.ndarray:
+        """lsi of each corner (m, eq. 18)."""
+        return static_strut_length(self.cg_height, self.tire_radius, self.static_tire_compression)
+
+    def per_wheel(self, name: str) -> np.ndarray:
+        """front_NAME and rear_NAME laid out for lf, rf, lr, rr."""
+        front, rear = getattr(self, f"front_{name}"), getattr(self, f"rear_{name}")
+        return np.array([front, front, rear, rear])
+
+    def record(self) -> np.ndarray:
+        """The vehicle as the equations take it: one VEHICLE record in an array."""
+        vehicle = np.zeros(1, VEHICLE)
+        for name in VEHICLE.names:
+            if hasattr(self, name):
+                vehicle[name] = getattr(self, name)
+        for name in ("roll_centre_depth", "unsprung_mass", "spring_stiffness", "damping"):
+            vehicle[name] = self.per_wheel(name)
+        vehicle["tire_stiffness"] = self.per_wheel("tire_stiffness")
+        vehicle["gravity"] = GRAVITY
+        front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
+        vehicle["x"] = front, front, rear, rear
+        vehicle["y"] = self.per_wheel("track") / 2 * (1, -1, 1, -1)
+        vehicle["static_suspension_compression"] = static_suspension_compression(
+            self.sprung_mass, self.axle_load_share, self.per_wheel("spring_stiffness"), GRAVITY
+        )
+        return vehicle
+
+
+def _check_inertias(vehicle: Vehicle) -> None:
+    """Moments of inertia of a body: none is larger than the sum of the other two."""
+    names = ("roll_inertia", "pitch_inertia", "yaw_inertia")
+    total = math.fsum(getattr(vehicle, name) for name in names)
+    for name in names:
+        value = getattr(vehicle, name)
+        if value > total - value:
+            limit = f"at most the sum of the other two moments, {total - value:g} kg m^2"
+            raise InputError(name, value, limit)
+
+
+def _check_fits_on_its_wheels(vehicle: Vehicle) -> None:
+    """At rest the tires are not squashed flat and the struts are above the wheel centres."""
+    radius = float(np.min(vehicle.tire_radius - vehicle.static_tire_compression))
+    if radius <= 0.0:
+        squashed = float(np.max(vehicle.static_tire_compression))
+        limit = f"more than the compression of the tires at rest, {squashed:g} m"
+        raise InputError("tire_radius", vehicle.tire_radius, limit)
+    if float(np.min(vehicle.static_strut_length)) <= 0.0:
+        limit = f"more than the radius of the loaded wheel, {radius:g} m"
+        raise InputError("cg_height", vehicle.cg_height, limit)

@@ -1,0 +1,21 @@
+"""Reading a user's text file: every way in which that can fail gives one line."""
+
+from pathlib import Path
+
+from vehicle_roll_sim.declaration import InputError
+
+LARGEST_FILE = 1_000_000
+"""Bytes. A vehicle or tire file has a few thousand."""
+
+
+def read_text(path: Path, largest: int = LARGEST_FILE) -> str:
+    """The text of a UTF-8 file of at most `largest` bytes; raises InputError naming the file."""
+    try:
+        size = path.stat().st_size
+        if size > largest:
+            raise InputError(f"file {path}", f"{size} bytes", f"at most {largest} bytes")
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise InputError(f"file {path}", "binary data", "a UTF-8 text file") from None
+    except OSError as error:
+        raise InputError(f"file {path}", error.strerror, "a readable file") from None

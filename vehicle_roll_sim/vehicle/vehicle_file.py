@@ -1,0 +1,81 @@
+"""Vehicle files: YAML with the names of `Vehicle`, and the shipped presets."""
+
+import re
+from importlib.resources import as_file, files
+from pathlib import Path
+
+import yaml
+
+from vehicle_roll_sim.declaration import InputError, parameters_of, validated
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.text_file import read_text
+from vehicle_roll_sim.vehicle.tire_file import load_tire
+
+PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
+
+
+class _UniqueKeyLoader(yaml.SafeLoader):
+    """YAML's safe loader, which also refuses a key that stands twice."""
+
+    def construct_mapping(self, node, deep=False):
+        seen = set()
+        for key_node, _ in node.value:
+            if isinstance(key_node, yaml.ScalarNode) and key_node.value in seen:
+                raise yaml.constructor.ConstructorError(
+                    problem=f"key {key_node.value!r} stands twice",
+                    problem_mark=key_node.start_mark,
+                )
+            seen.add(key_node.value if isinstance(key_node, yaml.ScalarNode) else None)
+        return super().construct_mapping(node, deep)
+
+
+_UniqueKeyLoader.add_implicit_resolver(  # YAML 1.1 takes 35e3 for text
+    "tag:yaml.org,2002:float", re.compile(r"[-+]?\d+[eE][-+]?\d+$"), list("-+0123456789")
+)
+
+
+def load_vehicle(path: str | Path) -> Vehicle:
+    """Read a vehicle file and the tire file it names; raises InputError naming file and key."""
+    path = Path(path)
+    values = _mapping(path)
+    prefix = f"{path}: "
+    expected = (*parameters_of(Vehicle), "tire")
+    missing = [name for name in expected if name not in values]
+    if missing:
+        raise InputError(prefix + missing[0], None, "a value: the file has no such key")
+    tire = values.pop("tire")
+    if not isinstance(tire, str):
+        raise InputError(prefix + "tire", tire, "the name of a .tir file")
+    numbers = validated(Vehicle, values, prefix)
+    try:
+        return Vehicle(**numbers, tire=load_tire(path.parent / tire))
+    except InputError as error:
+        if error.field in numbers:  # values that do not go together
+            raise InputError(prefix + error.field, error.value, error.allowed) from None
+        raise
+
+
+def _mapping(path: Path) -> dict:
+    try:
+        values = yaml.load(read_text(path), Loader=_UniqueKeyLoader)
+    except yaml.YAMLError as error:
+        raise InputError(f"vehicle file {path}", _where(error), "a YAML mapping") from None
+    except RecursionError:
+        raise InputError(f"vehicle file {path}", "deep nesting", "a YAML mapping") from None
+    if not isinstance(values, dict) or not all(isinstance(name, str) for name in values):
+        raise InputError(f"vehicle file {path}", type(values).__name__, "a YAML mapping of names")
+    return values
+
+
+def _where(error: yaml.YAMLError) -> str:
+    """A YAML error in one line."""
+    mark = getattr(error, "problem_mark", None)
+    problem = getattr(error, "problem", None) or str(error)
+    line = f" in line {mark.line + 1}" if mark else ""
+    return " ".join(problem.split()) + line
+
+
+def preset(name: str = "reference") -> Vehicle:
+    """A shipped vehicle; `reference` is the one of Shim and Ghike (2007)."""
+    with as_file(PRESETS) as folder:
+        return load_vehicle(folder / f"{name}.yaml")
