@@ -13,8 +13,9 @@ from collections.abc import Iterable, Mapping
 class InputError(ValueError):
     """Something that a user gave is not allowed; its text is one line for that user."""
 
-    def __init__(self, field: str, value, allowed: str):
-        super().__init__(f"{field}: {value!r} is not allowed: {allowed}")
+    def __init__(self, field: str, value, allowed: str, problem: str = ""):
+        problem = problem or ("missing" if value is None else f"{value!r} is not allowed")
+        super().__init__(f"{field}: {problem}: {allowed}")
         self.field, self.value, self.allowed = field, value, allowed
 
 
@@ -100,8 +101,8 @@ def unknown_name(name: str, known: Iterable[str], field: str) -> InputError:
     """The error for a name that is not among the `known` ones, with the nearest of them."""
     known = list(known)
     nearest = difflib.get_close_matches(name, known, n=1)
-    allowed = f"did you mean {nearest[0]}?" if nearest else "known: " + ", ".join(known)
-    return InputError(field, name, allowed)
+    allowed = f"did you mean {nearest[0]}?" if nearest else "one of " + ", ".join(known)
+    return InputError(field, name, allowed, f"{name!r} is unknown")
 
 
 def validated(declaring_class, values: Mapping, prefix: str = "") -> dict:

@@ -1,6 +1,5 @@
 """The simulated vehicle: reset it, step it, look at it. Everything else is built on this."""
 
-import functools
 import math
 
 import numpy as np
@@ -95,9 +94,10 @@ class Simulation:
     def time(self) -> float:
         return self.time_ns * SECONDS
 
-    @functools.cached_property
-    def step_seconds(self) -> float:
-        return self.step_ns * SECONDS
+    @property
+    def state_vector(self) -> np.ndarray:
+        """The state as a flat vector of the elements STATE_NAMES (a view)."""
+        return self._state.view(np.float64)
 
     def reset(self, speed: float = DEFAULT_SPEED) -> None:
         """Back to time 0, static equilibrium and free rolling straight ahead at `speed` (m/s)."""
@@ -114,7 +114,8 @@ class Simulation:
         """Go on for `duration` (s, a multiple of the step) or until the run must stop.
 
         A Command is held; a Programme is evaluated at every stage of the integration, its times
-        being seconds since the reset. A run that has stopped stays where it is until a reset.
+        being seconds since the reset (one that gives a single record is held, too). A run that
+        has stopped stays where it is until a reset.
         """
         steps = whole_steps(duration, self.step_ns, "duration")
         if self.condition is Condition.RUNNING:
@@ -129,7 +130,7 @@ class Simulation:
 
     def _advance(self, commands: np.ndarray, steps: int) -> None:
         arguments = (
-            self._state.view(np.float64),
+            self.state_vector,
             commands,
             steps,
             self.time_ns,

@@ -13,9 +13,10 @@ def read_text(path: Path, largest: int = LARGEST_FILE) -> str:
     try:
         size = path.stat().st_size
         if size > largest:
-            raise InputError(f"file {path}", f"{size} bytes", f"at most {largest} bytes")
+            problem = f"{size} bytes are too many"
+            raise InputError(f"file {path}", size, f"at most {largest} bytes", problem)
         return path.read_text(encoding="utf-8")
     except UnicodeDecodeError:
-        raise InputError(f"file {path}", "binary data", "a UTF-8 text file") from None
+        raise InputError(f"file {path}", b"", "a UTF-8 text file", "binary data") from None
     except OSError as error:
-        raise InputError(f"file {path}", error.strerror, "a readable file") from None
+        raise InputError(f"file {path}", "", "a readable file", error.strerror) from None

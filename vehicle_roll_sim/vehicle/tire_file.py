@@ -90,7 +90,9 @@ def _entries(path: Path) -> dict[str, str]:
     try:
         parser.read_string(read_text(path))
     except configparser.Error as error:
-        raise InputError(f"tire file {path}", " ".join(str(error).split()), "a .tir file") from None
+        problem = " ".join(str(error).replace("<string>", "the file").split())
+        wanted = "[SECTION] and KEY = VALUE lines are wanted"
+        raise InputError(f"tire file {path}", "", wanted, problem) from None
     return {
         key: value.strip().strip("'\"")
         for section in parser.sections()
@@ -121,7 +123,7 @@ def _unit(path: Path, values: dict[str, str], quantity: str) -> float:
 
 def _number(path: Path, values: dict[str, str], name: str) -> float:
     if name not in values and name in REQUIRED:
-        raise InputError(f"{path}: {name}", None, "a number: the file has no such key")
+        raise InputError(f"{path}: {name}", None, "a number is wanted")
     text = values.get(name, DEFAULTS.get(name))
     try:
         number = float(text)

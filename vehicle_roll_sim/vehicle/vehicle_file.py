@@ -11,6 +11,7 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.text_file import read_text
 from vehicle_roll_sim.vehicle.tire_file import load_tire
 
+A_MAPPING = "a YAML mapping of parameter names to values is wanted"
 PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 
 
@@ -42,7 +43,7 @@ def load_vehicle(path: str | Path) -> Vehicle:
     expected = (*parameters_of(Vehicle), "tire")
     missing = [name for name in expected if name not in values]
     if missing:
-        raise InputError(prefix + missing[0], None, "a value: the file has no such key")
+        raise InputError(prefix + missing[0], None, "every parameter must be given")
     tire = values.pop("tire")
     if not isinstance(tire, str):
         raise InputError(prefix + "tire", tire, "the name of a .tir file")
@@ -59,11 +60,11 @@ def _mapping(path: Path) -> dict:
     try:
         values = yaml.load(read_text(path), Loader=_UniqueKeyLoader)
     except yaml.YAMLError as error:
-        raise InputError(f"vehicle file {path}", _where(error), "a YAML mapping") from None
+        raise InputError(f"vehicle file {path}", "", A_MAPPING, _where(error)) from None
     except RecursionError:
-        raise InputError(f"vehicle file {path}", "deep nesting", "a YAML mapping") from None
+        raise InputError(f"vehicle file {path}", "", A_MAPPING, "nested too deep") from None
     if not isinstance(values, dict) or not all(isinstance(name, str) for name in values):
-        raise InputError(f"vehicle file {path}", type(values).__name__, "a YAML mapping of names")
+        raise InputError(f"vehicle file {path}", values, A_MAPPING, "no NAME: VALUE lines")
     return values
 
 

@@ -1,0 +1,1 @@
+"""The command `vehicle_roll_sim`: what needs no running node."""

@@ -1,0 +1,115 @@
+"""Command-line options from the declarations, and errors in one line."""
+
+import argparse
+import dataclasses
+import sys
+from collections.abc import Callable
+
+from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, unknown_name
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.tire_file import load_tire
+from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
+
+WRONG_INPUT = 2
+"""Exit status after wrong usage or input."""
+
+
+class OneLineParser(argparse.ArgumentParser):
+    """A parser that says what is wrong in one line, with the nearest option for a misspelt one."""
+
+    def __init__(self, **settings):
+        settings.setdefault("allow_abbrev", False)
+        super().__init__(**settings)
+
+    def error(self, message: str):
+        unknown = message.partition("unrecognized arguments: ")[2].split()
+        if unknown and unknown[0].startswith("-"):
+            options = [name for action in self._actions for name in action.option_strings]
+            raise unknown_name(unknown[0], options, "option")
+        raise InputError("arguments", "", "--help shows how", message)
+
+
+def exit_status(command: Callable[[], int], program: str) -> int:
+    """Run `command`; what the user can mend becomes one line on stderr and status 2."""
+    try:
+        return command()
+    except InputError as error:
+        print(f"{program}: error: {error}", file=sys.stderr)
+        return WRONG_INPUT
+    except KeyboardInterrupt:
+        print(f"{program}: interrupted", file=sys.stderr)
+        return 130
+
+
+def option_name(parameter: Parameter) -> str:
+    return "--" + parameter.name.replace("_", "-")
+
+
+def add_declared(parser: argparse.ArgumentParser, declaring, title: str) -> None:
+    """An option for every parameter of a dataclass, or of an instance that has the defaults.
+
+    An option that the parser has already is left as it is.
+    """
+    group = parser.add_argument_group(title)
+    for parameter in parameters_of(declaring).values():
+        if any(action.dest == parameter.name for action in parser._actions):
+            continue
+        about = parameter.description
+        if parameter.kind is bool:
+            group.add_argument(option_name(parameter), action="store_true", help=about)
+            continue
+        default = getattr(declaring, parameter.name, None)
+        if isinstance(default, float):
+            about += f" (default {default:.6g})"
+        unit = parameter.unit.upper() or "VALUE"
+        group.add_argument(option_name(parameter), metavar=unit.replace(" ", "_"), help=about)
+
+
+def declared_values(arguments: argparse.Namespace, declaring) -> dict:
+    """The parameters that were given on the command line, checked."""
+    values = {}
+    for name, parameter in parameters_of(declaring).items():
+        given = getattr(arguments, name)
+        if given is None:
+            continue
+        if parameter.kind is float:
+            given = _number(given, option_name(parameter), parameter)
+        values[name] = parameter.validate(given, option_name(parameter))
+    return values
+
+
+def _number(text: str, field: str, parameter: Parameter) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise InputError(field, text, parameter.allowed) from None
+
+
+def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("vehicle")
+    group.add_argument("--vehicle", metavar="FILE.yaml", help="vehicle file (default: reference)")
+    group.add_argument("--tire", metavar="FILE.tir", help="tire file in place of the vehicle's")
+    group.add_argument(
+        "--set",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="a value in place of the vehicle file's; may be given many times",
+    )
+
+
+def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
+    """The vehicle that the options of `add_vehicle_options` describe."""
+    vehicle = load_vehicle(arguments.vehicle) if arguments.vehicle else preset()
+    if arguments.tire:
+        vehicle = dataclasses.replace(vehicle, tire=load_tire(arguments.tire))
+    known = parameters_of(Vehicle)
+    values = {}
+    for assignment in arguments.set:
+        name, equals, text = assignment.partition("=")
+        if not equals:
+            raise InputError("--set", assignment, "NAME=VALUE")
+        if name not in known:
+            raise unknown_name(name, known, "--set")
+        values[name] = _number(text, f"--set {name}", known[name])
+    return vehicle.with_values(values, "--set ")

@@ -1,0 +1,37 @@
+"""The command `vehicle_roll_sim` and its subcommands."""
+
+import argparse
+import sys
+
+from vehicle_roll_sim.command_line import parameters, run
+from vehicle_roll_sim.command_line.arguments import OneLineParser, exit_status
+from vehicle_roll_sim.declaration import unknown_name
+
+PROGRAM = "vehicle_roll_sim"
+COMMANDS = {
+    "run": (run.run_command, run.DESCRIPTION),
+    "parameters": (parameters.parameters_command, parameters.DESCRIPTION),
+}
+
+
+def main(words: list[str] | None = None) -> int:
+    """Run the command with `words` (default: those of the process); returns the exit status."""
+    words = sys.argv[1:] if words is None else words
+    return exit_status(lambda: _dispatch(words), PROGRAM)
+
+
+def _dispatch(words: list[str]) -> int:
+    table = "\n".join(f"  {name:12}{about}" for name, (_, about) in COMMANDS.items())
+    parser = OneLineParser(
+        prog=PROGRAM,
+        usage=f"{PROGRAM} COMMAND [options]",
+        description="Vehicle roll dynamics: the model without a running node.",
+        epilog=f"commands, each with its own --help:\n{table}",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("command", metavar="COMMAND")
+    command = parser.parse_args(words[:1]).command
+    if command not in COMMANDS:
+        raise unknown_name(command, COMMANDS, "COMMAND")
+    function, _ = COMMANDS[command]
+    return function(words[1:], f"{PROGRAM} {command}")

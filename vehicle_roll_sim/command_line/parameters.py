@@ -1,0 +1,30 @@
+"""`vehicle_roll_sim parameters`: the vehicle's parameters as a table."""
+
+from vehicle_roll_sim.command_line.arguments import (
+    OneLineParser,
+    add_vehicle_options,
+    chosen_vehicle,
+)
+from vehicle_roll_sim.declaration import parameters_of
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+
+DESCRIPTION = "Print every parameter of a vehicle in Markdown: value, unit, range, meaning."
+HEADER = ("name", "symbol", "value", "unit", "allowed", "meaning")
+
+
+def parameters_command(words: list[str], program: str) -> int:
+    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    add_vehicle_options(parser)
+    print(parameter_table(chosen_vehicle(parser.parse_args(words))))
+    return 0
+
+
+def parameter_table(vehicle: Vehicle) -> str:
+    """The values of `vehicle` as a Markdown table."""
+    rows = [HEADER, ("---",) * len(HEADER)]
+    for name, parameter in parameters_of(Vehicle).items():
+        allowed = f"{parameter.minimum:g} … {parameter.maximum:g}"
+        value = f"{getattr(vehicle, name):.10g}"
+        meaning = parameter.description
+        rows.append((f"`{name}`", parameter.symbol, value, parameter.unit, allowed, meaning))
+    return "\n".join("| " + " | ".join(row) + " |" for row in rows)

@@ -1,0 +1,149 @@
+"""`vehicle_roll_sim run`: a manoeuvre or a command file, offline."""
+
+import argparse
+import dataclasses
+import math
+from pathlib import Path
+
+from tqdm import tqdm
+
+from vehicle_roll_sim.analysis import plots
+from vehicle_roll_sim.command_line.arguments import (
+    OneLineParser,
+    add_declared,
+    add_vehicle_options,
+    chosen_vehicle,
+    declared_values,
+)
+from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.manoeuvres.command_file import load_commands
+from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.output_file import check_writable
+from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.simulation.simulation import DEFAULT_STEP, Simulation
+from vehicle_roll_sim.simulation.summary import line, summary_lines
+
+DESCRIPTION = "Simulate a manoeuvre offline and print what happened."
+DIVERGED = 1
+"""Exit status of a run that did not stay plausible."""
+
+
+@dataclasses.dataclass(frozen=True)
+class RunSettings:
+    """How a run is integrated and sampled."""
+
+    step: float = parameter("integration step", "s", 1e-6, 0.1, default=DEFAULT_STEP)
+    sample: float = parameter("interval of the rows", "s", 1e-6, 1e3, default=0.01)
+    command_period: float = parameter(
+        "sample commands at this interval and hold them, as a node does; 0: at every stage",
+        "s",
+        0.0,
+        1e3,
+        default=0.0,
+    )
+    stop_roll: float = parameter(
+        "roll angle that counts as rolled over", "deg", 1.0, 90.0, default=85.0
+    )
+
+
+def run_command(words: list[str], program: str) -> int:
+    """The command, given the words behind its name; returns the exit status."""
+    first = _parser(program, None)
+    chosen, _ = first.parse_known_args([word for word in words if word not in ("-h", "--help")])
+    manoeuvre = _manoeuvre(chosen)
+    arguments = _parser(program, manoeuvre).parse_args(words)
+    if manoeuvre is None:
+        raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
+    settings = RunSettings(**declared_values(arguments, RunSettings))
+    manoeuvre = _adjusted(manoeuvre, arguments, settings)
+    csv, plot = _result_files(arguments)
+    simulation = Simulation(
+        chosen_vehicle(arguments),
+        Options(**declared_values(arguments, Options)),
+        step=settings.step,
+        rollover_angle=math.radians(settings.stop_roll),
+    )
+    simulation.reset(manoeuvre.speed)
+    history = _run_with_progress(simulation, manoeuvre, settings)
+    lines = summary_lines(
+        simulation.events, simulation.time, simulation.condition, simulation.implausible
+    )
+    print("\n".join(lines))
+    if csv:
+        history.write_csv(csv)
+        print(line("CSV", csv))
+    if plot:
+        plots.plot_run(history, simulation.events, plot, arguments.manoeuvre or arguments.commands)
+        print(line("plot", plot))
+    return DIVERGED if simulation.condition is Condition.DIVERGED else 0
+
+
+def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParser:
+    """The parser with the options of `manoeuvre` and its defaults, or with those of all."""
+    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser.add_argument(
+        "manoeuvre",
+        metavar="MANOEUVRE",
+        nargs="?",
+        help=", ".join(STANDARD) + "; with its name, --help shows its options",
+    )
+    parser.add_argument("--commands", metavar="FILE.csv", help="commands instead of a manoeuvre")
+    for declaring in [manoeuvre] if manoeuvre else map(type, STANDARD.values()):
+        add_declared(parser, declaring, "manoeuvre")
+    add_declared(parser, Options, "model")
+    add_vehicle_options(parser)
+    add_declared(parser, RunSettings, "integration")
+    group = parser.add_argument_group("results")
+    group.add_argument("--csv", metavar="FILE", help="write the samples")
+    group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
+    return parser
+
+
+def _result_files(arguments: argparse.Namespace) -> tuple[Path | None, Path | None]:
+    """Where the CSV and the figure go, known to be writable."""
+    csv = Path(arguments.csv) if arguments.csv else None
+    plot = Path(arguments.plot) if arguments.plot else None
+    for path, field in ((csv, "--csv"), (plot, "--plot")):
+        if path:
+            check_writable(path, field)
+    if plot:
+        plots.check_format(plot, "--plot")
+    return csv, plot
+
+
+def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:
+    """The manoeuvre or command file that the words name, with its defaults."""
+    if chosen.commands and chosen.manoeuvre:
+        raise InputError("--commands", chosen.commands, "not together with a manoeuvre")
+    if chosen.commands:
+        return load_commands(chosen.commands)
+    return manoeuvre_named(chosen.manoeuvre) if chosen.manoeuvre else None
+
+
+def _adjusted(
+    manoeuvre: Manoeuvre, arguments: argparse.Namespace, settings: RunSettings
+) -> Manoeuvre:
+    """The manoeuvre with the values of the command line."""
+    values = declared_values(arguments, manoeuvre)
+    if arguments.commands and "duration" not in values:
+        steps = math.ceil(manoeuvre.duration / settings.step - 1e-6)
+        values["duration"] = steps * settings.step
+    return dataclasses.replace(manoeuvre, **values)
+
+
+def _run_with_progress(simulation: Simulation, manoeuvre: Manoeuvre, settings: RunSettings):
+    """Run, with a progress bar at a terminal when it takes longer than a second."""
+    bar_format = "{l_bar}{bar}| {n:.1f}/{total:.1f} s simulated [{elapsed}<{remaining}]"
+    with tqdm(
+        total=manoeuvre.duration, delay=1.0, disable=None, bar_format=bar_format, leave=False
+    ) as bar:
+        return run(
+            simulation,
+            manoeuvre,
+            manoeuvre.duration,
+            sample=settings.sample,
+            command_period=settings.command_period,
+            progress=bar.update,
+        )

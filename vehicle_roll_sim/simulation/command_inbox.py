@@ -1,0 +1,100 @@
+"""Commands from outside: validated on arrival, read once a period, given up when they grow old."""
+
+import dataclasses
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.simulation.command import NO_FORCE, Command
+
+HOLD, CENTRE = "hold", "centre"
+
+
+@dataclasses.dataclass
+class Channel:
+    """One command topic: what it sets, how many values it wants, what has come in."""
+
+    field: str
+    size: int
+    value: tuple[float, ...] = ()
+    arrival_ns: int | None = None
+    received: int = 0
+    dropped: int = 0
+    last_problem: str = ""
+
+    @property
+    def is_steering(self) -> bool:
+        return self.size == 1
+
+
+def _channels() -> dict[str, Channel]:
+    return {
+        "steering_cmd": Channel("steering", 1),
+        "rear_steering_cmd": Channel("rear_steering", 1),
+        "wheel_torque_cmd": Channel("wheel_torque", WHEEL_COUNT),
+        "normal_force_cmd": Channel("normal_force", WHEEL_COUNT),
+    }
+
+
+TOPICS = tuple(_channels())
+
+
+class CommandInbox:
+    """The newest good command of every topic.
+
+    timeout: simulated time (s) after which a topic that has brought a message counts as silent, 0
+    for never. Torques and active forces are 0 from then on; steering follows `steering_policy`,
+    `hold` or `centre`.
+    """
+
+    def __init__(self, timeout: float = 0.5, steering_policy: str = HOLD):
+        self.timeout, self.steering_policy = timeout, steering_policy
+        self.channels = _channels()
+
+    def receive(self, topic: str, values: Sequence[float], now_ns: int) -> str:
+        """Keep a message that came at simulated time `now_ns`; returns why it was dropped, or ''."""
+        channel = self.channels[topic]
+        channel.received += 1
+        problem = _problem(values, channel.size)
+        if problem:
+            channel.dropped += 1
+            channel.last_problem = problem
+        else:
+            channel.value, channel.arrival_ns = tuple(values), now_ns
+        return problem
+
+    def command(self, now_ns: int) -> Command:
+        """What to drive with in the period that begins at simulated time `now_ns`."""
+        values = {}
+        for channel in self.channels.values():
+            if channel.arrival_ns is None:
+                continue
+            silent = self.is_silent(channel, now_ns)
+            if channel.is_steering:
+                centred = silent and self.steering_policy == CENTRE
+                values[channel.field] = 0.0 if centred else channel.value[0]
+            else:
+                values[channel.field] = NO_FORCE if silent else channel.value
+        return Command(**values)
+
+    def is_silent(self, channel: Channel, now_ns: int) -> bool:
+        """Whether a topic has brought messages once, but none within the timeout."""
+        if channel.arrival_ns is None or self.timeout == 0.0:
+            return False
+        return now_ns - channel.arrival_ns > round(self.timeout * 1e9)
+
+    def clear(self) -> None:
+        """Forget all commands; the counts go on."""
+        for channel in self.channels.values():
+            channel.value, channel.arrival_ns = (), None
+
+
+def _problem(values: Sequence[float], size: int) -> str:
+    """What is wrong with the values of a message, or ''."""
+    if len(values) != size:
+        return f"{len(values)} values, {size} are expected"
+    if not all(map(math.isfinite, values)):
+        return f"{list(np.asarray(values))}: every value must be finite"
+    return ""

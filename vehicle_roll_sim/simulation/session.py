@@ -1,0 +1,42 @@
+"""A simulation that is driven from outside, a publish period at a time. No ROS, no clock."""
+
+from vehicle_roll_sim.model.advance import SECONDS
+from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.simulation.command import Command
+from vehicle_roll_sim.simulation.command_inbox import CommandInbox
+from vehicle_roll_sim.simulation.simulation import Simulation
+
+
+class Session:
+    """A simulation, the commands that come in for it, and whether it is paused.
+
+    period_ns: publish period, a multiple of the step. `applied` is the command of the last period.
+    """
+
+    def __init__(
+        self, simulation: Simulation, inbox: CommandInbox, period_ns: int, initial_speed: float
+    ):
+        self.simulation, self.inbox, self.period_ns = simulation, inbox, period_ns
+        self.paused = False
+        self.reset(initial_speed)
+
+    def reset(self, speed: float) -> None:
+        """Static equilibrium at `speed` (m/s), time 0, no commands; a pause goes on."""
+        self.simulation.reset(speed)
+        self.inbox.clear()
+        self.applied = Command()
+
+    def run_period(self) -> None:
+        """One publish period on, with the commands that hold now; nothing once it has stopped."""
+        if self.stopped:
+            return
+        self.applied = self.inbox.command(self.simulation.time_ns)
+        self.simulation.step(self.applied, self.period_ns * SECONDS)
+
+    @property
+    def stopped(self) -> bool:
+        return self.simulation.condition is not Condition.RUNNING
+
+    @property
+    def rolled_over(self) -> bool:
+        return self.simulation.condition is Condition.ROLLED_OVER
