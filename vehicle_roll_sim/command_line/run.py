@@ -22,7 +22,7 @@ from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_writable
 from vehicle_roll_sim.simulation.run import run
-from vehicle_roll_sim.simulation.simulation import DEFAULT_STEP, Simulation
+from vehicle_roll_sim.simulation.simulation import DEFAULT_STEP, Simulation, compile_model
 from vehicle_roll_sim.simulation.summary import line, summary_lines
 
 DESCRIPTION = "Simulate a manoeuvre offline and print what happened."
@@ -59,8 +59,10 @@ def run_command(words: list[str], program: str) -> int:
     settings = RunSettings(**declared_values(arguments, RunSettings))
     manoeuvre = _adjusted(manoeuvre, arguments, settings)
     csv, plot = _result_files(arguments)
+    vehicle = chosen_vehicle(arguments)
+    compile_model()
     simulation = Simulation(
-        chosen_vehicle(arguments),
+        vehicle,
         Options(**declared_values(arguments, Options)),
         step=settings.step,
         rollover_angle=math.radians(settings.stop_roll),

@@ -105,6 +105,11 @@ def _plain(value):
     return value if isinstance(value, np.ndarray) else value.item()
 
 
+def has_compiled_code() -> bool:
+    """Whether the first call of a kernel will find it compiled, or needs no compiling."""
+    return not COMPILED or (CACHE is not None and any(CACHE.rglob("*.nbc")))
+
+
 def describe() -> str:
     """One line on how the model runs here, for start-up messages."""
     if numba is None:

@@ -54,7 +54,7 @@ class CommandInbox:
         self.channels = _channels()
 
     def receive(self, topic: str, values: Sequence[float], now_ns: int) -> str:
-        """Keep a message that came at simulated time `now_ns`; returns why it was dropped, or ''."""
+        """Keep a message come at simulated time `now_ns`; returns why it was dropped, or ''."""
         channel = self.channels[topic]
         channel.received += 1
         problem = _problem(values, channel.size)

@@ -22,13 +22,16 @@ class Pacer:
         self.restart()
 
     def restart(self) -> None:
-        """The next period is due one period from now."""
-        self.deadline_ns = self.clock() + self.period_ns
+        """The first period is due one period after the next call of `due`."""
+        self.deadline_ns: int | None = None
         self.late_ns = self.largest_late_ns = 0
 
     def due(self) -> int:
         """Number of periods to run now; they count as run."""
-        late = self.clock() - self.deadline_ns
+        now = self.clock()
+        if self.deadline_ns is None:
+            self.deadline_ns = now + self.period_ns
+        late = now - self.deadline_ns
         if late < -self.period_ns * EARLY:
             return 0
         self.late_ns = max(late, 0)

@@ -1,6 +1,7 @@
 """The simulated vehicle: reset it, step it, look at it. Everything else is built on this."""
 
 import math
+import sys
 
 import numpy as np
 
@@ -15,11 +16,12 @@ from vehicle_roll_sim.model.events import (
     plausible_magnitudes,
 )
 from vehicle_roll_sim.model.integrator import STAGE_VECTORS
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.jit import has_compiled_code, kernel_argument
 from vehicle_roll_sim.model.records import OUTPUTS, STATE, STATE_SIZE, WHEELS
 from vehicle_roll_sim.simulation.command import Command, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 DEFAULT_STEP = 0.001
 """s"""
@@ -99,6 +101,11 @@ class Simulation:
         """The state as a flat vector of the elements STATE_NAMES (a view)."""
         return self._state.view(np.float64)
 
+    @property
+    def static_suspension_compression(self) -> np.ndarray:
+        """Compression of the suspension springs at rest, shape (4,) (m; eq. 19)."""
+        return self._vehicle[0]["static_suspension_compression"]
+
     def reset(self, speed: float = DEFAULT_SPEED) -> None:
         """Back to time 0, static equilibrium and free rolling straight ahead at `speed` (m/s)."""
         if not MINIMUM_SPEED <= speed <= MAXIMUM_SPEED:
@@ -146,3 +153,10 @@ class Simulation:
         self.condition = Condition(condition)
         if self.condition is Condition.DIVERGED:
             self.implausible = STATE_NAMES[culprit]
+
+
+def compile_model() -> None:
+    """Have the model compiled, or read from the cache, before time matters; says so if it lasts."""
+    if not has_compiled_code():
+        print("compiling the model, once for this version: up to 20 s", file=sys.stderr, flush=True)
+    Simulation(preset())

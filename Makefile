@@ -1,0 +1,39 @@
+# Everything runs in a virtual environment of its own: Python 3.11 is all that a machine needs.
+# DISTRO=kilted takes ROS 2 Kilted in place of Jazzy.
+PYTHON ?= python3
+DISTRO ?= jazzy
+VENV := $(if $(filter jazzy,$(DISTRO)),.venv,.venv-$(DISTRO))
+BIN := $(VENV)/bin
+PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
+export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
+
+.PHONY: setup run test lint format build clean
+
+setup: $(VENV)/.ready
+
+$(VENV)/.ready: requirements/build.txt $(PINNED) setup.py setup.cfg
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/pip install --quiet --requirement requirements/build.txt
+	$(BIN)/pip install --quiet $(addprefix --requirement ,$(PINNED))
+	$(BIN)/pip install --quiet --no-deps --no-build-isolation --editable .
+	touch $@
+
+run: setup
+	$(BIN)/demo
+
+test: setup
+	$(BIN)/python -m pytest $(TESTS)
+
+lint: setup
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+format: setup
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+build: setup
+	. $(BIN)/activate && colcon build
+
+clean:
+	rm -rf .venv .venv-* build install log run

@@ -1,0 +1,46 @@
+"""Build of the ament_python package; versions are pinned in requirements/."""
+
+from glob import glob
+
+from setuptools import find_packages, setup
+
+NAME = "vehicle_roll_sim"
+SHARE = f"share/{NAME}"
+
+setup(
+    name=NAME,
+    version="0.1.0",
+    description="Real-time vehicle roll simulation with 14 degrees of freedom, for ROS 2",
+    license="Apache-2.0",
+    python_requires=">=3.10",
+    packages=find_packages(include=[NAME, f"{NAME}.*"]),
+    package_data={f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+        (SHARE, ["package.xml"]),
+        (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
+        (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*"))),
+    ],
+    install_requires=["setuptools", "numpy>=1.26,<3", "PyYAML>=6", "tqdm>=4.60", "matplotlib>=3.6"],
+    extras_require={
+        "compiled": ["numba>=0.59"],
+        "recorder": ["rosbags>=0.11,<0.12"],
+        "test": [
+            "pytest>=7,<9",
+            "scipy>=1.11",
+            "hypothesis>=6",
+            "mujoco>=3.2",
+            "mcap-ros2-support",
+        ],
+    },
+    zip_safe=False,
+    entry_points={
+        "console_scripts": [
+            f"vehicle_roll_sim = {NAME}.command_line.main:main",
+            f"simulator = {NAME}.ros.simulator:main",
+            f"manoeuvre = {NAME}.ros.manoeuvre:main",
+            f"recorder = {NAME}.ros.recorder:main",
+            f"demo = {NAME}.ros.demo:main",
+        ],
+    },
+)

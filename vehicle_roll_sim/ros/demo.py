@@ -1,0 +1,85 @@
+"""The executable `demo`: a J-turn against a real simulator, recorded; what `make run` shows."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from vehicle_roll_sim.command_line.arguments import OneLineParser, exit_status
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.simulation.simulation import compile_model
+from vehicle_roll_sim.simulation.summary import line
+
+PATIENCE = 10.0
+"""Seconds that a process may take to end."""
+
+
+LOCAL = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
+"""Default environment of the nodes: nobody else's network."""
+
+
+def start(module: str, *words: str, **options) -> subprocess.Popen:
+    """Start a node of this package in a process of its own."""
+    command = [sys.executable, "-m", f"vehicle_roll_sim.ros.{module}", *words]
+    return subprocess.Popen(command, env=LOCAL | os.environ, **options)
+
+
+def stop(process: subprocess.Popen) -> int:
+    """End a node as Ctrl-C would; its exit status."""
+    if process.poll() is None:
+        process.send_signal(signal.SIGINT)
+    try:
+        return process.wait(PATIENCE)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        return process.wait()
+
+
+def demonstrate(folder: Path) -> int:
+    """Simulator, recorder and manoeuvre side by side until the manoeuvre is over; exit status."""
+    bag, plot = folder / "bag", folder / "j_turn.png"
+    try:
+        folder.mkdir(parents=True)
+    except OSError as error:
+        raise InputError("--output", str(folder), error.strerror) from None
+    compile_model()
+    nodes = []
+    try:
+        nodes.append(start("simulator"))
+        nodes.append(start("recorder", "--output", str(bag), stdout=subprocess.PIPE, text=True))
+        nodes[-1].stdout.readline()  # it says when it records
+        print("a J-turn at 50 km/h, in real time:", flush=True)
+        driver = start("manoeuvre", "j_turn", "--plot", str(plot))
+        nodes.append(driver)
+        statuses = [driver.wait()]
+    finally:
+        statuses += [stop(node) for node in reversed(nodes)]
+    if any(statuses):
+        return 1
+    print(line("bag", bag))
+    return 0
+
+
+def main() -> int:
+    """Entry point of the executable."""
+    parser = OneLineParser(
+        prog="demo",
+        description="Start a simulator, drive a J-turn against it in real time and record a bag.",
+    )
+    parser.add_argument(
+        "--output",
+        metavar="DIR",
+        default=time.strftime("run/%Y-%m-%d-%H%M%S"),
+        help="where bag and plot go; must not exist (default: run/DATE-TIME)",
+    )
+
+    def command() -> int:
+        return demonstrate(Path(parser.parse_args().output))
+
+    return exit_status(command, parser.prog)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,184 @@
+"""The node `manoeuvre`: resets a running simulator and drives it through a manoeuvre."""
+
+import argparse
+import dataclasses
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import rclpy
+from rcl_interfaces.srv import GetParameters, SetParameters
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from std_msgs.msg import Float64, Float64MultiArray
+from std_srvs.srv import Trigger
+
+from vehicle_roll_sim.analysis import plots
+from vehicle_roll_sim.command_line.arguments import OneLineParser, add_declared, declared_values
+from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
+from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
+from vehicle_roll_sim.ros.collector import Collector, events_of
+from vehicle_roll_sim.ros.process import node_main
+from vehicle_roll_sim.ros.topics import COMMANDING
+from vehicle_roll_sim.simulation.output_file import check_writable
+from vehicle_roll_sim.simulation.summary import line, summary_lines
+
+PATIENCE = 10.0
+"""Wall seconds that a simulator may take to answer."""
+NO_SIMULATOR = 1
+"""Exit status when none does."""
+ROUNDING = 1e-9
+"""s"""
+STANDING_STILL = 3
+"""States without progress after which the simulator has stopped."""
+
+
+class NoAnswerError(Exception):
+    """No simulator answered in time; the text says what was waited for."""
+
+
+class Driver(Node):
+    """Plays a manoeuvre: answers every state with the commands for the period that begins there."""
+
+    def __init__(self, manoeuvre: Manoeuvre, simulator: str):
+        super().__init__("manoeuvre")
+        self.manoeuvre = manoeuvre
+        self._steering = self.create_publisher(Float64, "steering_cmd", COMMANDING)
+        self._torque = self.create_publisher(Float64MultiArray, "wheel_torque_cmd", COMMANDING)
+        self._simulator = simulator
+        self.collector = Collector(self, self._on_state)
+        self._forget()
+
+    def _forget(self) -> None:
+        self.collector.forget()
+        self._time, self._still, self._states = -1.0, 0, 0
+        self.state = None
+        self.finished = False
+
+    def prepare(self) -> None:
+        """Set the speed, wait until every topic is connected, reset; raises NoAnswerError."""
+        reset = self.create_client(Trigger, f"{self._simulator}/reset")
+        self.rollover_angle = self._get("rollover_angle").double_value
+        self._set("initial_speed", self.manoeuvre.speed)
+        self._wait(lambda: self._connected(), "a connection to its topics")
+        self._forget()
+        self._call(reset, Trigger.Request(), "a reset")
+        self._wait(lambda: self.state is not None, "its state")
+
+    def _connected(self) -> bool:
+        commands = all(p.get_subscription_count() for p in (self._steering, self._torque))
+        return commands and all(s.get_publisher_count() for s in self.collector.subscriptions)
+
+    def _get(self, name: str):
+        client = self.create_client(GetParameters, f"{self._simulator}/get_parameters")
+        return self._call(client, GetParameters.Request(names=[name]), f"its {name}").values[0]
+
+    def _set(self, name: str, value: float) -> None:
+        client = self.create_client(SetParameters, f"{self._simulator}/set_parameters")
+        parameter = Parameter(name, value=value).to_parameter_msg()
+        self._call(client, SetParameters.Request(parameters=[parameter]), f"its {name}")
+
+    def _call(self, client, request, what: str):
+        self._wait(client.service_is_ready, f"its service for {what}")
+        future = client.call_async(request)
+        self._wait(future.done, what)
+        return future.result()
+
+    def _wait(self, done: Callable[[], bool], what: str) -> None:
+        until = time.monotonic() + PATIENCE
+        while not done():
+            if time.monotonic() > until:
+                raise NoAnswerError(f"no answer from `{self._simulator}` in {PATIENCE:g} s: {what}")
+            rclpy.spin_once(self, timeout_sec=0.05)
+
+    def play(self) -> None:
+        """Drive until the end of the manoeuvre or until the simulator stops; raises NoAnswerError."""
+        while not self.finished:
+            seen = self._states
+            self._wait(lambda: self._states > seen, "its next state")  # noqa: B023
+        self._wait(self.collector.is_complete, "the rest of its last set")
+
+    def _on_state(self, data: np.ndarray) -> None:
+        now = float(data[0])
+        self.state = data[1:]
+        self._states += 1
+        self._still = self._still + 1 if now == self._time else 0
+        self._time = now
+        if now >= self.manoeuvre.duration - ROUNDING or self._still >= STANDING_STILL:
+            self.finished = True
+        else:
+            self._command(now)
+
+    def _command(self, when: float) -> None:
+        command = self.manoeuvre(np.array([when]))[0]
+        self._steering.publish(Float64(data=float(command.steering)))
+        error = command.speed_hold_target - self.state[at.U]
+        torque = float(command.speed_hold_gain * error)
+        if self.manoeuvre.speed_hold:
+            torques = [torque if wheel >= LR else 0.0 for wheel in range(WHEEL_COUNT)]
+            self._torque.publish(Float64MultiArray(data=torques))
+
+    @property
+    def condition(self) -> Condition:
+        """How the run ended, as far as the last state shows it."""
+        if abs(self.state[at.ROLL]) >= self.rollover_angle:
+            return Condition.ROLLED_OVER
+        if self.state[at.U] < MINIMUM_SPEED:
+            return Condition.TOO_SLOW
+        return Condition.RUNNING
+
+
+def drive(name: str, manoeuvre: Manoeuvre, simulator: str, plot: Path | None) -> int:
+    """Play the manoeuvre and print its summary; the exit status."""
+    driver = Driver(manoeuvre, simulator)
+    try:
+        driver.prepare()
+        driver.play()
+    except NoAnswerError as error:
+        print(f"manoeuvre: error: {error}", file=sys.stderr)
+        return NO_SIMULATOR
+    history = driver.collector.history()
+    events = events_of(history, driver.rollover_angle)
+    print("\n".join(summary_lines(events, history["time"][-1], driver.condition)))
+    if plot:
+        plots.plot_run(history, events, plot, name)
+        print(line("plot", plot))
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = OneLineParser(
+        prog="manoeuvre",
+        description="Drive a running simulator through a manoeuvre and print what happened.",
+    )
+    parser.add_argument("manoeuvre", metavar="NAME", help=", ".join(STANDARD))
+    for declaring in map(type, STANDARD.values()):
+        add_declared(parser, declaring, "manoeuvre")
+    parser.add_argument(
+        "--simulator", default="simulator", metavar="NODE", help="name of the simulator's node"
+    )
+    parser.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
+    return parser
+
+
+def main() -> int:
+    """Entry point of the executable."""
+
+    def body(arguments: argparse.Namespace) -> int:
+        manoeuvre = manoeuvre_named(arguments.manoeuvre)
+        manoeuvre = dataclasses.replace(manoeuvre, **declared_values(arguments, manoeuvre))
+        plot = Path(arguments.plot) if arguments.plot else None
+        if plot:
+            check_writable(plot, "--plot")
+            plots.check_format(plot, "--plot")
+        return drive(arguments.manoeuvre, manoeuvre, arguments.simulator, plot)
+
+    return node_main(_parser(), body, sys.argv)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,172 @@
+"""From a session to messages: one object per topic, filled anew for every set."""
+
+from array import array
+
+import numpy as np
+from builtin_interfaces.msg import Time
+from geometry_msgs.msg import TransformStamped, WrenchStamped
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import Imu, JointState
+from std_msgs.msg import Float64, Float64MultiArray, MultiArrayDimension, UInt8MultiArray
+
+from vehicle_roll_sim.model.frames import quaternion
+from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, WHEEL_COUNT, WHEELS
+from vehicle_roll_sim.simulation.session import Session
+from vehicle_roll_sim.simulation.simulation import NANOSECONDS, STATE_NAMES
+
+STATE_LABELS = ("time", *STATE_NAMES[:MODEL_STATE_SIZE])
+COMMAND_LABELS = (
+    *("time", "steering", "rear_steering"),
+    *(f"wheel_torque_{wheel}" for wheel in WHEELS),
+    *(f"brake_torque_{wheel}" for wheel in WHEELS),
+    *(f"normal_force_{wheel}" for wheel in WHEELS),
+)
+NO_BRAKES = (0.0,) * WHEEL_COUNT
+"""The model has no brakes yet; their places in `applied_command` are kept."""
+JOINTS = tuple(
+    f"{wheel}_{kind}_joint" for kind in ("suspension", "steering", "wheel") for wheel in WHEELS
+)
+
+
+def labelled(kind: type, labels: tuple[str, ...]):
+    """A multi-array whose layout names every element: dim[i].label is the name of data[i]."""
+    message = kind()
+    message.layout.dim = [MultiArrayDimension(label=name, size=1, stride=1) for name in labels]
+    return message
+
+
+def load_transfer_ratio(normal_force: np.ndarray) -> float:
+    """(right - left) / total of the tire loads, -1 to 1; 0 when no tire carries load."""
+    left, right = normal_force[0::2].sum(), normal_force[1::2].sum()
+    total = left + right
+    return float((right - left) / total) if total > 0.0 else 0.0
+
+
+class Messages:
+    """The messages of a set; each method fills its own message and returns it.
+
+    The messages are reused: what a method returned last changes with its next call. All stamped
+    messages share `stamp`, set by `set_time`.
+    """
+
+    def __init__(self, session: Session, frame_prefix: str):
+        self.simulation, self.session = session.simulation, session
+        self.stamp = Time()
+        body, odom = f"{frame_prefix}base_link", f"{frame_prefix}odom"
+        footprint = f"{frame_prefix}base_footprint"
+        self._state = labelled(Float64MultiArray, STATE_LABELS)
+        self._command = labelled(Float64MultiArray, COMMAND_LABELS)
+        self._loads = labelled(Float64MultiArray, WHEELS)
+        self._lift_off = labelled(UInt8MultiArray, WHEELS)
+        self._odom = self._stamped(Odometry, odom)
+        self._odom.child_frame_id = body
+        self._imu = self._stamped(Imu, body)
+        self._joints = self._stamped(JointState, "")
+        self._joints.name = list(JOINTS)
+        self._forces = [self._stamped(WrenchStamped, footprint) for _ in WHEELS]
+        self._transforms = [self._stamped(TransformStamped, odom) for _ in range(2)]
+        self._transforms[0].child_frame_id = body
+        self._transforms[1].child_frame_id = footprint
+        self._ratio = Float64()
+
+    def _stamped(self, kind: type, frame: str):
+        message = kind()
+        message.header.frame_id = frame
+        message.header.stamp = self.stamp
+        return message
+
+    def set_time(self, nanoseconds: int) -> None:
+        """The stamp of the set (ns since the epoch of the stamps)."""
+        self.stamp.sec, self.stamp.nanosec = divmod(nanoseconds, NANOSECONDS)
+
+    def state(self) -> Float64MultiArray:
+        simulation = self.simulation
+        self._state.data = array("d", [simulation.time])
+        self._state.data.frombytes(simulation.state_vector[:MODEL_STATE_SIZE].tobytes())
+        return self._state
+
+    def applied_command(self) -> Float64MultiArray:
+        command = self.session.applied
+        self._command.data = array(
+            "d",
+            (
+                self.simulation.time,
+                command.steering,
+                command.rear_steering,
+                *command.wheel_torque,
+                *NO_BRAKES,
+                *command.normal_force,
+            ),
+        )
+        return self._command
+
+    def odom(self) -> Odometry:
+        state, pose, twist = self.simulation.state, self._odom.pose.pose, self._odom.twist.twist
+        _set_vector(pose.position, state["x"], state["y"], state["z"])
+        _set_attitude(pose.orientation, state)
+        _set_vector(twist.linear, state["u"], state["v"], state["w"])
+        _set_rates(twist.angular, state)
+        return self._odom
+
+    def imu(self) -> Imu:
+        state = self.simulation.state
+        _set_attitude(self._imu.orientation, state)
+        _set_rates(self._imu.angular_velocity, state)
+        _set_vector(self._imu.linear_acceleration, *self.simulation.outputs["specific_force"])
+        return self._imu
+
+    def joint_states(self) -> JointState:
+        state, outputs = self.simulation.state, self.simulation.outputs
+        at_rest = self.simulation.static_suspension_compression
+        travel = state["suspension_compression"] - at_rest
+        position = (travel, outputs["steering"], state["wheel_angle"])
+        velocity = (outputs["suspension_rate"], np.zeros(WHEEL_COUNT), state["wheel_speed"])
+        self._joints.position = array("d", np.concatenate(position).tobytes())
+        self._joints.velocity = array("d", np.concatenate(velocity).tobytes())
+        return self._joints
+
+    def tire_normal_forces(self) -> Float64MultiArray:
+        self._loads.data = array("d", self.simulation.outputs["normal_force"].tobytes())
+        return self._loads
+
+    def tire_force(self, wheel: int) -> WrenchStamped:
+        outputs, message = self.simulation.outputs, self._forces[wheel]
+        quantities = ("longitudinal_force", "lateral_force", "normal_force")
+        _set_vector(message.wrench.force, *(outputs[name][wheel] for name in quantities))
+        return message
+
+    def lift_off(self) -> UInt8MultiArray:
+        flags = self.simulation.outputs["normal_force"] == 0.0
+        self._lift_off.data = array("B", flags.tobytes())
+        return self._lift_off
+
+    def load_transfer_ratio(self) -> Float64:
+        self._ratio.data = load_transfer_ratio(self.simulation.outputs["normal_force"])
+        return self._ratio
+
+    def transforms(self) -> list[TransformStamped]:
+        """odom to base_link, and odom to base_footprint: on the ground, yaw only."""
+        state = self.simulation.state
+        body, footprint = (message.transform for message in self._transforms)
+        _set_vector(body.translation, state["x"], state["y"], state["z"])
+        _set_attitude(body.rotation, state)
+        _set_vector(footprint.translation, state["x"], state["y"], 0.0)
+        _set_quaternion(footprint.rotation, *quaternion(0.0, 0.0, float(state["yaw"])))
+        return self._transforms
+
+
+def _set_vector(vector, x: float, y: float, z: float) -> None:
+    vector.x, vector.y, vector.z = float(x), float(y), float(z)
+
+
+def _set_rates(vector, state: np.record) -> None:
+    _set_vector(vector, state["roll_rate"], state["pitch_rate"], state["yaw_rate"])
+
+
+def _set_attitude(orientation, state: np.record) -> None:
+    attitude = (float(state[name]) for name in ("roll", "pitch", "yaw"))
+    _set_quaternion(orientation, *quaternion(*attitude))
+
+
+def _set_quaternion(orientation, x: float, y: float, z: float, w: float) -> None:
+    orientation.x, orientation.y, orientation.z, orientation.w = x, y, z, w

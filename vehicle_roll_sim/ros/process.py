@@ -1,0 +1,63 @@
+"""What the main functions of all nodes share: start, spin, end without a traceback."""
+
+import argparse
+from collections.abc import Callable
+
+import rclpy
+from rclpy.exceptions import NameValidationException
+from rclpy.executors import ExternalShutdownException
+from rclpy.utilities import remove_ros_args
+
+from vehicle_roll_sim.command_line.arguments import exit_status
+from vehicle_roll_sim.declaration import InputError
+
+
+def node_main(
+    parser: argparse.ArgumentParser,
+    body: Callable[[argparse.Namespace], int],
+    words: list[str],
+    prepare: Callable[[], None] = lambda: None,
+) -> int:
+    """Run `body` with the arguments among `words` (program name first); the exit status.
+
+    `prepare` runs before, and `body` within an rclpy context. SIGINT and SIGTERM, which arrive as
+    KeyboardInterrupt or as a context that is shut down, end either with status 0.
+    """
+
+    def command() -> int:
+        arguments = parser.parse_args(_without_ros_arguments(words))
+        try:
+            prepare()
+            _initialise(words)
+            return body(arguments)
+        except (KeyboardInterrupt, ExternalShutdownException):
+            return 0
+        except NameValidationException as error:
+            raise _bad_ros_arguments(error) from None
+        except RuntimeError:  # the middleware's, on a context that a signal has shut down
+            if rclpy.ok():
+                raise
+            return 0
+        finally:
+            rclpy.try_shutdown()
+
+    return exit_status(command, parser.prog)
+
+
+def _without_ros_arguments(words: list[str]) -> list[str]:
+    try:
+        return remove_ros_args(words)[1:]
+    except RuntimeError as error:
+        raise _bad_ros_arguments(error) from None
+
+
+def _initialise(words: list[str]) -> None:
+    try:
+        rclpy.init(args=words)
+    except RuntimeError as error:
+        raise _bad_ros_arguments(error) from None
+
+
+def _bad_ros_arguments(error: Exception) -> InputError:
+    problem = " ".join(str(error).split())
+    return InputError("--ros-args", "", "well-formed ROS arguments are wanted", problem)
