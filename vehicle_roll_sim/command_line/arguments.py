@@ -2,6 +2,7 @@
 
 import argparse
 import dataclasses
+import os
 import sys
 from collections.abc import Callable
 
@@ -12,6 +13,8 @@ from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
 WRONG_INPUT = 2
 """Exit status after wrong usage or input."""
+INTERRUPTED = 130
+"""Exit status after Ctrl-C, as shells have it."""
 
 
 class OneLineParser(argparse.ArgumentParser):
@@ -38,7 +41,10 @@ def exit_status(command: Callable[[], int], program: str) -> int:
         return WRONG_INPUT
     except KeyboardInterrupt:
         print(f"{program}: interrupted", file=sys.stderr)
-        return 130
+        return INTERRUPTED
+    except BrokenPipeError:  # whoever read our output has gone, as `head` does
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
 
 
 def option_name(parameter: Parameter) -> str:

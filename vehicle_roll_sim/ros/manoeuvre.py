@@ -8,8 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-import rclpy
 from rcl_interfaces.srv import GetParameters, SetParameters
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from std_msgs.msg import Float64, Float64MultiArray
@@ -50,6 +50,8 @@ class Driver(Node):
         self._steering = self.create_publisher(Float64, "steering_cmd", COMMANDING)
         self._torque = self.create_publisher(Float64MultiArray, "wheel_torque_cmd", COMMANDING)
         self._simulator = simulator
+        self._executor = SingleThreadedExecutor()
+        self._executor.add_node(self)
         self.collector = Collector(self, self._on_state)
         self._forget()
 
@@ -93,10 +95,10 @@ class Driver(Node):
         while not done():
             if time.monotonic() > until:
                 raise NoAnswerError(f"no answer from `{self._simulator}` in {PATIENCE:g} s: {what}")
-            rclpy.spin_once(self, timeout_sec=0.05)
+            self._executor.spin_once(timeout_sec=0.05)
 
     def play(self) -> None:
-        """Drive until the end of the manoeuvre or until the simulator stops; raises NoAnswerError."""
+        """Drive to the end, or until the simulator stops; raises NoAnswerError."""
         while not self.finished:
             seen = self._states
             self._wait(lambda: self._states > seen, "its next state")  # noqa: B023

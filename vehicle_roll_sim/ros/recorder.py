@@ -5,7 +5,7 @@ import sys
 import time
 from pathlib import Path
 
-import rclpy
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rosbags.interfaces import (
@@ -90,11 +90,13 @@ def record(output: Path, duration: float | None) -> int:
     except OSError as error:
         raise InputError("--output", "", "a folder that can be made", str(error)) from None
     recorder = Recorder(bag)
+    executor = SingleThreadedExecutor()
+    executor.add_node(recorder)
     try:
         print(f"recorder: recording to {output}", flush=True)
         until = time.monotonic() + duration if duration else float("inf")
-        while time.monotonic() < until:
-            rclpy.spin_once(recorder, timeout_sec=min(1.0, until - time.monotonic()))
+        while (left := until - time.monotonic()) > 0.0:
+            executor.spin_once(timeout_sec=min(1.0, left))
     finally:
         bag.close()
         print(f"recorder: {recorder.count} messages in {output}", flush=True)

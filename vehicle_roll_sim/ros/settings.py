@@ -83,6 +83,13 @@ class Settings:
 
 
 @dataclasses.dataclass(frozen=True)
+class TireFile:
+    """The one entry of a vehicle file that is no number."""
+
+    tire: str = parameter("tire file (.tir)", default="")
+
+
+@dataclasses.dataclass(frozen=True)
 class Declared:
     """Everything the parameters said."""
 
@@ -93,16 +100,16 @@ class Declared:
 
 def declare(node: Node) -> Declared:
     """Declare all parameters on `node` and read them; raises InputError naming one."""
-    _refuse_unknown(node)
+    _check_overrides(node)
     settings = Settings(**_declare_class(node, Settings))
     options = Options(**_declare_class(node, Options))
     vehicle = load_vehicle(settings.vehicle_file) if settings.vehicle_file else preset()
-    tire = _declare(node, TIRE, vehicle.tire.file, _descriptor(str, "tire file (.tir)"))
+    tire = _declare(node, TIRE, vehicle.tire.file)
     if tire != vehicle.tire.file:
         vehicle = dataclasses.replace(vehicle, tire=load_tire(tire))
     values = {
-        name: _declare(node, VEHICLE_PREFIX + name, getattr(vehicle, name), _described(parameter))
-        for name, parameter in parameters_of(Vehicle).items()
+        name: _declare(node, VEHICLE_PREFIX + name, getattr(vehicle, name))
+        for name in parameters_of(Vehicle)
     }
     return Declared(settings, options, vehicle.with_values(values, VEHICLE_PREFIX))
 
@@ -125,43 +132,54 @@ def follow_changes(node: Node, settings: Settings) -> None:
     node.add_on_set_parameters_callback(check)
 
 
-def names() -> tuple[str, ...]:
-    """Every parameter of the simulator."""
-    vehicle = (VEHICLE_PREFIX + name for name in parameters_of(Vehicle))
-    return (*parameters_of(Settings), *parameters_of(Options), TIRE, *vehicle)
+def _all_parameters() -> dict[str, Parameter]:
+    vehicle = parameters_of(Vehicle) | parameters_of(TireFile)
+    return {
+        **parameters_of(Settings),
+        **parameters_of(Options),
+        **{VEHICLE_PREFIX + name: declared for name, declared in vehicle.items()},
+    }
 
 
-def _refuse_unknown(node: Node) -> None:
-    for name in node._parameter_overrides:  # rclpy has no public way to see them undeclared
-        if name not in names() and not name.startswith(OF_EVERY_NODE):
-            raise unknown_name(name, names(), "parameter")
+def _check_overrides(node: Node) -> None:
+    """Every parameter that was given must be known and allowed."""
+    for name, given in node._parameter_overrides.items():  # rclpy shows them nowhere else
+        if name in PARAMETERS:
+            PARAMETERS[name].validate(given.value, name)
+        elif not name.startswith(OF_EVERY_NODE):
+            raise unknown_name(name, PARAMETERS, "parameter")
 
 
 def _declare_class(node: Node, declaring) -> dict:
-    values = {
-        name: _declare(node, name, parameter.default, _described(parameter))
-        for name, parameter in parameters_of(declaring).items()
-    }
-    return validated(declaring, values)
+    defaults = {name: p.default for name, p in parameters_of(declaring).items()}
+    return {name: _declare(node, name, default) for name, default in defaults.items()}
 
 
-def _declare(node: Node, name: str, default, descriptor: ParameterDescriptor):
-    return node.declare_parameter(name, default, descriptor).value
+def _declare(node: Node, name: str, default):
+    """Declare a parameter; its value, which `_check_overrides` has found to be allowed."""
+    declared = PARAMETERS[name]
+    value = node.declare_parameter(name, default, _descriptor(declared)).value
+    return declared.validate(value, name)
 
 
-def _described(parameter: Parameter) -> ParameterDescriptor:
-    unit = f" ({parameter.unit})" if parameter.unit else ""
-    choices = f": {' or '.join(parameter.choices)}" if parameter.choices else ""
-    text = parameter.description + choices + unit
-    descriptor = _descriptor(parameter.kind, text, not parameter.tunable)
-    if parameter.kind is float:
-        allowed = FloatingPointRange(from_value=parameter.minimum, to_value=parameter.maximum)
+def _descriptor(declared: Parameter) -> ParameterDescriptor:
+    """What ROS is told of a parameter.
+
+    Typed dynamically, so that an integer serves for a number; the type is checked here.
+    """
+    unit = f" ({declared.unit})" if declared.unit else ""
+    choices = f": {' or '.join(declared.choices)}" if declared.choices else ""
+    descriptor = ParameterDescriptor(
+        type=ROS_TYPES[declared.kind],
+        description=declared.description + choices + unit,
+        read_only=not declared.tunable,
+        dynamic_typing=True,
+    )
+    if declared.kind is float:
+        allowed = FloatingPointRange(from_value=declared.minimum, to_value=declared.maximum)
         descriptor.floating_point_range.append(allowed)
     return descriptor
 
 
-def _descriptor(kind: type, description: str, read_only: bool = True) -> ParameterDescriptor:
-    """Typed dynamically, so that an integer serves for a number; the type is checked here."""
-    return ParameterDescriptor(
-        type=ROS_TYPES[kind], description=description, read_only=read_only, dynamic_typing=True
-    )
+PARAMETERS = _all_parameters()
+"""Every parameter of the simulator, by its ROS name."""

@@ -213,7 +213,7 @@ def main() -> int:
         prog="simulator",
         description="Simulate a vehicle's roll in real time on ROS 2.",
         usage="simulator [--ros-args -p NAME:=VALUE -r __ns:=/NAMESPACE ...]",
-        epilog="parameters: " + ", ".join(ros_settings.names()),
+        epilog="parameters: " + ", ".join(ros_settings.PARAMETERS),
     )
 
     def body(_) -> int:

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, parameter, validated
+from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, validated
 from vehicle_roll_sim.model.equilibrium import (
     axle_load_share,
     static_strut_length,
@@ -65,9 +65,19 @@ class Vehicle:
         _check_inertias(self)
         _check_fits_on_its_wheels(self)
 
+    @classmethod
+    def checked(cls, values: dict, tire: Tire, prefix: str = "") -> "Vehicle":
+        """A vehicle of these values; raises InputError naming one, with `prefix` before it."""
+        numbers = validated(cls, values, prefix)
+        try:
+            return cls(**numbers, tire=tire)
+        except InputError as error:  # values that do not go together
+            raise InputError(prefix + error.field, error.value, error.allowed) from None
+
     def with_values(self, values: dict, prefix: str = "") -> "Vehicle":
-        """A copy with some values replaced; raises InputError naming them with `prefix`."""
-        return dataclasses.replace(self, **validated(Vehicle, values, prefix))
+        """A copy with some values replaced; raises InputError as `checked` does."""
+        present = {name: getattr(self, name) for name in parameters_of(Vehicle)}
+        return self.checked(present | values, self.tire, prefix)
 
     @functools.cached_property
     def axle_load_share(self) -> np.ndarray:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import yaml
 
-from vehicle_roll_sim.declaration import InputError, parameters_of, validated
+from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.text_file import read_text
 from vehicle_roll_sim.vehicle.tire_file import load_tire
@@ -47,13 +47,7 @@ def load_vehicle(path: str | Path) -> Vehicle:
     tire = values.pop("tire")
     if not isinstance(tire, str):
         raise InputError(prefix + "tire", tire, "the name of a .tir file")
-    numbers = validated(Vehicle, values, prefix)
-    try:
-        return Vehicle(**numbers, tire=load_tire(path.parent / tire))
-    except InputError as error:
-        if error.field in numbers:  # values that do not go together
-            raise InputError(prefix + error.field, error.value, error.allowed) from None
-        raise
+    return Vehicle.checked(values, load_tire(path.parent / tire), prefix)
 
 
 def _mapping(path: Path) -> dict:

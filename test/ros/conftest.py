@@ -1,0 +1,56 @@
+"""Fixtures: a domain for each test, processes and peers that end with it."""
+
+import itertools
+import os
+
+import pytest
+from peers import Peer, Process
+
+LARGEST_DOMAIN = 100
+"""Above it, ports may meet those that the system hands out."""
+_numbers = itertools.count(os.getpid())
+
+
+@pytest.fixture(autouse=True)
+def local_discovery(monkeypatch, tmp_path):
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "ros_log"))
+
+
+@pytest.fixture
+def domain():
+    """A ROS domain that no other test of this run has at the same time."""
+    return next(_numbers) % LARGEST_DOMAIN + 1
+
+
+@pytest.fixture
+def start(domain):
+    """start(module, *words): a process in the test's domain."""
+    processes = []
+
+    def start_process(*arguments, **options):
+        processes.append(Process(domain, *arguments, **options))
+        return processes[-1]
+
+    yield start_process
+    for process in reversed(processes):
+        process.close()
+
+
+@pytest.fixture
+def make_peer(domain):
+    """make_peer(namespace): a node in the test's domain."""
+    peers = []
+
+    def make(namespace=""):
+        peers.append(Peer(domain, namespace))
+        return peers[-1]
+
+    yield make
+    for peer in peers:
+        peer.close()
+
+
+@pytest.fixture
+def peer(make_peer):
+    return make_peer()

@@ -1,0 +1,154 @@
+"""Other processes and other nodes for the tests: a simulator to talk to, a node that talks."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from array import array
+
+import rclpy
+from rclpy.context import Context
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+
+from vehicle_roll_sim.ros.topics import COMMANDING, COMMANDS, PUBLISHED, recording_qos
+
+PATIENCE = 60.0
+"""Seconds until a wait fails: tenfold what a busy machine needs, compiling included."""
+TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED)}
+
+
+class Peer:
+    """A node in a context of its own that listens, publishes and calls services."""
+
+    def __init__(self, domain: int, namespace: str = ""):
+        self.context = Context()
+        rclpy.init(context=self.context, domain_id=domain)
+        self.node = Node("peer", context=self.context, namespace=namespace)
+        self.executor = SingleThreadedExecutor(context=self.context)
+        self.executor.add_node(self.node)
+        self.received: dict[str, list] = {}
+        self._publishers = {}
+        self._subscriptions = {}
+
+    def close(self) -> None:
+        self.executor.shutdown()
+        self.node.destroy_node()
+        rclpy.try_shutdown(context=self.context)
+
+    def spin(self) -> None:
+        self.executor.spin_once(timeout_sec=0.05)
+
+    def wait(self, done, what: str):
+        """Spin until `done()` is true; returns its value. Fails, naming `what`, if that lasts."""
+        until = time.monotonic() + PATIENCE
+        while not (value := done()):
+            assert time.monotonic() < until, f"waited {PATIENCE} s in vain for {what}"
+            self.spin()
+        return value
+
+    def listen(self, *names: str) -> None:
+        """Subscribe, and wait until the publishers are matched."""
+        for name in names:
+            self.received[name] = []
+            topic = TOPICS[name]
+
+            def keep(message, info, kept=self.received[name]):
+                kept.append((info["source_timestamp"], message))
+
+            self._subscriptions[name] = self.node.create_subscription(
+                topic.type, name, keep, recording_qos(topic)
+            )
+        for name in names:
+            self.wait(self._subscriptions[name].get_publisher_count, f"a publisher of {name}")
+
+    def newest(self, name: str):
+        """Wait for a message of a topic that comes from now on."""
+        count = len(self.received[name])
+        self.wait(lambda: len(self.received[name]) > count, f"a message on {name}")
+        return self.received[name][-1][1]
+
+    def publisher(self, name: str):
+        """A publisher that is matched."""
+        if name not in self._publishers:
+            self._publishers[name] = self.node.create_publisher(TOPICS[name].type, name, COMMANDING)
+        publisher = self._publishers[name]
+        self.wait(publisher.get_subscription_count, f"a subscriber of {name}")
+        return publisher
+
+    def publish(self, name: str, value) -> None:
+        self.publisher(name).publish(message_of(name, value))
+
+    def command(self, values: dict, done, what: str):
+        """Publish commands, by topic, over and over until `done()` is true, as a controller does.
+
+        One message alone may come before a best-effort subscription knows of its publisher.
+        """
+
+        def sent_and_done():
+            for name, value in values.items():
+                self.publish(name, value)
+            return done()
+
+        return self.wait(sent_and_done, what)
+
+    def call(self, kind, name: str, request=None):
+        """Call a service and wait for the answer."""
+        client = self.node.create_client(kind, name)
+        self.wait(client.service_is_ready, f"the service {name}")
+        future = client.call_async(request or kind.Request())
+        self.wait(future.done, f"an answer of {name}")
+        self.node.destroy_client(client)
+        return future.result()
+
+
+def message_of(name: str, value):
+    """A command message with `value` as its data."""
+    data = value if isinstance(value, float) else array("d", value)
+    return TOPICS[name].type(data=data)
+
+
+def sets_of(received: dict[str, list], *names: str) -> list[dict]:
+    """The complete sets of a recording: whatever was sent between two states is one."""
+    events = sorted(
+        (sent, name, message) for name in ("state", *names) for sent, message in received[name]
+    )
+    sets = []
+    for _, name, message in events:
+        if name == "state":
+            sets.append({})
+        if sets:
+            sets[-1][name] = message
+    return [found for found in sets if len(found) == len(names) + 1]
+
+
+class Process:
+    """An executable of the package as a process of its own, ended by its id."""
+
+    def __init__(self, domain: int, module: str, *words: str, program: str | None = None):
+        command = [program] if program else ["-m", f"vehicle_roll_sim.ros.{module}"]
+        environment = os.environ | {"ROS_DOMAIN_ID": str(domain)}
+        self.process = subprocess.Popen(
+            [sys.executable, *command, *words],
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def finish(self, signum: int | None = None) -> tuple[int, str, str]:
+        """Wait for the end, after a signal if one is given: exit status, stdout, stderr."""
+        if signum is not None:
+            self.process.send_signal(signum)
+        out, err = self.process.communicate(timeout=PATIENCE)
+        return self.process.returncode, out, err
+
+    def close(self) -> None:
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+            try:
+                self.process.communicate(timeout=PATIENCE)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                self.process.communicate()

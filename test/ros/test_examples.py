@@ -1,0 +1,66 @@
+"""Every file in msg_examples does what its README says, on a running simulator."""
+
+from pathlib import Path
+
+import pytest
+import yaml
+
+from vehicle_roll_sim.ros.topics import COMMANDS
+
+EXAMPLES = Path(__file__).parents[2] / "msg_examples"
+ROLL, U, YAW_RATE = 4, 7, 12
+"""Places in `state`, whose first element is the time."""
+
+
+def example(name: str):
+    return yaml.safe_load((EXAMPLES / f"{name}.yaml").read_text())["data"]
+
+
+def turns_left(state):
+    return state[YAW_RATE] > 0.1
+
+
+def yaws_left_from_behind(state):
+    return state[YAW_RATE] > 0.02
+
+
+def gains_speed(state):
+    return state[U] > 14.2
+
+
+def leans_left(state):
+    return state[ROLL] < -0.01
+
+
+EFFECTS = {
+    "steering_cmd": turns_left,
+    "rear_steering_cmd": yaws_left_from_behind,
+    "wheel_torque_cmd": gains_speed,
+    "normal_force_cmd": leans_left,
+}
+
+
+@pytest.mark.parametrize("name", [topic.name for topic in COMMANDS])
+def test_the_example_message_has_its_effect(start, peer, name):
+    start("simulator")
+    peer.listen("state")
+    peer.command(
+        {name: example(name)}, lambda: EFFECTS[name](peer.newest("state").data), f"effect of {name}"
+    )
+
+
+def test_the_readme_has_the_line_for_every_message():
+    text = (EXAMPLES / "README.md").read_text()
+    for topic in COMMANDS:
+        kind = f"std_msgs/msg/{topic.type.__name__}"
+        line = f'ros2 topic pub --rate 50 {topic.name} {kind} "$(cat {topic.name}.yaml)"'
+        assert line in text
+
+
+@pytest.mark.parametrize("name", ["active_roll_bar.py", "roll_braking.py"])
+def test_the_example_controller_prevents_the_rollover_of_the_j_turn(start, name):
+    start("simulator")
+    start("", program=str(EXAMPLES / name))
+    status, out, _ = start("manoeuvre", "j_turn").finish()
+    assert status == 0
+    assert "6.000 s, complete" in out

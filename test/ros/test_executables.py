@@ -1,0 +1,146 @@
+"""`manoeuvre`, `recorder` and `demo` as processes beside a simulator."""
+
+import re
+import signal
+
+import pytest
+from mcap.reader import make_reader
+from mcap_ros2.decoder import DecoderFactory
+
+from vehicle_roll_sim.command_line.main import main as offline
+from vehicle_roll_sim.ros.topics import CLOCK, COMMANDS, PUBLISHED
+
+LATE = 0.05
+"""s: a command that comes late on a busy machine counts one period later, now and then."""
+
+
+def numbers_of(summary: str) -> dict[str, float]:
+    """The first number of every line of a summary."""
+    found = re.findall(r"^([^:\n]+):\s+(-?\d+\.\d+)", summary, re.MULTILINE)
+    return {label: float(number) for label, number in found}
+
+
+def test_a_manoeuvre_in_real_time_equals_the_offline_run(start, capsys, tmp_path):
+    start("simulator")
+    plot = tmp_path / "j_turn.png"
+    status, out, err = start("manoeuvre", "j_turn", "--plot", str(plot)).finish()
+    assert (status, err) == (0, "")
+    assert plot.read_bytes().startswith(b"\x89PNG")
+    offline(["run", "j_turn", "--command-period", "0.01"])
+    expected = numbers_of(capsys.readouterr().out)
+    assert "rollover" in expected
+    assert numbers_of(out) == pytest.approx(expected, abs=LATE)
+
+
+def test_a_manoeuvre_holds_the_speed_where_it_should(start, peer):
+    start("simulator")
+    peer.listen("state")
+    status, out, _ = start("manoeuvre", "step_steer").finish()
+    assert status == 0
+    assert numbers_of(out)["end"] == pytest.approx(4.0)
+    # free rolling loses 1 m/s in this turn, the hold keeps within its droop of some cm/s
+    assert peer.newest("state").data[7] == pytest.approx(50 / 3.6, abs=0.1)
+
+
+def test_a_manoeuvre_without_a_simulator_gives_up_with_status_1(start):
+    status, out, err = start("manoeuvre", "j_turn").finish()
+    assert (status, out) == (1, "")
+    assert err.startswith("manoeuvre: error: no answer from `simulator`")
+    assert len(err.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        (["j_tum"], "j_turn"),
+        (["j_turn", "--amplitude", "100"], "--amplitude"),
+        (["j_turn", "--plot", "x.gif"], "--plot"),
+        ([], "NAME"),
+    ],
+)
+def test_a_wrong_manoeuvre_ends_with_one_line_and_status_2(start, words, named):
+    status, _, err = start("manoeuvre", *words).finish()
+    assert status == 2
+    assert len(err.splitlines()) == 1
+    assert named in err
+
+
+def read_bag(folder):
+    """Messages of a bag by topic, decoded by a library that did not write it."""
+    messages = {}
+    with next(folder.glob("*.mcap")).open("rb") as file:
+        reader = make_reader(file, decoder_factories=[DecoderFactory()])
+        for _, channel, _, message in reader.iter_decoded_messages():
+            messages.setdefault(channel.topic, []).append(message)
+    return messages
+
+
+def wait_for_recorder(peer):
+    """Until the recorder listens to every topic."""
+    for topic in (*COMMANDS, *PUBLISHED):
+        listeners = peer.node.get_subscriptions_info_by_topic
+        peer.wait(
+            lambda name=peer.node.resolve_topic_name(topic.name): any(
+                listener.node_name == "recorder" for listener in listeners(name)
+            ),
+            f"the recorder on {topic.name}",
+        )
+
+
+def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp_path):
+    bag = tmp_path / "bag"
+    start("simulator", "--ros-args", "-p", "publish_clock:=true")
+    recorder = start("recorder", "--output", str(bag))
+    peer.listen("state", "applied_command", "/diagnostics")
+    four = [1.0, 2.0, 3.0, 4.0]
+    commands = {
+        "steering_cmd": 0.01,
+        "rear_steering_cmd": 0.02,
+        "wheel_torque_cmd": four,
+        "normal_force_cmd": four,
+    }
+    wait_for_recorder(peer)
+    end = peer.newest("state").data[0] + 2.5  # /diagnostics comes once a second
+    peer.command(commands, lambda: peer.newest("state").data[0] > end, "2.5 s of driving")
+    status, out, _ = recorder.finish(signal.SIGTERM)
+    assert status == 0
+    assert "messages in" in out
+
+    messages = read_bag(bag)
+    names = {f"/{topic.name.removeprefix('/')}" for topic in (*COMMANDS, *PUBLISHED)}
+    assert set(messages) == names
+    assert CLOCK.name in messages
+    assert messages["/wheel_torque_cmd"][-1].data == four
+    live = {message.data[0]: list(message.data) for _, message in peer.received["state"]}
+    recorded = {message.data[0]: list(message.data) for message in messages["/state"]}
+    shared = live.keys() & recorded.keys()
+    assert len(shared) > 50
+    assert all(live[time] == recorded[time] for time in shared)
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        ([], "--output"),
+        (["--output", "."], "--output"),
+        (["--output", "/proc/none/bag"], "--output"),
+        (["--output", "bag", "--duration", "long"], "--duration"),
+    ],
+)
+def test_a_wrong_recording_ends_with_one_line_and_status_2(start, tmp_path, words, named):
+    status, _, err = start("recorder", *words).finish()
+    assert status == 2
+    assert len(err.splitlines()) == 1
+    assert named in err
+
+
+def test_the_demo_prints_what_happened_and_where_the_files_are(start, tmp_path):
+    folder = tmp_path / "run"
+    status, out, _ = start("demo", "--output", str(folder)).finish()
+    assert status == 0
+    numbers = numbers_of(out)
+    assert numbers["rollover"] > numbers["lift-off lr"] > 1.0
+    assert numbers["peak roll angle"] > 85.0
+    assert str(folder / "bag") in out
+    assert (folder / "j_turn.png").stat().st_size > 0
+    assert "/rollover" in read_bag(folder / "bag")

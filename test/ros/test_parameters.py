@@ -1,0 +1,99 @@
+"""Parameters of the simulator: one line for a wrong one, ranges kept, structure read-only."""
+
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+from rcl_interfaces.srv import DescribeParameters, ListParameters, SetParameters
+from rclpy.parameter import Parameter
+from std_srvs.srv import Trigger
+
+from vehicle_roll_sim.ros.settings import PARAMETERS
+
+PLAUSIBLE_RUN = 1000
+"""s: far more than a test lasts, far less than the time since 1970."""
+WRONG = {
+    "vehicle.sprung_mass:=-3": ("vehicle.sprung_mass", "0.01"),
+    "vehicle.sprung_mas:=1500": ("vehicle.sprung_mas", "vehicle.sprung_mass"),
+    "vehicle.roll_inertia:=5000": ("vehicle.roll_inertia", "4000"),
+    "vehicle.tire:=none.tir": ("none.tir", "No such file"),
+    "vehicle_file:=none.yaml": ("none.yaml", "No such file"),
+    "step:=fast": ("step", "number"),
+    "step:=0.0003": ("publish_rate", "multiple of the step"),
+    "publish_rate:=.nan": ("publish_rate", "number"),
+    "initial_speed:=2.0": ("initial_speed", "3.5"),
+    "rollover_angle:=4.0": ("rollover_angle", "1.57"),
+    "euler_terms:=3": ("euler_terms", "bool"),
+    "steering_timeout_policy:=let_go": ("steering_timeout_policy", "hold, centre"),
+    "model:=8dof": ("model", "unknown"),
+}
+
+
+@pytest.mark.parametrize("assignment", WRONG)
+def test_a_wrong_parameter_ends_it_with_one_line_and_status_2(start, assignment):
+    status, out, err = start("simulator", "--ros-args", "-p", assignment).finish()
+    assert status == 2
+    assert out == ""
+    assert len(err.splitlines()) == 1
+    for word in WRONG[assignment]:
+        assert word in err
+
+
+def set_parameter(peer, name, value):
+    request = SetParameters.Request(parameters=[Parameter(name, value=value).to_parameter_msg()])
+    return peer.call(SetParameters, "simulator/set_parameters", request).results[0]
+
+
+def test_structure_is_read_only_and_tunable_ones_keep_their_range(start, peer):
+    start("simulator")
+    for name, value in {"step": 0.002, "vehicle.sprung_mass": 1500.0, "euler_terms": True}.items():
+        assert "read-only" in set_parameter(peer, name, value).reason
+    assert set_parameter(peer, "command_timeout", 1).successful  # an integer serves
+    refused = set_parameter(peer, "command_timeout", -1.0)
+    assert not refused.successful
+    assert "command_timeout" in refused.reason
+    assert set_parameter(peer, "steering_timeout_policy", "centre").successful
+    assert not set_parameter(peer, "steering_timeout_policy", "let_go").successful
+
+
+def test_every_parameter_is_described(start, peer):
+    start("simulator")
+    listed = peer.call(ListParameters, "simulator/list_parameters").result.names
+    assert set(PARAMETERS) <= set(listed)
+    request = DescribeParameters.Request(names=list(PARAMETERS))
+    answer = peer.call(DescribeParameters, "simulator/describe_parameters", request)
+    assert all(descriptor.description for descriptor in answer.descriptors)
+
+
+def test_parameters_reach_the_model_and_its_description(start, peer):
+    """A late listener gets the latched description; the load is the weight of the heavier car."""
+    start(
+        "simulator", "--ros-args", "-p", "vehicle.sprung_mass:=2000", "-p", "vehicle.cg_height:=1.0"
+    )
+    peer.listen("tire_normal_forces", "robot_description")
+    loads = peer.newest("tire_normal_forces").data
+    assert sum(loads) == pytest.approx((2000 + 4 * 80) * 9.81, rel=1e-9)
+    peer.wait(lambda: peer.received["robot_description"], "the description")
+    robot = ElementTree.fromstring(peer.received["robot_description"][0][1].data)
+    joints = {joint.get("name"): joint for joint in robot.iter("joint")}
+    assert len(joints) == 12
+    height = float(joints["lf_suspension_joint"].find("origin").get("xyz").split()[2])
+    # the wheel centre is the loaded radius above ground, the c.g. 1 m
+    assert 1.0 + height == pytest.approx(0.285 - loads[0] / 200_000)
+    links = {link.get("name") for link in robot.iter("link")}
+    for joint in joints.values():
+        assert joint.find("parent").get("link") in links
+        assert joint.find("child").get("link") in links
+
+
+def test_an_own_clock_begins_at_0_and_jumps_back_on_a_reset(start, peer):
+    start("simulator", "--ros-args", "-p", "publish_clock:=true")
+    peer.listen("/clock", "imu")
+
+    def seconds():
+        clock = peer.newest("/clock").clock
+        return clock.sec + clock.nanosec * 1e-9
+
+    before = peer.wait(lambda: (now := seconds()) > 1.0 and now, "a second")
+    assert peer.newest("imu").header.stamp.sec < PLAUSIBLE_RUN
+    peer.call(Trigger, "simulator/reset")
+    assert seconds() < before
