@@ -9,14 +9,23 @@ import difflib
 import math
 from collections.abc import Iterable, Mapping
 
+LONGEST_SHOWN = 60
+"""Characters of a wrong value that an error message shows."""
+
 
 class InputError(ValueError):
     """Something that a user gave is not allowed; its text is one line for that user."""
 
     def __init__(self, field: str, value, allowed: str, problem: str = ""):
-        problem = problem or ("missing" if value is None else f"{value!r} is not allowed")
+        problem = problem or ("missing" if value is None else f"{_shown(value)} is not allowed")
         super().__init__(f"{field}: {problem}: {allowed}")
         self.field, self.value, self.allowed = field, value, allowed
+
+
+def _shown(value) -> str:
+    """A value in an error message, cut where it would fill the line."""
+    text = repr(value)
+    return text if len(text) <= LONGEST_SHOWN else text[:LONGEST_SHOWN] + "..."
 
 
 @dataclasses.dataclass(frozen=True)
@@ -48,7 +57,7 @@ class Parameter:
     def _validate_number(self, value, field: str) -> float:
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise InputError(field, value, self.allowed)
-        if not (math.isfinite(value) and self.minimum <= value <= self.maximum):
+        if not self.minimum <= value <= self.maximum or math.isinf(value):
             raise InputError(field, value, self.allowed)
         return float(value)
 

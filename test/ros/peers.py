@@ -63,6 +63,17 @@ class Peer:
         for name in names:
             self.wait(self._subscriptions[name].get_publisher_count, f"a publisher of {name}")
 
+    def wait_for_listener(self, name: str, node: str) -> None:
+        """Until the node of that name listens to a topic."""
+        topic = self.node.resolve_topic_name(name)
+        self.wait(
+            lambda: any(
+                listener.node_name == node
+                for listener in self.node.get_subscriptions_info_by_topic(topic)
+            ),
+            f"{node} on {topic}",
+        )
+
     def newest(self, name: str):
         """Wait for a message of a topic that comes from now on."""
         count = len(self.received[name])

@@ -75,18 +75,6 @@ def read_bag(folder):
     return messages
 
 
-def wait_for_recorder(peer):
-    """Until the recorder listens to every topic."""
-    for topic in (*COMMANDS, *PUBLISHED):
-        listeners = peer.node.get_subscriptions_info_by_topic
-        peer.wait(
-            lambda name=peer.node.resolve_topic_name(topic.name): any(
-                listener.node_name == "recorder" for listener in listeners(name)
-            ),
-            f"the recorder on {topic.name}",
-        )
-
-
 def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp_path):
     bag = tmp_path / "bag"
     start("simulator", "--ros-args", "-p", "publish_clock:=true")
@@ -99,7 +87,8 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
         "wheel_torque_cmd": four,
         "normal_force_cmd": four,
     }
-    wait_for_recorder(peer)
+    for topic in (*COMMANDS, *PUBLISHED):
+        peer.wait_for_listener(topic.name, "recorder")
     end = peer.newest("state").data[0] + 2.5  # /diagnostics comes once a second
     peer.command(commands, lambda: peer.newest("state").data[0] > end, "2.5 s of driving")
     status, out, _ = recorder.finish(signal.SIGTERM)

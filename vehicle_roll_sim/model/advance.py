@@ -3,7 +3,7 @@
 from vehicle_roll_sim.model.events import (
     Condition,
     condition_of,
-    first_implausible,
+    most_implausible,
     note_crossings,
     note_peaks,
 )
@@ -24,15 +24,19 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     start_ns, step_ns: simulated time and step (ns). plant: vehicle, tire, options and limits;
     they, outputs and events are one-element arrays of records. stages: work space.
 
-    A step after which a state is implausible is taken back; the index of that state is the
-    culprit, else -1. At the end `outputs` belong to the final state and the last command.
+    A state that is implausible to begin with is left as it is; a step after which one is, is taken
+    back. The index of that state is the culprit, else -1. At the end `outputs` belong to the final
+    state and the last command.
     """
     vehicle, tire, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
     out, seen = outputs[0], events[0]
     car = (vehicle, tire, options, out)
     stride = 0 if len(commands) == 1 else 1
     step = step_ns * SECONDS
-    taken, condition, culprit = 0, Condition.RUNNING, -1
+    taken, condition = 0, Condition.RUNNING
+    culprit = most_implausible(state, limits.largest)
+    if culprit >= 0:
+        return taken, Condition.DIVERGED, culprit
     derivatives(state, commands[0], vehicle, tire, options, out, stages[K1])
     while taken < steps and condition == Condition.RUNNING:
         time = (start_ns + taken * step_ns) * SECONDS
@@ -40,7 +44,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         stages[BEFORE, :] = state
         row = 2 * taken * stride
         rk4_step(state, commands[row + stride], commands[row + 2 * stride], step, car, stages)
-        culprit = first_implausible(state, limits.largest)
+        culprit = most_implausible(state, limits.largest)
         if culprit >= 0:
             state[:] = stages[BEFORE]
             condition = Condition.DIVERGED

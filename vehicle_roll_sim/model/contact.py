@@ -18,7 +18,10 @@ def normal_force(tire_compression, tire_stiffness):
 
 @kernel
 def loaded_radius(tire_compression, radius, c_roll, c_pitch):
-    """Distance r along the body's z axis from wheel centre to ground (m; eqs 15, 16)."""
+    """Radius r of a tire compressed by xt towards the ground, as the source has it (m; eqs 15, 16).
+
+    The source shortens the radius along the body's z axis by the compression along the vertical.
+    """
     return radius - tire_compression / (c_pitch * c_roll) if tire_compression > 0.0 else radius
 
 

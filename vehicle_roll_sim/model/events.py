@@ -48,6 +48,7 @@ def plausible_magnitudes() -> np.ndarray:
     largest = np.full(1, np.inf, STATE)
     bound = largest[0]
     bound.z = 1e3
+    bound.roll = math.pi
     bound.pitch = 1.55  # short of the singularity of the Euler angles
     bound.u = bound.v = bound.w = 1e3
     bound.roll_rate = bound.pitch_rate = bound.yaw_rate = 1e3
@@ -110,12 +111,16 @@ def note_crossings(time, step, before, state, rollover_angle, events):
 
 
 @kernel
-def first_implausible(state, largest):
-    """Index of the first state that is not finite or beyond its bound; -1 if there is none."""
+def most_implausible(state, largest):
+    """Index of the state furthest beyond its bound, or not finite; -1 if all are plausible."""
+    worst, culprit = 1.0, -1
     for i in range(len(state)):
-        if not (math.isfinite(state[i]) and abs(state[i]) <= largest[i]):
-            return i
-    return -1
+        excess = abs(state[i]) / largest[i]
+        if not math.isfinite(state[i]):
+            excess = math.inf
+        if excess > worst:
+            worst, culprit = excess, i
+    return culprit
 
 
 @kernel

@@ -15,8 +15,10 @@ def read_text(path: Path, largest: int = LARGEST_FILE) -> str:
         if size > largest:
             problem = f"{size} bytes are too many"
             raise InputError(f"file {path}", size, f"at most {largest} bytes", problem)
-        return path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(f"file {path}", b"", "a UTF-8 text file", "binary data") from None
     except OSError as error:
         raise InputError(f"file {path}", "", "a readable file", error.strerror) from None
+    except ValueError as error:  # a name that no file can have
+        raise InputError(f"file {str(path)!r}", "", "a readable file", str(error)) from None

@@ -1,8 +1,8 @@
 """Tire property files (.tir): sections, `$` and `!` comments, units."""
 
-import configparser
 import dataclasses
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +25,11 @@ UNITS = {
 }
 """Units that are understood, in SI. Coefficients per degree exist in no standard, so angles must
 be radians."""
+
+HEADER = re.compile(r"\s*\[(?P<name>[^\]]+)\]\s*([$!].*)?$")
+ENTRY = re.compile(r"\s*(?P<key>\w+)\s*=\s*(?P<value>'[^']*'|\"[^\"]*\"|[^$!]*)")
+PASSED_OVER = re.compile(r"\s*([$!].*|\{.*|[-+.\d][-+.\deE\s]*([$!].*)?)?$")
+"""Empty lines, comments, and heads and rows of tables such as [SHAPE]."""
 
 IN_FORCE_UNITS = ("FNOMIN", "FZMIN", "FZMAX")
 UNBOUNDED = {name: -math.inf if name.endswith("MIN") else math.inf for name in RANGES}
@@ -56,14 +61,16 @@ class Tire:
 
 
 def load_tire(path: str | Path) -> Tire:
-    """Read a .tir file; raises InputError naming the file and the key."""
+    """Read a .tir file; raises InputError naming the file and the line or key."""
     path = Path(path)
-    values = _entries(path)
+    sections = _sections(path)
+    units = {name: _unit(path, sections.get("UNITS", {}), name) for name in UNITS}
+    values = _values(path, sections)
     _check_format(path, values)
-    scale = {quantity: _unit(path, values, quantity) for quantity in UNITS}
-    coefficients = {name: _number(path, values, name) for name in (*DEFAULTS, *REQUIRED)}
-    for name in IN_FORCE_UNITS:
-        coefficients[name] *= scale["FORCE"]
+    coefficients = {}
+    for name in (*DEFAULTS, *REQUIRED):
+        unit = units["FORCE"] if name in IN_FORCE_UNITS else 1.0
+        coefficients[name] = _number(path, values, name, unit)
     for name in ("FNOMIN", "LFZO"):
         if coefficients[name] <= 0.0:
             raise InputError(f"{path}: {name}", coefficients[name], "a number above 0")
@@ -76,59 +83,67 @@ def load_tire(path: str | Path) -> Tire:
     return Tire(coefficients, side, str(path))
 
 
-def _entries(path: Path) -> dict[str, str]:
-    """Every KEY = value of the file, whatever its section."""
-    parser = configparser.ConfigParser(
-        delimiters=("=",),
-        comment_prefixes=("$", "!"),
-        inline_comment_prefixes=("$", "!"),
-        allow_no_value=True,  # tables such as [SHAPE]
-        interpolation=None,
-        empty_lines_in_values=False,
-    )
-    parser.optionxform = str.upper
-    try:
-        parser.read_string(read_text(path))
-    except configparser.Error as error:
-        problem = " ".join(str(error).replace("<string>", "the file").split())
-        wanted = "[SECTION] and KEY = VALUE lines are wanted"
-        raise InputError(f"tire file {path}", "", wanted, problem) from None
-    return {
-        key: value.strip().strip("'\"")
-        for section in parser.sections()
-        for key, value in parser.items(section)
-        if value is not None
-    }
+def _sections(path: Path) -> dict[str, dict[str, str]]:
+    """Every KEY = VALUE of the file by section, in upper case; rows of tables are passed over."""
+    sections: dict[str, dict[str, str]] = {}
+    entries = None
+    for number, line in enumerate(read_text(path).splitlines(), 1):
+        where = f"{path}: line {number}"
+        if header := HEADER.match(line):
+            entries = sections.setdefault(header["name"].upper(), {})
+        elif entry := ENTRY.match(line):
+            if entries is None:
+                raise InputError(where, "", "a [SECTION] must come first", "an entry of no section")
+            key = entry["key"].upper()
+            if key in entries:
+                raise InputError(where, key, "each key once in its section", f"second {key}")
+            entries[key] = entry["value"].strip().strip("'\"")
+        elif not PASSED_OVER.match(line):
+            raise InputError(where, line.strip()[:40], "[SECTION] or KEY = VALUE")
+    return sections
+
+
+def _values(path: Path, sections: dict[str, dict[str, str]]) -> dict[str, str]:
+    """The entries that are used here; none may stand in two sections."""
+    used = {*DEFAULTS, *REQUIRED, "TYRESIDE", "PROPERTY_FILE_FORMAT", "FITTYP"}
+    values = {}
+    for section, entries in sections.items():
+        for key in used & entries.keys():
+            if key in values:
+                allowed = "each coefficient in one section"
+                raise InputError(f"{path}: [{section}] {key}", entries[key], allowed, "given twice")
+            values[key] = entries[key]
+    return values
 
 
 def _check_format(path: Path, values: dict[str, str]) -> None:
     given = values.get("PROPERTY_FILE_FORMAT")
-    if given is None:
-        raise InputError(f"{path}: PROPERTY_FILE_FORMAT", None, "one of " + ", ".join(FORMATS))
-    if given.upper() not in FORMATS:
+    if given is None or given.upper() not in FORMATS:
         raise InputError(f"{path}: PROPERTY_FILE_FORMAT", given, "one of " + ", ".join(FORMATS))
     version = values.get("FITTYP", FITTYPES[0])
     if version not in FITTYPES:
         raise InputError(f"{path}: FITTYP", version, "one of " + ", ".join(FITTYPES))
 
 
-def _unit(path: Path, values: dict[str, str], quantity: str) -> float:
+def _unit(path: Path, units: dict[str, str], quantity: str) -> float:
     """The file's unit of a quantity in SI; a file without one is in SI."""
     known = UNITS[quantity]
-    given = values.get(quantity, next(iter(known)))
+    given = units.get(quantity, next(iter(known)))
     if given.lower() not in known:
         raise InputError(f"{path}: unit of {quantity}", given, "one of " + ", ".join(known))
     return known[given.lower()]
 
 
-def _number(path: Path, values: dict[str, str], name: str) -> float:
-    if name not in values and name in REQUIRED:
-        raise InputError(f"{path}: {name}", None, "a number is wanted")
-    text = values.get(name, DEFAULTS.get(name))
+def _number(path: Path, values: dict[str, str], name: str, unit: float) -> float:
+    """A coefficient in SI, or its default."""
+    if name not in values:
+        if name in REQUIRED:
+            raise InputError(f"{path}: {name}", None, "a number is wanted")
+        return DEFAULTS[name]
     try:
-        number = float(text)
+        number = float(values[name]) * unit
     except ValueError:
-        raise InputError(f"{path}: {name}", text, "a number") from None
-    if not math.isfinite(number) and name not in UNBOUNDED:
-        raise InputError(f"{path}: {name}", text, "a finite number")
+        number = math.nan
+    if not math.isfinite(number):
+        raise InputError(f"{path}: {name}", values[name], "a finite number")
     return number

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import yaml
 
-from vehicle_roll_sim.declaration import InputError, parameters_of
+from vehicle_roll_sim.declaration import InputError, parameters_of, validated
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.text_file import read_text
 from vehicle_roll_sim.vehicle.tire_file import load_tire
@@ -20,7 +20,8 @@ class _UniqueKeyLoader(yaml.SafeLoader):
 
     def construct_mapping(self, node, deep=False):
         seen = set()
-        for key_node, _ in node.value:
+        pairs = node.value if isinstance(node, yaml.MappingNode) else ()
+        for key_node, _ in pairs:
             if isinstance(key_node, yaml.ScalarNode) and key_node.value in seen:
                 raise yaml.constructor.ConstructorError(
                     problem=f"key {key_node.value!r} stands twice",
@@ -47,16 +48,21 @@ def load_vehicle(path: str | Path) -> Vehicle:
     tire = values.pop("tire")
     if not isinstance(tire, str):
         raise InputError(prefix + "tire", tire, "the name of a .tir file")
-    return Vehicle.checked(values, load_tire(path.parent / tire), prefix)
+    numbers = validated(Vehicle, values, prefix)
+    return Vehicle.checked(numbers, load_tire(path.parent / tire), prefix)
 
 
 def _mapping(path: Path) -> dict:
+    text = read_text(path)
     try:
-        values = yaml.load(read_text(path), Loader=_UniqueKeyLoader)
+        values = yaml.load(text, Loader=_UniqueKeyLoader)
     except yaml.YAMLError as error:
         raise InputError(f"vehicle file {path}", "", A_MAPPING, _where(error)) from None
     except RecursionError:
         raise InputError(f"vehicle file {path}", "", A_MAPPING, "nested too deep") from None
+    except (ValueError, LookupError, TypeError) as error:  # of a value with a wrong or odd tag
+        problem = " ".join(f"{type(error).__name__}: {error}".split())
+        raise InputError(f"vehicle file {path}", "", A_MAPPING, problem) from None
     if not isinstance(values, dict) or not all(isinstance(name, str) for name in values):
         raise InputError(f"vehicle file {path}", values, A_MAPPING, "no NAME: VALUE lines")
     return values

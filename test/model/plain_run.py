@@ -1,0 +1,29 @@
+"""A run in a process of its own: python plain_run.py STEPS FILE [without-numba].
+
+Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran.
+"""
+
+import sys
+
+if sys.argv[3:] == ["without-numba"]:
+    sys.modules["numba"] = None  # importing it now fails
+
+import numpy as np
+from programmes import j_turn, record_run
+
+from vehicle_roll_sim import Options, Simulation, preset
+from vehicle_roll_sim.model import jit
+
+STEP = 0.001
+"""s"""
+HELD = {"wheel_torque": (0.0, 50.0, 120.0, -80.0), "normal_force": (100.0, 0.0, -200.0, 300.0)}
+
+
+def run(steps: int):
+    simulation = Simulation(preset(), Options(euler_terms=True), step=STEP)
+    return record_run(simulation, j_turn(**HELD), steps * STEP)
+
+
+if __name__ == "__main__":
+    result = run(int(sys.argv[1]))
+    np.savez(sys.argv[2], state=result.state, outputs=result.outputs, how=jit.describe())

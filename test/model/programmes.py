@@ -1,0 +1,100 @@
+"""Commands, runs and single evaluations that the tests of the model share."""
+
+import dataclasses
+
+import numpy as np
+
+from vehicle_roll_sim import Condition, Options, Simulation, Tire, Vehicle
+from vehicle_roll_sim.model.advance import SECONDS
+from vehicle_roll_sim.model.fourteen_dof import derivatives
+from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
+from vehicle_roll_sim.simulation.command import Programme
+
+SHIFTS = dict.fromkeys(("LHX", "LHY", "LVX", "LVY", "LVYKA"), 1.0)
+"""Scaling factors that switch on all that makes a left and a right tire differ."""
+LATERAL_ONLY = {"LMUX": 0.0, "RBY1": 0.0}
+"""Coefficients of a tire without longitudinal force, whose lateral force knows no slip ratio."""
+
+
+def ramp_and_hold(start: float, rate: float, amplitude: float, **held) -> Programme:
+    """Road-wheel angle from 0 at `start` (s) at `rate` (deg/s, signed) up to `amplitude` (deg).
+
+    held: further fields of the command, constant.
+    """
+
+    def programme(times: np.ndarray) -> np.ndarray:
+        commands = np.zeros(len(times), COMMAND)
+        for name, value in held.items():
+            commands[name] = value
+        travelled = np.clip((times - start) * abs(rate), 0.0, amplitude)
+        commands["steering"] = np.radians(np.copysign(travelled, rate))
+        return commands
+
+    return programme
+
+
+def j_turn(**held) -> Programme:
+    """10 degrees in 0.25 s: the vehicle lifts its inner wheels and rolls over."""
+    return ramp_and_hold(1.0, 40.0, 10.0, **held)
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """A recorded run: time (s), STATE and OUTPUTS records, one per step and one at the start."""
+
+    time: np.ndarray
+    state: np.ndarray
+    outputs: np.ndarray
+
+
+def record_run(simulation: Simulation, command, duration: float) -> Run:
+    """Step until `duration` (s) or the run stops, keeping everything after every step."""
+    step = simulation.step_ns * SECONDS
+    kept = [_copy(simulation)]
+    while simulation.time < duration - step / 2 and simulation.condition is Condition.RUNNING:
+        simulation.step(command, step)
+        kept.append(_copy(simulation))
+    time, state, outputs = zip(*kept, strict=True)
+    return Run(np.array(time), np.array([*state], STATE), np.array([*outputs], OUTPUTS))
+
+
+def _copy(simulation: Simulation) -> tuple:
+    return simulation.time, simulation.state.copy(), simulation.outputs.copy()
+
+
+def with_tire(vehicle: Vehicle, side: str | None = None, **coefficients: float) -> Vehicle:
+    """The vehicle on its tire with other coefficients, and from the other side if given."""
+    tire: Tire = vehicle.tire.with_coefficients(**coefficients)
+    tire = dataclasses.replace(tire, side=side or tire.side)
+    return dataclasses.replace(vehicle, tire=tire)
+
+
+class Evaluation:
+    """Derivatives and outputs of the model at any state."""
+
+    def __init__(self, vehicle: Vehicle, options: Options | None = None):
+        options = options or Options()
+        parts = (vehicle.record(), vehicle.tire.record(), options.record())
+        self._plant = tuple(kernel_argument(part)[0] for part in parts)
+        self._outputs = np.zeros(1, OUTPUTS)
+        self.outputs = self._outputs[0]
+
+    def rates(self, state: np.ndarray, command: np.ndarray) -> np.ndarray:
+        """Time derivative, a STATE record, at one STATE record under one COMMAND record."""
+        result = np.zeros(STATE_SIZE)
+        derivatives(_flat(state), command, *self._plant, kernel_argument(self._outputs)[0], result)
+        return result.view(STATE)[0]
+
+
+def _flat(state: np.ndarray) -> np.ndarray:
+    return np.atleast_1d(np.asarray(state)).view(np.float64).copy()
+
+
+def largest_difference(mine: np.ndarray, other: np.ndarray, names) -> dict[str, float]:
+    """Per signal, the largest difference as a share of the signal's peak over all wheels."""
+    differences = {}
+    for name in names:
+        peak = max(np.abs(other[name]).max(), np.finfo(float).tiny)
+        differences[name] = float(np.abs(mine[name] - other[name]).max() / peak)
+    return differences

@@ -1,0 +1,75 @@
+"""States anywhere that a vehicle can get to, for checks that need no history."""
+
+import numpy as np
+
+from vehicle_roll_sim import Vehicle
+from vehicle_roll_sim.model.records import COMMAND, STATE
+
+SPREAD = {
+    "x": 50.0,
+    "y": 50.0,
+    "roll": 1.2,
+    "pitch": 0.5,
+    "yaw": 3.0,
+    "v": 5.0,
+    "w": 2.0,
+    "roll_rate": 2.0,
+    "pitch_rate": 1.0,
+    "yaw_rate": 1.5,
+    "unsprung_velocity": 3.0,
+}
+"""Largest magnitude of the states that are drawn evenly about 0."""
+
+
+def wheel_positions(vehicle: Vehicle) -> np.ndarray:
+    """(x, y) of every strut in the body (m), one row per wheel."""
+    a, b = vehicle.cg_to_front_axle, vehicle.cg_to_rear_axle
+    f, r = vehicle.front_track / 2, vehicle.rear_track / 2
+    return np.array([[a, f], [a, -f], [-b, r], [-b, -r]])
+
+
+def attitude(roll, pitch, yaw) -> np.ndarray:
+    """Rz(yaw) Ry(pitch) Rx(roll), also of complex angles: body to ground."""
+    (sr, sp, sy), (cr, cp, cy) = np.sin([roll, pitch, yaw]), np.cos([roll, pitch, yaw])
+    about_z = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
+    about_y = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
+    about_x = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+    return about_z @ about_y @ about_x
+
+
+def random_state(vehicle: Vehicle, rng: np.random.Generator) -> np.ndarray:
+    """A STATE record in which the wheels stand at, in or above the road, as the body has it."""
+    state = np.zeros(1, STATE)[0]
+    for name, largest in SPREAD.items():
+        state[name] = rng.uniform(-largest, largest, STATE[name].shape)
+    state["u"] = rng.uniform(5.0, 30.0)
+    state["z"] = vehicle.cg_height + rng.uniform(-0.1, 0.3)
+    state["suspension_compression"] = rng.uniform(-0.1, 0.3, 4)
+    state["wheel_speed"] = state["u"] / vehicle.tire_radius * rng.uniform(0.7, 1.3, 4)
+    heights = wheel_centres(vehicle, state)[:, 2]
+    state["tire_compression"] = vehicle.tire_radius - heights
+    return state
+
+
+def random_command(rng: np.random.Generator) -> np.ndarray:
+    """A COMMAND record of steering, torques and active forces."""
+    command = np.zeros(1, COMMAND)[0]
+    command["steering"], command["rear_steering"] = rng.uniform(-0.5, 0.5, 2)
+    command["wheel_torque"] = rng.uniform(-3000.0, 3000.0, 4)
+    command["normal_force"] = rng.uniform(-5000.0, 5000.0, 4)
+    return command
+
+
+def strut_lengths(vehicle: Vehicle, compression: np.ndarray) -> np.ndarray:
+    """From the height of the sprung c.g. down to each wheel centre (m)."""
+    static = 9.81 * vehicle.sprung_mass * vehicle.axle_load_share
+    drop = compression - static / vehicle.per_wheel("spring_stiffness")
+    return vehicle.static_strut_length - drop
+
+
+def wheel_centres(vehicle: Vehicle, state) -> np.ndarray:
+    """Positions of the wheel centres over the ground (m), one row each; complex states too."""
+    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+    lengths = strut_lengths(vehicle, state["suspension_compression"])
+    in_body = np.column_stack([wheel_positions(vehicle), -lengths])
+    return np.array([state["x"], state["y"], state["z"]]) + in_body @ rotation.T

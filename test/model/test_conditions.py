@@ -1,0 +1,150 @@
+"""When a run stops: rolled over, too slow or diverged; it stays stopped until a reset."""
+
+import math
+
+import numpy as np
+import pytest
+from programmes import j_turn, record_run
+
+from vehicle_roll_sim import Command, Condition, InputError, Simulation
+from vehicle_roll_sim.model.events import MINIMUM_SPEED, plausible_magnitudes
+from vehicle_roll_sim.simulation.simulation import STATE_NAMES
+
+STEP = 0.001
+"""s"""
+BRAKES = Command(wheel_torque=(-800.0,) * 4)
+UNBOUNDED = ("x", "y", "yaw", *(f"wheel_angle_{w}" for w in ("lf", "rf", "lr", "rr")))
+"""States that may have any finite value: distances and angles that only add up."""
+BOUNDED = tuple(name for name in STATE_NAMES if name not in UNBOUNDED)
+
+
+@pytest.fixture
+def simulation(reference):
+    return Simulation(reference, step=STEP)
+
+
+def vector(simulation) -> np.ndarray:
+    """The state as the flat vector of STATE_NAMES."""
+    return simulation.state_vector
+
+
+def everything(simulation) -> bytes:
+    records = (simulation.state, simulation.outputs, simulation.events)
+    return b"".join(record.tobytes() for record in records)
+
+
+def stays_stopped(simulation, condition: Condition) -> None:
+    time, before = simulation.time_ns, everything(simulation)
+    assert simulation.step(Command(), 10 * STEP) is condition
+    assert simulation.condition is condition
+    assert (simulation.time_ns, everything(simulation)) == (time, before)
+
+
+def goes_on_after_a_reset(simulation) -> None:
+    simulation.reset()
+    assert simulation.step(Command(), STEP) is Condition.RUNNING
+    assert simulation.time == STEP
+
+
+def test_a_vehicle_that_rolled_over_stays_so_until_a_reset(simulation):
+    assert simulation.step(j_turn(), 6.0) is Condition.ROLLED_OVER
+    assert simulation.time < 6.0
+    stays_stopped(simulation, Condition.ROLLED_OVER)
+    goes_on_after_a_reset(simulation)
+
+
+@pytest.mark.parametrize("degrees", [10.0, 30.0, 90.0])
+def test_the_rollover_angle_says_where_a_run_stops(reference, degrees):
+    simulation = Simulation(reference, rollover_angle=math.radians(degrees))
+    run = record_run(simulation, j_turn(), 6.0)
+    roll = np.degrees(run.state["roll"])
+    assert simulation.condition is Condition.ROLLED_OVER
+    assert roll[-2] < degrees <= roll[-1]
+    share = (degrees - roll[-2]) / (roll[-1] - roll[-2])  # linear between the last two steps
+    expected = run.time[-2] + share * STEP
+    assert simulation.events.rollover_time[0] == pytest.approx(expected, abs=1e-9)
+
+
+def test_rolling_over_to_the_right_counts_as_well(simulation):
+    simulation.step(lambda times: mirrored(j_turn()(times)), 6.0)
+    assert simulation.condition is Condition.ROLLED_OVER
+    assert simulation.state.roll <= -math.radians(85.0)
+
+
+def mirrored(commands: np.ndarray) -> np.ndarray:
+    commands["steering"] *= -1.0
+    return commands
+
+
+def test_a_run_that_slows_to_the_lowest_speed_stops_there(simulation):
+    run = record_run(simulation, BRAKES, 10.0)
+    assert simulation.condition is Condition.TOO_SLOW
+    assert run.state["u"][-1] < MINIMUM_SPEED <= run.state["u"][-2]
+    assert MINIMUM_SPEED == 3.5  # m/s
+    stays_stopped(simulation, Condition.TOO_SLOW)
+    goes_on_after_a_reset(simulation)
+
+
+def test_the_lowest_speed_itself_is_allowed_for_as_long_as_it_is_kept(simulation):
+    simulation.reset(MINIMUM_SPEED)
+    assert simulation.step(Command(), 60.0) is Condition.RUNNING
+
+
+@pytest.mark.parametrize("speed", [3.499, 0.0, -14.0, 100.1, math.nan, math.inf])
+def test_a_reset_to_a_speed_outside_the_range_is_refused_and_changes_nothing(simulation, speed):
+    simulation.step(j_turn(), 1.5)
+    time, before = simulation.time_ns, everything(simulation)
+    with pytest.raises(InputError) as refusal:
+        simulation.reset(speed)
+    assert refusal.value.field == "speed"
+    assert "\n" not in str(refusal.value)
+    assert (simulation.time_ns, everything(simulation)) == (time, before)
+
+
+def stopped_by(simulation, name: str, value: float) -> None:
+    """A step with that value in the state: it is not taken, and the state is named."""
+    simulation.step(Command(), 10 * STEP)
+    vector(simulation)[STATE_NAMES.index(name)] = value
+    before = vector(simulation).tobytes()
+    assert simulation.step(Command(), 5 * STEP) is Condition.DIVERGED
+    assert simulation.implausible == name
+    assert simulation.time == 10 * STEP
+    assert vector(simulation).tobytes() == before
+    stays_stopped_diverged(simulation)
+
+
+def stays_stopped_diverged(simulation) -> None:
+    assert simulation.step(Command(), STEP) is Condition.DIVERGED
+    goes_on_after_a_reset(simulation)
+
+
+@pytest.mark.parametrize("name", STATE_NAMES)
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+def test_a_state_that_is_no_number_is_divergence(simulation, name, value):
+    stopped_by(simulation, name, value)
+
+
+@pytest.mark.parametrize("name", BOUNDED)
+@pytest.mark.parametrize("value", [1e15, -1e15])
+def test_a_state_that_no_vehicle_can_have_is_divergence(simulation, name, value):
+    stopped_by(simulation, name, value)
+
+
+@pytest.mark.parametrize("name", UNBOUNDED)
+def test_distances_and_angles_may_add_up_to_anything(simulation, name):
+    vector(simulation)[STATE_NAMES.index(name)] = 1e6
+    assert simulation.step(Command(steering=0.02), 0.1) is Condition.RUNNING
+
+
+def test_a_run_that_diverges_by_itself_stops_at_its_last_plausible_state(reference):
+    """At a step of 0.1 s the J-turn is beyond what the integration can follow."""
+    simulation = Simulation(reference, step=0.1)
+    assert simulation.step(j_turn(), 6.0) is Condition.DIVERGED
+    assert 0.0 < simulation.time < 6.0
+    assert simulation.implausible in BOUNDED
+    assert (np.abs(vector(simulation)) <= plausible_magnitudes()).all()
+    assert np.isfinite(simulation.outputs.normal_force).all()
+    again = Simulation(reference, step=0.1)
+    again.step(j_turn(), simulation.time)  # as far as the other got
+    assert again.condition is Condition.RUNNING
+    assert again.state.tobytes() == simulation.state.tobytes()

@@ -1,0 +1,86 @@
+"""Left and right are alike: what is mirrored going in is mirrored coming out."""
+
+import numpy as np
+import pytest
+from programmes import SHIFTS, j_turn, ramp_and_hold, record_run, with_tire
+
+from vehicle_roll_sim import LF, Options, Simulation
+from vehicle_roll_sim.model.records import STATE
+
+TORQUE = np.array([0.0, 100.0, 300.0, -50.0])
+"""N m; like the next, different at every wheel, so that a wheel taken for another shows."""
+FORCE = np.array([100.0, 0.0, 500.0, -200.0])
+"""N"""
+OTHER_SIDE = [1, 0, 3, 2]
+"""Wheels in the order lf, rf, lr, rr, exchanged across the vehicle."""
+REVERSED_STATES = {"y", "roll", "yaw", "v", "roll_rate", "yaw_rate"}
+SIGNALS = ("normal_force", "slip_ratio", "tire_longitudinal", "loaded_radius")
+REVERSED_SIGNALS = ("slip_angle", "lateral_force", "tire_lateral", "link_y")
+SHARE_OF_PEAK = 1e-9
+"""Only the order of sums differs: 1e-15, grown by the fall to the side to 2e-13."""
+
+
+def mirrored(values: np.ndarray, reverse: bool) -> np.ndarray:
+    swapped = values[:, OTHER_SIDE] if values.ndim == 2 else values
+    return -swapped if reverse else swapped
+
+
+def share_of_peak(values: np.ndarray, other: np.ndarray, reverse: bool) -> float:
+    return np.abs(values - mirrored(other, reverse)).max() / np.abs(values).max()
+
+
+@pytest.fixture(
+    params=[
+        pytest.param((None, {}), id="symmetric tire"),
+        pytest.param(("left", SHIFTS), id="left-hand tire"),
+        pytest.param(("right", SHIFTS), id="right-hand tire"),
+    ]
+)
+def tired(request, vehicle):
+    side, coefficients = request.param
+    return with_tire(vehicle, side, **coefficients)
+
+
+@pytest.fixture(params=[False, True], ids=["roll centre", "no roll centre"])
+def runs(request, tired):
+    """The J-turn to the left and its mirror image to the right, through lift-off."""
+    options = Options(no_roll_centre=request.param)
+    turns = (
+        j_turn(wheel_torque=TORQUE, normal_force=FORCE, rear_steering=0.01),
+        ramp_and_hold(
+            *(1.0, -40.0, 10.0),
+            wheel_torque=TORQUE[OTHER_SIDE],
+            normal_force=FORCE[OTHER_SIDE],
+            rear_steering=-0.01,
+        ),
+    )
+    return [record_run(Simulation(tired, options), turn, 3.0) for turn in turns]
+
+
+def test_mirrored_commands_give_mirrored_motion_and_tire_forces(runs):
+    left, right = runs
+    assert left.outputs["normal_force"][:, LF].min() == 0.0, "no wheel lifts: choose another turn"
+    assert len(left.time) == len(right.time)
+    shares = {
+        name: share_of_peak(left.state[name], right.state[name], name in REVERSED_STATES)
+        for name in STATE.names
+    }
+    for name in (*SIGNALS, *REVERSED_SIGNALS):
+        reverse = name in REVERSED_SIGNALS
+        shares[name] = share_of_peak(left.outputs[name], right.outputs[name], reverse)
+    assert max(shares.values()) < SHARE_OF_PEAK, shares
+
+
+def test_straight_ahead_stays_straight_whatever_side_the_tire_is_made_for(tired):
+    run = record_run(Simulation(tired), ramp_and_hold(0.0, 0.0, 0.0), 1.0)
+    for name in REVERSED_STATES:
+        assert np.abs(run.state[name]).max() < SHARE_OF_PEAK, name  # left and right cancel
+
+
+def test_the_side_of_a_tire_with_shifts_matters(reference):
+    """Otherwise the mirrored tires above would prove nothing."""
+    rolls = []
+    for side in ("left", "right"):
+        run = record_run(Simulation(with_tire(reference, side, **SHIFTS)), j_turn(), 1.5)
+        rolls.append(np.degrees(run.state["roll"].max()))
+    assert abs(rolls[0] - rolls[1]) > 0.1  # degrees

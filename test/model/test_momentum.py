@@ -1,0 +1,159 @@
+"""What the tires and gravity do to the vehicle is all that changes its momentum.
+
+The bodies are the sprung mass and four point masses at the wheel centres; the momenta are written
+down over the ground, where no rotating frame can hide a term, and differentiated along the model's
+own rates by a complex step, which has no truncation error.
+"""
+
+import numpy as np
+import pytest
+from programmes import Evaluation
+from random_states import (
+    attitude,
+    random_command,
+    random_state,
+    strut_lengths,
+    wheel_centres,
+    wheel_positions,
+)
+
+from vehicle_roll_sim import Options
+from vehicle_roll_sim.model.records import STATE
+
+GRAVITY = np.array([0.0, 0.0, -9.81])
+STATES = 300
+"""Random states per variant; in about half of them wheels are off the ground."""
+COMPLEX_STEP = 1e-30
+RELATIVE = 1e-13
+"""Of the largest single contribution: rounding of a 6 x 6 solution, seen 2e-15."""
+
+
+def along(state, rates) -> dict:
+    """The state a complex step further along its rates."""
+    return {name: state[name] + 1j * COMPLEX_STEP * rates[name] for name in STATE.names}
+
+
+def slope(values: np.ndarray) -> np.ndarray:
+    return values.imag / COMPLEX_STEP
+
+
+def momenta(vehicle, state) -> tuple[np.ndarray, np.ndarray]:
+    """Linear momentum, and angular momentum about the origin of the ground frame."""
+    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+    rates = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
+    body = np.array([state["u"], state["v"], state["w"]])
+    inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
+    position = np.array([state["x"], state["y"], state["z"]])
+    linear = vehicle.sprung_mass * rotation @ body
+    angular = rotation @ (inertia * rates) + np.cross(position, linear)
+    lengths = strut_lengths(vehicle, state["suspension_compression"])
+    in_body = np.column_stack([wheel_positions(vehicle), -lengths])
+    velocity = body + np.cross(rates, in_body)
+    velocity[:, 2] = state["unsprung_velocity"]  # what the strut adds is in this state
+    parts = vehicle.per_wheel("unsprung_mass")[:, None] * (velocity @ rotation.T)
+    moments = np.cross(wheel_centres(vehicle, state), parts)
+    return linear + parts.sum(axis=0), angular + moments.sum(axis=0)
+
+
+def external(vehicle, state, outputs) -> tuple[np.ndarray, np.ndarray]:
+    """Forces on the vehicle and the points that they act at, over the ground."""
+    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+    heading = attitude(0.0, 0.0, state["yaw"])
+    centres = wheel_centres(vehicle, state)
+    contacts = centres - outputs["loaded_radius"][:, None] * rotation[:, 2]
+    parts = ("longitudinal_force", "lateral_force", "normal_force")
+    tires = np.column_stack([outputs[name] for name in parts]) @ heading.T
+    unsprung = vehicle.per_wheel("unsprung_mass")[:, None] * GRAVITY
+    body = np.array([state["x"], state["y"], state["z"]])
+    forces = np.vstack([tires, unsprung, vehicle.sprung_mass * GRAVITY])
+    return forces, np.vstack([contacts, centres, body])
+
+
+def close(rate: np.ndarray, contributions: np.ndarray) -> bool:
+    scale = np.abs(contributions).max()
+    return bool(np.abs(rate - contributions.sum(axis=0)).max() < RELATIVE * scale)
+
+
+@pytest.fixture(params=[False, True], ids=["roll centre", "no roll centre"])
+def evaluation(request, vehicle):
+    return Evaluation(vehicle, Options(no_roll_centre=request.param, euler_terms=True))
+
+
+def random_cases(vehicle, evaluation, seed: int):
+    rng = np.random.default_rng(seed)
+    for _ in range(STATES):
+        state, command = random_state(vehicle, rng), random_command(rng)
+        yield state, evaluation.rates(state, command), evaluation.outputs
+
+
+def test_tire_forces_and_weights_are_all_that_changes_the_linear_momentum(vehicle, evaluation):
+    for state, rates, outputs in random_cases(vehicle, evaluation, seed=1):
+        linear, _ = momenta(vehicle, along(state, rates))
+        forces, _ = external(vehicle, state, outputs)
+        assert close(slope(linear), forces), state
+
+
+def test_their_moments_are_all_that_changes_the_angular_momentum(vehicle, evaluation):
+    """With the gyroscopic terms on, which the source leaves out."""
+    for state, rates, outputs in random_cases(vehicle, evaluation, seed=2):
+        _, angular = momenta(vehicle, along(state, rates))
+        assert close(slope(angular), np.cross(*external(vehicle, state, outputs)[::-1])), state
+
+
+def test_without_the_euler_terms_the_angular_momentum_lacks_just_them(vehicle):
+    """R (w x J w), and nothing else, is what the source's equations drop."""
+    evaluation = Evaluation(vehicle, Options(no_roll_centre=True))
+    inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
+    for state, rates, outputs in random_cases(vehicle, evaluation, seed=3):
+        _, angular = momenta(vehicle, along(state, rates))
+        moments = np.cross(*external(vehicle, state, outputs)[::-1])
+        turning = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
+        rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+        dropped = rotation @ np.cross(turning, inertia * turning)
+        assert close(slope(angular) - dropped, moments), state
+
+
+def test_velocities_are_the_rates_of_the_positions(vehicle, evaluation):
+    """Equations 1, 9, 10, 12 and 35-37: the wheel centres move as the unsprung masses do."""
+    for state, rates, outputs in random_cases(vehicle, evaluation, seed=4):
+        rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+        moving = slope(wheel_centres(vehicle, along(state, rates)))
+        unsprung = (outputs["unsprung_u"], outputs["unsprung_v"], state["unsprung_velocity"])
+        expected = np.column_stack(unsprung) @ rotation.T
+        np.testing.assert_allclose(moving, expected, rtol=0, atol=1e-12 * np.abs(expected).max())
+        sinking = -moving[:, 2]
+        np.testing.assert_allclose(rates["tire_compression"], sinking, rtol=0, atol=1e-12 * 100)
+
+
+def test_accelerations_and_what_an_accelerometer_reads_are_those_of_the_velocity(
+    vehicle, evaluation
+):
+    for state, rates, outputs in random_cases(vehicle, evaluation, seed=7):
+        moved = along(state, rates)
+        rotation = attitude(moved["roll"], moved["pitch"], moved["yaw"])
+        acceleration = slope(rotation @ np.array([moved["u"], moved["v"], moved["w"]]))
+        scale = 1e-12 * max(1.0, np.abs(acceleration).max())
+        in_yawed = attitude(0.0, 0.0, state["yaw"]).T @ acceleration
+        np.testing.assert_allclose(outputs["acceleration"], in_yawed, rtol=0, atol=scale)
+        felt = rotation.real.T @ (acceleration - GRAVITY)
+        np.testing.assert_allclose(outputs["specific_force"], felt, rtol=0, atol=scale)
+
+
+def test_each_wheel_spins_up_by_its_torque_less_the_tires(vehicle, evaluation):
+    rng = np.random.default_rng(5)
+    for _ in range(STATES):
+        state, command = random_state(vehicle, rng), random_command(rng)
+        rates, outputs = evaluation.rates(state, command), evaluation.outputs
+        steering = np.repeat([command["steering"], command["rear_steering"]], 2)
+        along_wheel = outputs["longitudinal_force"] * np.cos(steering)
+        along_wheel += outputs["lateral_force"] * np.sin(steering)
+        torque = command["wheel_torque"] - outputs["loaded_radius"] * along_wheel
+        spun = vehicle.wheel_inertia * rates["wheel_speed"]
+        np.testing.assert_allclose(spun, torque, rtol=0, atol=RELATIVE * 1e4)  # N m
+
+
+def test_random_states_lift_some_wheels_and_press_others(vehicle, evaluation):
+    lifted = [
+        outputs["normal_force"] == 0 for _, _, outputs in random_cases(vehicle, evaluation, 6)
+    ]
+    assert 0.1 < np.mean(lifted) < 0.9

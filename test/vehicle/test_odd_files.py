@@ -1,0 +1,76 @@
+"""Files as they come in practice, and values that trip a parser: read right, or refused."""
+
+import pytest
+from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, refused, write
+
+from vehicle_roll_sim import load_tire, load_vehicle
+
+
+@pytest.fixture
+def tire_of(tmp_path):
+    return lambda text: load_tire(write(tmp_path, "a.tir", text)).coefficients
+
+
+@pytest.mark.parametrize(
+    "added",
+    [
+        "[SHAPE]\n{radial width}\n 1.0 0.0\n 1.0 0.4\n 1.0 0.4\n 0.9 1.0\n",
+        "[INERTIA]\nMASS = 9.3\nIXX = 0.391\n",
+        "[MODEL_2]\nTIME = 'never'\n",
+    ],
+    ids=["a table", "a mass that is no unit", "a time that is no unit"],
+)
+def test_sections_that_say_nothing_of_the_formula_change_nothing(tire_of, added):
+    assert tire_of(REFERENCE_TIR + added) == tire_of(REFERENCE_TIR)
+
+
+def test_a_byte_order_mark_is_passed_over(tire_of):
+    assert tire_of("\ufeff" + REFERENCE_TIR) == tire_of(REFERENCE_TIR)
+
+
+def test_a_comment_may_touch_the_value(tire_of):
+    assert tire_of(edited(REFERENCE_TIR, "PCX1", "PCX1 = 1.5$comment"))["PCX1"] == 1.5
+
+
+def test_a_coefficient_in_two_sections_is_refused(tire_of):
+    with refused("PCX1", "[SECOND]", "twice"):
+        tire_of(REFERENCE_TIR + "[SECOND]\nPCX1 = 1.7\n")
+
+
+@pytest.mark.parametrize("line", ["KPUMIN = nan", "FNOMIN = 1e308"])
+def test_a_number_that_is_none_or_grows_out_of_range_is_refused(tire_of, line):
+    name = line.split()[0]
+    in_kilonewtons = edited(REFERENCE_TIR, "FORCE", "FORCE = 'kN'")
+    with refused(name):
+        tire_of(edited(in_kilonewtons, name, line))
+
+
+def test_a_line_of_no_kind_is_refused_by_its_number(tire_of):
+    with refused("line 1", "what is this"):
+        tire_of("what is this\n" + REFERENCE_TIR)
+
+
+ODD_VALUES = [
+    "9" * 400,
+    "9" * 5000,
+    "2020-13-45",
+    "0b_",
+    "!!int abc",
+    "!!float abc",
+    "!!bool abc",
+    "!!map abc",
+    "!!python/object/apply:os.getcwd []",
+]
+
+
+@pytest.mark.parametrize("value", ODD_VALUES, ids=lambda value: value[:20])
+def test_a_value_that_trips_the_parser_is_refused_in_one_line(tmp_path, value):
+    text = edited(REFERENCE_YAML, "sprung_mass", f"sprung_mass: {value}")
+    with refused("a.yaml"):
+        load_vehicle(write(tmp_path, "a.yaml", text))
+
+
+def test_a_tire_name_that_no_file_can_have_is_refused(tmp_path):
+    text = edited(REFERENCE_YAML, "tire", r'tire: "a\0b"')
+    with refused("null"):
+        load_vehicle(write(tmp_path, "a.yaml", text))

@@ -1,0 +1,187 @@
+"""Tire files: what is understood is understood rightly, the rest is refused in one line."""
+
+import pytest
+from vehicle_files import REFERENCE_TIR, edited, refused, write
+
+from vehicle_roll_sim import InputError, load_tire
+from vehicle_roll_sim.model.tire import REQUIRED
+from vehicle_roll_sim.vehicle.text_file import LARGEST_FILE
+
+PUBLISHED = {
+    "FNOMIN": 4000.0,
+    "PCX1": 1.685,
+    "PDX1": 1.210,
+    "PKX1": 21.51,
+    "RBX1": 12.35,
+    "PCY1": 1.193,
+    "PDY1": -0.990,
+    "PKY1": -14.95,
+    "PKY2": 2.130,
+    "RBY1": 6.461,
+}
+"""Of Pacejka (2002), table A3.1."""
+
+
+@pytest.fixture
+def tire_from(tmp_path):
+    """Loads a tire file with that content."""
+    return lambda content: load_tire(write(tmp_path, "some.tir", content))
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "some.tir"
+
+
+def test_the_reference_tire_has_its_published_coefficients(tire_from):
+    tire = tire_from(REFERENCE_TIR)
+    assert {name: tire.coefficients[name] for name in PUBLISHED} == PUBLISHED
+    assert tire.side == "left"
+    assert tire.coefficients["LMUX"] == tire.coefficients["LMUY"] == 1.15
+    assert [tire.coefficients[n] for n in ("LHX", "LHY", "LVX", "LVY", "LVYKA")] == [0.0] * 5
+
+
+@pytest.mark.parametrize("line", ["PCX1 = 1.5 $ a comment", "PCX1 = 1.5 ! a comment", "pcx1=1.5"])
+def test_comments_spaces_and_small_letters_do_not_change_a_value(tire_from, line):
+    assert tire_from(edited(REFERENCE_TIR, "PCX1", line)).coefficients["PCX1"] == 1.5
+
+
+@pytest.mark.parametrize("mark", ["$", "!"])
+def test_a_line_that_is_a_comment_is_no_entry(tire_from, mark):
+    tire = tire_from(edited(REFERENCE_TIR, "LMUX", f"{mark}LMUX = 0.3"))
+    assert tire.coefficients["LMUX"] == 1.0  # a factor that is not given
+
+
+def test_line_ends_of_another_system_are_read_alike(tire_from):
+    unlike = REFERENCE_TIR.replace("\n", "\r\n")
+    assert tire_from(unlike).coefficients == tire_from(REFERENCE_TIR).coefficients
+
+
+def test_a_table_of_the_tire_contour_is_passed_over(tire_from):
+    contour = "[SHAPE]\n{radial width}\n1.0 0.0\n1.0 0.4\n0.9 1.0\n"
+    tire = tire_from(REFERENCE_TIR + contour)
+    assert tire.coefficients == tire_from(REFERENCE_TIR).coefficients
+
+
+@pytest.mark.parametrize(
+    ("unit", "newtons"),
+    [("newton", 1.0), ("N", 1.0), ("kN", 1e3), ("pound_force", 4.4482216152605)],
+)
+def test_loads_in_another_unit_of_force_come_out_in_newtons(tire_from, unit, newtons):
+    text = edited(REFERENCE_TIR, "FORCE", f"FORCE = '{unit}'")
+    for name, load in (("FNOMIN", 4000.0), ("FZMAX", 15_000.0)):
+        text = edited(text, name, f"{name} = {load / newtons!r}")
+    coefficients = tire_from(text).coefficients
+    assert coefficients["FNOMIN"] == pytest.approx(4000.0, rel=1e-15)  # one division
+    assert coefficients["FZMAX"] == pytest.approx(15_000.0, rel=1e-15)
+    assert coefficients["PKX1"] == 21.51  # a ratio
+
+
+def test_lengths_in_millimetres_are_accepted_and_change_no_coefficient(tire_from):
+    millimetres = edited(REFERENCE_TIR, "LENGTH", "LENGTH = 'mm'")
+    assert tire_from(millimetres).coefficients == tire_from(REFERENCE_TIR).coefficients
+
+
+@pytest.mark.parametrize(
+    ("name", "unit"),
+    [
+        ("ANGLE", "degrees"),
+        ("ANGLE", "deg"),
+        ("FORCE", "kgf"),
+        ("LENGTH", "furlong"),
+        ("MASS", "slug"),
+        ("TIME", "hour"),
+        ("ANGLE", ""),
+    ],
+)
+def test_a_unit_that_is_not_understood_is_refused(tire_from, path, name, unit):
+    with refused(path, name):
+        tire_from(edited(REFERENCE_TIR, name, f"{name} = '{unit}'"))
+
+
+@pytest.mark.parametrize("name", REQUIRED)
+def test_a_coefficient_without_which_there_is_no_tire_may_not_be_missing(tire_from, path, name):
+    with refused(path, name):
+        tire_from(edited(REFERENCE_TIR, name, ""))
+
+
+@pytest.mark.parametrize("value", ["many", "1,5", "", "nan", "inf", "1e999", "1.2.3"])
+def test_a_coefficient_that_is_no_finite_number_is_refused(tire_from, path, value):
+    with refused(path, "PKY1"):
+        tire_from(edited(REFERENCE_TIR, "PKY1", f"PKY1 = {value}"))
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("FNOMIN", -1), ("FNOMIN", 0), ("LFZO", 0), ("PCX1", 0), ("PCY1", 0), ("PKY2", 0)],
+)
+def test_a_number_that_the_formula_would_divide_by_is_not_zero(tire_from, path, name, value):
+    with refused(path, name):
+        tire_from(edited(REFERENCE_TIR, name, f"{name} = {value}"))
+
+
+def test_a_key_that_stands_twice_is_refused(tire_from, path):
+    with refused(path, "PKX1"):
+        tire_from(edited(REFERENCE_TIR, "PKX1", "PKX1 = 21.51\nPKX1 = 22.0"))
+
+
+@pytest.mark.parametrize("given", ["'FTIRE'", "'MF_62'", "", "6.1"])
+def test_another_kind_of_tire_model_is_refused(tire_from, path, given):
+    with refused(path, "PROPERTY_FILE_FORMAT"):
+        tire_from(edited(REFERENCE_TIR, "PROPERTY_FILE_FORMAT", f"PROPERTY_FILE_FORMAT = {given}"))
+
+
+def test_a_file_that_does_not_say_what_it_is_is_refused(tire_from, path):
+    with refused(path, "PROPERTY_FILE_FORMAT"):
+        tire_from(edited(REFERENCE_TIR, "PROPERTY_FILE_FORMAT", ""))
+
+
+@pytest.mark.parametrize(("version", "allowed"), [("6", True), ("52", True), ("61", False)])
+def test_of_the_versions_those_up_to_5_2_are_read(tire_from, path, version, allowed):
+    line = f"PROPERTY_FILE_FORMAT = 'MF-TYRE'\nFITTYP = {version}"
+    text = edited(REFERENCE_TIR, "PROPERTY_FILE_FORMAT", line)
+    if allowed:
+        assert tire_from(text).coefficients == tire_from(REFERENCE_TIR).coefficients
+        return
+    with refused(path, "FITTYP"):
+        tire_from(text)
+
+
+@pytest.mark.parametrize(("given", "side"), [("'RIGHT'", "right"), ("Left", "left")])
+def test_the_side_of_the_tire_is_read(tire_from, given, side):
+    assert tire_from(edited(REFERENCE_TIR, "TYRESIDE", f"TYRESIDE = {given}")).side == side
+
+
+def test_a_side_that_no_vehicle_has_is_refused(tire_from, path):
+    with refused(path, "TYRESIDE"):
+        tire_from(edited(REFERENCE_TIR, "TYRESIDE", "TYRESIDE = 'middle'"))
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        pytest.param("", id="empty"),
+        pytest.param("\n\n$ nothing but a comment\n", id="a comment"),
+        pytest.param("FNOMIN = 4000\n", id="no section"),
+        pytest.param("[UNITS]\n= 3\n", id="no key"),
+        pytest.param(b"\x89PNG\r\n\x1a\n\x00\xff\xfe", id="binary"),
+        pytest.param(b"\x00" * 1000, id="zeros"),
+        pytest.param("$" * (LARGEST_FILE + 1), id="too large"),
+        pytest.param("[A]\nx = 1\n[A]\n", id="a section twice"),
+        pytest.param("sprung_mass: 1440.0\ntire: reference.tir\n", id="a vehicle file"),
+    ],
+)
+def test_what_is_no_tire_file_is_refused_by_name(tire_from, path, content):
+    with refused(path):
+        tire_from(content)
+
+
+def test_a_tire_file_that_is_not_there_is_refused_by_name(tmp_path):
+    with refused(tmp_path / "none.tir"):
+        load_tire(tmp_path / "none.tir")
+    with refused(tmp_path):
+        load_tire(tmp_path)  # a folder
+
+
+def test_what_is_refused_can_be_told_from_other_errors():
+    assert issubclass(InputError, ValueError)

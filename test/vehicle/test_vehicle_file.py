@@ -1,0 +1,200 @@
+"""Vehicle files: every wrong value of every parameter is refused in one line that names it."""
+
+import numpy as np
+import pytest
+from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, refused, write
+
+from vehicle_roll_sim import Vehicle, load_vehicle, preset
+from vehicle_roll_sim.declaration import parameters_of
+from vehicle_roll_sim.vehicle.text_file import LARGEST_FILE
+
+SOURCE = {
+    "sprung_mass": 1440.0,
+    "roll_inertia": 900.0,
+    "pitch_inertia": 2000.0,
+    "yaw_inertia": 2000.0,
+    "cg_to_front_axle": 1.016,
+    "cg_to_rear_axle": 1.524,
+    "cg_height": 0.75,
+    "front_track": 1.5,
+    "rear_track": 1.5,
+    "front_spring_stiffness": 35_000.0,
+    "rear_spring_stiffness": 30_000.0,
+    "front_damping": 2500.0,
+    "rear_damping": 2000.0,
+    "front_unsprung_mass": 80.0,
+    "rear_unsprung_mass": 80.0,
+    "front_tire_stiffness": 200_000.0,
+    "rear_tire_stiffness": 200_000.0,
+    "tire_radius": 0.285,
+    "wheel_inertia": 1.0,
+    "front_roll_centre_depth": 0.65,
+    "rear_roll_centre_depth": 0.60,
+}
+"""The table of Shim and Ghike (2007)."""
+PARAMETERS = parameters_of(Vehicle)
+
+
+def beyond(limit: float, direction: float) -> float:
+    """The next number beyond a limit that a decimal shows."""
+    return limit + direction * max(abs(limit), 1.0) * 1e-6
+
+
+WRONG = [
+    pytest.param(name, value, id=f"{name}={value}")
+    for name, declared in PARAMETERS.items()
+    for value in (
+        *(".nan", ".inf", "-.inf", "many", "'1440'", "true", "[1, 2]", "{a: 1}", "", "1e99"),
+        repr(beyond(declared.minimum, -1.0)),
+        repr(beyond(declared.maximum, 1.0)),
+    )
+]
+
+
+@pytest.fixture
+def vehicle_from(tmp_path):
+    """Loads a vehicle file with that content, the reference tire beside it."""
+    write(tmp_path, "reference.tir", REFERENCE_TIR)
+    return lambda content: load_vehicle(write(tmp_path, "some.yaml", content))
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "some.yaml"
+
+
+def test_the_reference_vehicle_is_that_of_the_source():
+    vehicle = preset("reference")
+    assert {name: getattr(vehicle, name) for name in SOURCE} == SOURCE
+    assert {*PARAMETERS} - {*SOURCE} == {"steering_ratio"}
+
+
+@pytest.mark.parametrize("name", PARAMETERS)
+def test_every_value_of_the_file_arrives_under_its_name(vehicle_from, name):
+    value = getattr(preset("reference"), name) * 1.01
+    loaded = vehicle_from(edited(REFERENCE_YAML, name, f"{name}: {value!r}"))
+    assert getattr(loaded, name) == value
+    assert type(getattr(loaded, name)) is float
+
+
+@pytest.mark.parametrize(("name", "value"), WRONG)
+def test_a_value_that_is_not_allowed_is_refused(vehicle_from, path, name, value):
+    with refused(path, name):
+        vehicle_from(edited(REFERENCE_YAML, name, f"{name}: {value}"))
+
+
+@pytest.mark.parametrize("name", [n for n, p in PARAMETERS.items() if p.minimum > 0])
+def test_zero_is_refused_where_nothing_is_not_allowed(vehicle_from, path, name):
+    with refused(path, name):
+        vehicle_from(edited(REFERENCE_YAML, name, f"{name}: 0"))
+
+
+@pytest.mark.parametrize("name", [*PARAMETERS, "tire"])
+def test_a_missing_key_is_named(vehicle_from, path, name):
+    with refused(path, name):
+        vehicle_from(edited(REFERENCE_YAML, name, ""))
+
+
+@pytest.mark.parametrize("name", [*PARAMETERS, "tire"])
+def test_a_key_that_stands_twice_is_named(vehicle_from, path, name):
+    with refused(path, name):
+        vehicle_from(REFERENCE_YAML + f"{name}: 1.0\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "value"), [("35000", 35e3), ("35e3", 35e3), ("35E3", 35e3), ("+3.5e+4", 35e3)]
+)
+def test_whole_numbers_and_powers_of_ten_are_numbers(vehicle_from, text, value):
+    line = f"front_spring_stiffness: {text}"
+    loaded = vehicle_from(edited(REFERENCE_YAML, "front_spring_stiffness", line))
+    assert loaded.front_spring_stiffness == value
+
+
+def test_a_misspelt_key_is_named_with_the_one_that_was_meant(vehicle_from, path):
+    with refused(path, "sprung_mas", "sprung_mass"):
+        vehicle_from(REFERENCE_YAML + "sprung_mas: 1000.0\n")
+
+
+def test_a_misspelt_name_among_replaced_values_is_named_with_the_one_that_was_meant():
+    with refused("rol_inertia", "roll_inertia"):
+        preset().with_values({"rol_inertia": 900.0})
+    with refused("colour", *PARAMETERS):  # nothing is near: all are listed
+        preset().with_values({"colour": 1.0})
+
+
+def test_replacing_values_leaves_the_others_and_the_old_vehicle_as_they_are():
+    old = preset()
+    new = old.with_values({"front_track": 1.6, "rear_damping": 0})
+    assert (new.front_track, new.rear_damping, old.front_track) == (1.6, 0.0, 1.5)
+    assert new.with_values({"front_track": 1.5, "rear_damping": 2000.0}) == old
+
+
+@pytest.mark.parametrize("name", ["roll_inertia", "pitch_inertia", "yaw_inertia"])
+def test_moments_of_inertia_that_no_body_has_are_refused(vehicle_from, path, name):
+    others = sum(SOURCE[n] for n in SOURCE if n.endswith("_inertia") and n != "wheel_inertia")
+    limit = others - SOURCE[name]
+    vehicle_from(edited(REFERENCE_YAML, name, f"{name}: {limit}"))  # a flat body
+    with refused(path, name):
+        vehicle_from(edited(REFERENCE_YAML, name, f"{name}: {limit + 0.1}"))
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("tire_radius", 0.02), ("cg_height", 0.2), ("rear_tire_stiffness", 10_000.0)],
+)
+def test_a_vehicle_that_does_not_stand_on_its_wheels_is_refused(vehicle_from, path, name, value):
+    with refused(path):
+        vehicle_from(edited(REFERENCE_YAML, name, f"{name}: {value}"))
+
+
+@pytest.mark.parametrize("given", ["3", "", "[a.tir]", "true"])
+def test_a_tire_that_is_no_name_of_a_file_is_refused(vehicle_from, path, given):
+    with refused(path, "tire"):
+        vehicle_from(edited(REFERENCE_YAML, "tire", f"tire: {given}"))
+
+
+def test_a_tire_file_that_is_missing_or_wrong_is_named(vehicle_from, tmp_path):
+    with refused(tmp_path / "none.tir"):
+        vehicle_from(edited(REFERENCE_YAML, "tire", "tire: none.tir"))
+    with refused(tmp_path / "some.yaml"):  # itself
+        vehicle_from(edited(REFERENCE_YAML, "tire", "tire: some.yaml"))
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        pytest.param("", id="empty"),
+        pytest.param("- 1\n- 2\n", id="list"),
+        pytest.param("a: b: c\n", id="not YAML"),
+        pytest.param("a: [1, 2\n", id="unclosed"),
+        pytest.param("1: 2\n", id="number for a name"),
+        pytest.param("? [a]\n: 1\n", id="list for a name"),
+        pytest.param("a: !!python/object:os.system x\n", id="code"),
+        pytest.param("a: *nothing\n", id="unknown alias"),
+        pytest.param("{}\n---\n{}\n", id="two documents"),
+        pytest.param(b"\xff\xfe\x00\x01", id="binary"),
+        pytest.param(b"\x00" * 100, id="zeros"),
+        pytest.param("# " + "x" * LARGEST_FILE, id="too large"),
+        pytest.param(REFERENCE_TIR, id="a tire file"),
+    ],
+)
+def test_what_is_no_vehicle_file_is_refused_by_name(vehicle_from, path, content):
+    with refused(path):
+        vehicle_from(content)
+
+
+def test_a_vehicle_file_that_is_not_there_is_refused_by_name(tmp_path):
+    with refused(tmp_path / "none.yaml"):
+        load_vehicle(tmp_path / "none.yaml")
+
+
+def test_the_values_reach_the_equations_at_the_right_wheels():
+    record = preset().with_values({"front_track": 1.4, "rear_track": 1.6}).record()[0]
+    np.testing.assert_array_equal(record.x, [1.016, 1.016, -1.524, -1.524])
+    np.testing.assert_array_equal(record.y, [0.7, -0.7, 0.8, -0.8])
+    np.testing.assert_array_equal(record.spring_stiffness, [35e3, 35e3, 30e3, 30e3])
+    np.testing.assert_array_equal(record.damping, [2500.0, 2500.0, 2000.0, 2000.0])
+    np.testing.assert_array_equal(record.roll_centre_depth, [0.65, 0.65, 0.60, 0.60])
+    share = np.array([1.524, 1.524, 1.016, 1.016]) / (2 * 2.54)
+    at_rest = 1440.0 * 9.81 * share / record.spring_stiffness  # (19)
+    np.testing.assert_allclose(record.static_suspension_compression, at_rest, rtol=1e-14)
