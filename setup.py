@@ -12,14 +12,14 @@ setup(
     version="0.1.0",
     description="Real-time vehicle roll simulation with 14 degrees of freedom, for ROS 2",
     license="Apache-2.0",
-    python_requires=">=3.10",
+    python_requires=">=3.11",
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
     package_data={f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir"]},
     data_files=[
         ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
         (SHARE, ["package.xml"]),
         (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
-        (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*"))),
+        (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
     ],
     install_requires=["setuptools", "numpy>=1.26,<3", "PyYAML>=6", "tqdm>=4.60", "matplotlib>=3.6"],
     extras_require={

@@ -72,10 +72,15 @@ def test_a_rollover_stops_time_latches_and_a_reset_recovers(simulator, peer):
 def test_a_reset_returns_the_initial_state_to_the_bit(simulator, peer):
     peer.listen("state")
     peer.command({"steering_cmd": 0.05}, lambda: peer.newest("state").data[ROLL] > 0.01, "roll")
+    assert peer.newest("state").data[0] > 0.0
+    before = len(peer.received["state"])
     reset(peer)
-    first = peer.wait(
-        lambda: next((m for _, m in peer.received["state"] if m.data[0] == 0.0), None), "time 0"
-    )
+
+    def first_after_reset():
+        states = [message for _, message in peer.received["state"][before:]]
+        return next((state for state in states if state.data[0] == 0.0), None)
+
+    first = peer.wait(first_after_reset, "time 0")
     fresh = Simulation(preset())
     assert list(first.data) == [0.0, *fresh.state_vector[:28]]
     names = [dimension.label for dimension in first.layout.dim]

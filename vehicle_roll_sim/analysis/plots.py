@@ -8,12 +8,12 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.output_file import replaced_file
 
-FORMATS = (".png", ".svg", ".pdf")
+UNDATED = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+"""Metadata without which the same figure would differ from one run to the next."""
 PANELS = (
     ("steering", "steering (deg)", math.degrees(1)),
     ("roll", "roll angle (deg)", math.degrees(1)),
@@ -24,12 +24,6 @@ COLOURS = ("tab:blue", "tab:orange", "tab:green", "tab:red")
 KILO = 1e3
 MARGIN = 0.02
 """Room after the last sample, as a share of the time shown."""
-
-
-def check_format(path: Path, field: str) -> None:
-    """Raise InputError naming `field` if no figure can be written as `path`."""
-    if path.suffix.lower() not in FORMATS:
-        raise InputError(field, str(path), "a name that ends in " + ", ".join(FORMATS))
 
 
 def plot_run(history: History, events: np.record, path: Path, title: str) -> None:
@@ -54,7 +48,7 @@ def plot_run(history: History, events: np.record, path: Path, title: str) -> Non
     axes[-1].set_xlim(time[0], time[-1] + MARGIN * max(time[-1] - time[0], MARGIN))
     figure.align_ylabels()
     with replaced_file(path) as partial, matplotlib.rc_context({"svg.hashsalt": "run"}):
-        figure.savefig(partial, dpi=110, metadata={"Date": None} if path.suffix == ".svg" else None)
+        figure.savefig(partial, dpi=110, metadata=UNDATED.get(path.suffix.lower()))
 
 
 def _draw_tire_loads(axis, history: History, events: np.record) -> None:

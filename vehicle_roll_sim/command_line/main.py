@@ -3,8 +3,8 @@
 import argparse
 import sys
 
+from vehicle_roll_sim.arguments import OneLineParser, exit_status
 from vehicle_roll_sim.command_line import parameters, run
-from vehicle_roll_sim.command_line.arguments import OneLineParser, exit_status
 from vehicle_roll_sim.declaration import unknown_name
 
 PROGRAM = "vehicle_roll_sim"

@@ -1,10 +1,7 @@
 """`vehicle_roll_sim parameters`: the vehicle's parameters as a table."""
 
-from vehicle_roll_sim.command_line.arguments import (
-    OneLineParser,
-    add_vehicle_options,
-    chosen_vehicle,
-)
+from vehicle_roll_sim.arguments import OneLineParser
+from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 

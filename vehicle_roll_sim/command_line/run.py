@@ -7,22 +7,28 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from vehicle_roll_sim.analysis import plots
-from vehicle_roll_sim.command_line.arguments import (
+from vehicle_roll_sim.arguments import (
     OneLineParser,
     add_declared,
-    add_vehicle_options,
-    chosen_vehicle,
     declared_values,
+    named_file,
 )
+from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_writable
-from vehicle_roll_sim.simulation.run import run
-from vehicle_roll_sim.simulation.simulation import DEFAULT_STEP, Simulation, compile_model
+from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, run
+from vehicle_roll_sim.simulation.simulation import (
+    DEFAULT_ROLLOVER_DEGREES,
+    DEFAULT_STEP,
+    LONGEST_STEP,
+    SHORTEST_STEP,
+    Simulation,
+    compile_model,
+)
 from vehicle_roll_sim.simulation.summary import line, summary_lines
 
 DESCRIPTION = "Simulate a manoeuvre offline and print what happened."
@@ -34,8 +40,12 @@ DIVERGED = 1
 class RunSettings:
     """How a run is integrated and sampled."""
 
-    step: float = parameter("integration step", "s", 1e-6, 0.1, default=DEFAULT_STEP)
-    sample: float = parameter("interval of the rows", "s", 1e-6, 1e3, default=0.01)
+    step: float = parameter(
+        "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
+    )
+    sample: float = parameter(
+        "interval of the rows", "s", SHORTEST_STEP, 1e3, default=DEFAULT_SAMPLE
+    )
     command_period: float = parameter(
         "sample commands at this interval and hold them, as a node does; 0: at every stage",
         "s",
@@ -44,7 +54,7 @@ class RunSettings:
         default=0.0,
     )
     stop_roll: float = parameter(
-        "roll angle that counts as rolled over", "deg", 1.0, 90.0, default=85.0
+        "roll angle that counts as rolled over", "deg", 1.0, 90.0, default=DEFAULT_ROLLOVER_DEGREES
     )
 
 
@@ -77,6 +87,8 @@ def run_command(words: list[str], program: str) -> int:
         history.write_csv(csv)
         print(line("CSV", csv))
     if plot:
+        from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
+
         plots.plot_run(history, simulation.events, plot, arguments.manoeuvre or arguments.commands)
         print(line("plot", plot))
     return DIVERGED if simulation.condition is Condition.DIVERGED else 0
@@ -105,22 +117,23 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
 
 def _result_files(arguments: argparse.Namespace) -> tuple[Path | None, Path | None]:
     """Where the CSV and the figure go, known to be writable."""
-    csv = Path(arguments.csv) if arguments.csv else None
-    plot = Path(arguments.plot) if arguments.plot else None
+    csv, plot = named_file(arguments.csv, "--csv"), named_file(arguments.plot, "--plot")
     for path, field in ((csv, "--csv"), (plot, "--plot")):
         if path:
             check_writable(path, field)
     if plot:
-        plots.check_format(plot, "--plot")
+        check_figure_format(plot, "--plot")
+        if plot == csv:
+            raise InputError("--plot", str(plot), "another file than that of --csv")
     return csv, plot
 
 
 def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:
     """The manoeuvre or command file that the words name, with its defaults."""
-    if chosen.commands and chosen.manoeuvre:
+    if chosen.commands is not None and chosen.manoeuvre is not None:
         raise InputError("--commands", chosen.commands, "not together with a manoeuvre")
-    if chosen.commands:
-        return load_commands(chosen.commands)
+    if command_file := named_file(chosen.commands, "--commands"):
+        return load_commands(command_file)
     return manoeuvre_named(chosen.manoeuvre) if chosen.manoeuvre else None
 
 
@@ -130,6 +143,8 @@ def _adjusted(
     """The manoeuvre with the values of the command line."""
     values = declared_values(arguments, manoeuvre)
     if arguments.commands and "duration" not in values:
+        if not manoeuvre.duration > 0.0:
+            raise InputError("--duration", None, "a file that ends at time 0 does not say how long")
         steps = math.ceil(manoeuvre.duration / settings.step - 1e-6)
         values["duration"] = steps * settings.step
     return dataclasses.replace(manoeuvre, **values)

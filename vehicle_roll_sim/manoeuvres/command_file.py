@@ -43,17 +43,22 @@ class CommandTable(Manoeuvre):
 def load_commands(path: str | Path) -> CommandTable:
     """Read a command file, as long as its last time; raises InputError naming line and column."""
     path = Path(path)
-    rows = csv.reader(read_text(path, LARGEST_FILE).splitlines())
-    header = [name.strip() for name in next(rows, [])]
-    _check_header(path, header)
-    values = [_numbers(path, line, header, row) for line, row in enumerate(rows, 2) if row]
-    if not values:
-        raise InputError(f"command file {path}", "no rows", "a header and at least one row")
+    reader = csv.reader(read_text(path, LARGEST_FILE).splitlines())
+    try:
+        header = [name.strip() for name in next(reader, [])]
+        _check_header(path, header)
+        rows = [(reader.line_num, row) for row in reader if row]
+    except csv.Error as error:
+        where = f"{path}: line {reader.line_num}"
+        raise InputError(where, "", "comma-separated values are wanted", str(error)) from None
+    if not rows:
+        raise InputError(f"command file {path}", "", "a header and at least one row", "no rows")
+    values = [_numbers(path, line, header, row) for line, row in rows]
     table = dict(zip(header, np.array(values).T, strict=True))
     times = table.pop("time")
-    for line, (before, after) in enumerate(itertools.pairwise(times), 3):
+    for (before, after), (line, _) in zip(itertools.pairwise(times), rows[1:], strict=True):
         if after <= before:
-            raise InputError(f"{path}: line {line}: time", after, f"more than {before:g}")
+            raise InputError(f"{path}: line {line}: time", float(after), f"more than {before:g}")
     return CommandTable(times=times, columns=table, duration=float(times[-1]))
 
 

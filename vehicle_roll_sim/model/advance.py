@@ -21,14 +21,16 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
 
     state: flat vector laid out as STATE, changed in place. commands: 2 * steps + 1 records, one
     for the beginning, the middle and the end of each step, or a single one that is held.
-    start_ns, step_ns: simulated time and step (ns). plant: vehicle, tire, options and limits;
-    they, outputs and events are one-element arrays of records. stages: work space.
+    start_ns, step_ns: simulated time and step (ns). plant: vehicle, tire, options, limits and a
+    command of no force; they, outputs and events are one-element arrays of records. stages: work
+    space.
 
     A state that is implausible to begin with is left as it is; a step after which one is, is taken
     back. The index of that state is the culprit, else -1. At the end `outputs` belong to the final
-    state and the last command.
+    state and the last command or, since that may be what made it diverge, to none.
     """
     vehicle, tire, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
+    idle = plant[4][0]
     out, seen = outputs[0], events[0]
     car = (vehicle, tire, options, out)
     stride = 0 if len(commands) == 1 else 1
@@ -52,7 +54,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
             taken += 1
             note_crossings(time, step, stages[BEFORE], state, limits.rollover_angle, seen)
             condition = condition_of(state, limits)
-        last = commands[2 * taken * stride]
+        last = idle if condition == Condition.DIVERGED else commands[2 * taken * stride]
         derivatives(state, last, vehicle, tire, options, out, stages[K1])
     note_peaks((start_ns + taken * step_ns) * SECONDS, state, tire, out, seen)
     return taken, condition, culprit

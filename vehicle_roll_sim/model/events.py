@@ -88,7 +88,7 @@ def note_peaks(time, state, tire, outputs, events):
 
 @kernel
 def keep_peak(time, value, peak):
-    if abs(value) > abs(peak[VALUE]):
+    if math.isfinite(value) and abs(value) > abs(peak[VALUE]):
         peak[VALUE], peak[TIME] = value, time
 
 

@@ -113,11 +113,9 @@ def has_compiled_code() -> bool:
 def describe() -> str:
     """One line on how the model runs here, for start-up messages."""
     if numba is None:
-        return "numba is not installed: the model runs in plain Python, a few hundred times slower"
+        return "numba is not installed: the model runs in plain Python, 150 to 200 times slower"
     if not COMPILED:
-        return (
-            "NUMBA_DISABLE_JIT is set: the model runs in plain Python, a few hundred times slower"
-        )
+        return "NUMBA_DISABLE_JIT is set: the model runs in plain Python, 150 to 200 times slower"
     if CACHE is None:
         return "no folder for compiled code can be written: the model is compiled at every start"
     return f"compiled model, cached in {CACHE}"

@@ -2,7 +2,8 @@
 
 Steady-state slip, no inclination, no turn slip. Coefficients and scaling factors bear the names of
 the .tir file. ISO axes of the contact patch: positive lateral slip gives a negative lateral force.
-A shift counts only where its scaling factor is not 0, which is a product with that factor here.
+A shift counts only where its scaling factor is not 0, which is a product with that factor here;
+RHX1, RHY1 and RHY2 have none and always count.
 """
 
 from vehicle_roll_sim.model.jit import kernel, math

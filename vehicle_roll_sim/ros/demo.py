@@ -7,7 +7,7 @@ import sys
 import time
 from pathlib import Path
 
-from vehicle_roll_sim.command_line.arguments import OneLineParser, exit_status
+from vehicle_roll_sim.arguments import OneLineParser, exit_status
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.simulation.simulation import compile_model
 from vehicle_roll_sim.simulation.summary import line

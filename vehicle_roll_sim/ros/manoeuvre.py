@@ -15,8 +15,12 @@ from rclpy.parameter import Parameter
 from std_msgs.msg import Float64, Float64MultiArray
 from std_srvs.srv import Trigger
 
-from vehicle_roll_sim.analysis import plots
-from vehicle_roll_sim.command_line.arguments import OneLineParser, add_declared, declared_values
+from vehicle_roll_sim.arguments import (
+    OneLineParser,
+    add_declared,
+    declared_values,
+    named_file,
+)
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
@@ -24,13 +28,15 @@ from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.ros.collector import Collector, events_of
 from vehicle_roll_sim.ros.process import node_main
 from vehicle_roll_sim.ros.topics import COMMANDING
-from vehicle_roll_sim.simulation.output_file import check_writable
+from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
 from vehicle_roll_sim.simulation.summary import line, summary_lines
 
 PATIENCE = 10.0
 """Wall seconds that a simulator may take to answer."""
 NO_SIMULATOR = 1
 """Exit status when none does."""
+DIVERGED = 1
+"""Exit status when the model of the simulator did not stay plausible."""
 ROUNDING = 1e-9
 """s"""
 STANDING_STILL = 3
@@ -38,7 +44,7 @@ STANDING_STILL = 3
 
 
 class NoAnswerError(Exception):
-    """No simulator answered in time; the text says what was waited for."""
+    """No simulator answered as it should; the text says what was waited for."""
 
 
 class Driver(Node):
@@ -82,7 +88,10 @@ class Driver(Node):
     def _set(self, name: str, value: float) -> None:
         client = self.create_client(SetParameters, f"{self._simulator}/set_parameters")
         parameter = Parameter(name, value=value).to_parameter_msg()
-        self._call(client, SetParameters.Request(parameters=[parameter]), f"its {name}")
+        request = SetParameters.Request(parameters=[parameter])
+        result = self._call(client, request, f"its {name}").results[0]
+        if not result.successful:
+            raise NoAnswerError(f"`{self._simulator}` refused {name} {value:g}: {result.reason}")
 
     def _call(self, client, request, what: str):
         self._wait(client.service_is_ready, f"its service for {what}")
@@ -101,7 +110,7 @@ class Driver(Node):
         """Drive to the end, or until the simulator stops; raises NoAnswerError."""
         while not self.finished:
             seen = self._states
-            self._wait(lambda: self._states > seen, "its next state")  # noqa: B023
+            self._wait(lambda: self._states > seen, "its next state (is it paused?)")  # noqa: B023
         self._wait(self.collector.is_complete, "the rest of its last set")
 
     def _on_state(self, data: np.ndarray) -> None:
@@ -131,7 +140,8 @@ class Driver(Node):
             return Condition.ROLLED_OVER
         if self.state[at.U] < MINIMUM_SPEED:
             return Condition.TOO_SLOW
-        return Condition.RUNNING
+        stopped = self._time < self.manoeuvre.duration - ROUNDING
+        return Condition.DIVERGED if stopped else Condition.RUNNING
 
 
 def drive(name: str, manoeuvre: Manoeuvre, simulator: str, plot: Path | None) -> int:
@@ -145,11 +155,14 @@ def drive(name: str, manoeuvre: Manoeuvre, simulator: str, plot: Path | None) ->
         return NO_SIMULATOR
     history = driver.collector.history()
     events = events_of(history, driver.rollover_angle)
-    print("\n".join(summary_lines(events, history["time"][-1], driver.condition)))
+    condition = driver.condition
+    print("\n".join(summary_lines(events, history["time"][-1], condition, "its state")))
     if plot:
+        from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
+
         plots.plot_run(history, events, plot, name)
         print(line("plot", plot))
-    return 0
+    return DIVERGED if condition is Condition.DIVERGED else 0
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -173,10 +186,10 @@ def main() -> int:
     def body(arguments: argparse.Namespace) -> int:
         manoeuvre = manoeuvre_named(arguments.manoeuvre)
         manoeuvre = dataclasses.replace(manoeuvre, **declared_values(arguments, manoeuvre))
-        plot = Path(arguments.plot) if arguments.plot else None
+        plot = named_file(arguments.plot, "--plot")
         if plot:
             check_writable(plot, "--plot")
-            plots.check_format(plot, "--plot")
+            check_figure_format(plot, "--plot")
         return drive(arguments.manoeuvre, manoeuvre, arguments.simulator, plot)
 
     return node_main(_parser(), body, sys.argv)

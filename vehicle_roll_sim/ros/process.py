@@ -8,7 +8,7 @@ from rclpy.exceptions import NameValidationException
 from rclpy.executors import ExternalShutdownException
 from rclpy.utilities import remove_ros_args
 
-from vehicle_roll_sim.command_line.arguments import exit_status
+from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError
 
 
@@ -29,14 +29,8 @@ def node_main(
         try:
             prepare()
             _initialise(words)
-            return body(arguments)
+            return _run(body, arguments)
         except (KeyboardInterrupt, ExternalShutdownException):
-            return 0
-        except NameValidationException as error:
-            raise _bad_ros_arguments(error) from None
-        except RuntimeError:  # the middleware's, on a context that a signal has shut down
-            if rclpy.ok():
-                raise
             return 0
         finally:
             rclpy.try_shutdown()
@@ -44,20 +38,32 @@ def node_main(
     return exit_status(command, parser.prog)
 
 
+def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespace) -> int:
+    try:
+        return body(arguments)
+    except NameValidationException as error:
+        raise _not_started(error) from None
+    except RuntimeError:  # the middleware's, on a context that a signal has shut down
+        if rclpy.ok():
+            raise
+        return 0
+
+
 def _without_ros_arguments(words: list[str]) -> list[str]:
     try:
         return remove_ros_args(words)[1:]
     except RuntimeError as error:
-        raise _bad_ros_arguments(error) from None
+        raise _not_started(error) from None
 
 
 def _initialise(words: list[str]) -> None:
     try:
         rclpy.init(args=words)
     except RuntimeError as error:
-        raise _bad_ros_arguments(error) from None
+        raise _not_started(error) from None
 
 
-def _bad_ros_arguments(error: Exception) -> InputError:
+def _not_started(error: Exception) -> InputError:
+    """Wrong --ros-args, or a log folder that cannot be made."""
     problem = " ".join(str(error).split())
-    return InputError("--ros-args", "", "well-formed ROS arguments are wanted", problem)
+    return InputError("ROS", "", "check --ros-args and ROS_LOG_DIR", problem)

@@ -19,7 +19,7 @@ from rosbags.interfaces import (
 from rosbags.rosbag2 import StoragePlugin, Writer, WriterError
 from rosbags.typesys import Stores, get_typestore
 
-from vehicle_roll_sim.command_line.arguments import OneLineParser
+from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.ros.process import node_main
 from vehicle_roll_sim.ros.topics import COMMANDING, COMMANDS, PUBLISHED, Topic, recording_qos

@@ -10,6 +10,7 @@ from rcl_interfaces.msg import (
     SetParametersResult,
 )
 from rclpy.node import Node
+from rclpy.parameter import Parameter as RosParameter
 
 from vehicle_roll_sim.declaration import (
     InputError,
@@ -20,13 +21,15 @@ from vehicle_roll_sim.declaration import (
     validated,
 )
 from vehicle_roll_sim.model.events import MINIMUM_SPEED
-from vehicle_roll_sim.simulation.command_inbox import CENTRE, HOLD
+from vehicle_roll_sim.simulation.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
     DEFAULT_SPEED,
     DEFAULT_STEP,
+    LONGEST_STEP,
     MAXIMUM_SPEED,
+    SHORTEST_STEP,
 )
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import load_tire
@@ -48,7 +51,9 @@ class Settings:
     """How the simulator runs; the options of the model and the vehicle are declared beside it."""
 
     publish_rate: float = parameter("sets published a second", "Hz", 0.1, 10_000.0, default=100.0)
-    step: float = parameter("integration step", "s", 1e-6, 0.1, default=DEFAULT_STEP)
+    step: float = parameter(
+        "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
+    )
     initial_speed: float = parameter(
         "forward speed after a reset",
         "m/s",
@@ -70,7 +75,7 @@ class Settings:
         0.0,
         3600.0,
         tunable=True,
-        default=0.5,
+        default=DEFAULT_TIMEOUT,
     )
     steering_timeout_policy: str = parameter(
         "what a given-up steering command does", choices=(HOLD, CENTRE), tunable=True, default=HOLD
@@ -100,7 +105,7 @@ class Declared:
 
 def declare(node: Node) -> Declared:
     """Declare all parameters on `node` and read them; raises InputError naming one."""
-    _check_overrides(node)
+    _refuse_unknown(node)
     settings = Settings(**_declare_class(node, Settings))
     options = Options(**_declare_class(node, Options))
     vehicle = load_vehicle(settings.vehicle_file) if settings.vehicle_file else preset()
@@ -129,7 +134,20 @@ def follow_changes(node: Node, settings: Settings) -> None:
             setattr(settings, name, value)
         return SetParametersResult(successful=True)
 
+    node.add_pre_set_parameters_callback(_numbers_for_integers)
     node.add_on_set_parameters_callback(check)
+
+
+def _numbers_for_integers(changes: list) -> list:
+    """An integer serves where a number is wanted, and is kept as a number."""
+    return [
+        RosParameter(change.name, value=float(change.value))
+        if type(change.value) is int
+        and change.name in PARAMETERS
+        and PARAMETERS[change.name].kind is float
+        else change
+        for change in changes
+    ]
 
 
 def _all_parameters() -> dict[str, Parameter]:
@@ -141,12 +159,10 @@ def _all_parameters() -> dict[str, Parameter]:
     }
 
 
-def _check_overrides(node: Node) -> None:
-    """Every parameter that was given must be known and allowed."""
-    for name, given in node._parameter_overrides.items():  # rclpy shows them nowhere else
-        if name in PARAMETERS:
-            PARAMETERS[name].validate(given.value, name)
-        elif not name.startswith(OF_EVERY_NODE):
+def _refuse_unknown(node: Node) -> None:
+    """Every parameter that was given must be known."""
+    for name in node._parameter_overrides:  # rclpy shows them nowhere else
+        if name not in PARAMETERS and not name.startswith(OF_EVERY_NODE):
             raise unknown_name(name, PARAMETERS, "parameter")
 
 
@@ -156,10 +172,10 @@ def _declare_class(node: Node, declaring) -> dict:
 
 
 def _declare(node: Node, name: str, default):
-    """Declare a parameter; its value, which `_check_overrides` has found to be allowed."""
-    declared = PARAMETERS[name]
-    value = node.declare_parameter(name, default, _descriptor(declared)).value
-    return declared.validate(value, name)
+    """Declare a parameter; its value, checked, an integer for a number made a number."""
+    declared, given = PARAMETERS[name], node._parameter_overrides.get(name)
+    value = declared.validate(default if given is None else given.value, name)
+    return node.declare_parameter(name, value, _descriptor(declared), ignore_override=True).value
 
 
 def _descriptor(declared: Parameter) -> ParameterDescriptor:

@@ -10,7 +10,7 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool, Trigger
 
-from vehicle_roll_sim.command_line.arguments import OneLineParser
+from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model import jit
 from vehicle_roll_sim.model.records import WHEELS
@@ -65,6 +65,7 @@ class Simulator(Node):
         self._serve()
         self._publish_set()
         self._publish_rollover()
+        self._catch_up = self.create_guard_condition(self._tick)
         period = self.session.period_ns / NANOSECONDS
         self.create_timer(period, self._tick, clock=self._steady_clock)
         self.create_timer(DIAGNOSTICS_PERIOD, self._report, clock=self._steady_clock)
@@ -78,6 +79,7 @@ class Simulator(Node):
         self._description_publisher = self._publisher(ROBOT_DESCRIPTION)
         self._description_publisher.publish(String(data=robot_description(declared.vehicle)))
         self._sets_since_report = self._overruns_reported = 0
+        self._reported_ns = self._steady_clock.now().nanoseconds
 
     def _publisher(self, topic: Topic):
         return self.create_publisher(topic.type, topic.name, topic.publisher_qos)
@@ -112,11 +114,11 @@ class Simulator(Node):
             )
 
     def _tick(self) -> None:
-        due = self.pacer.due()
-        if self.session.paused:
-            return
-        for _ in range(due):
+        """Run a period that is due; if more are, come back after the messages that wait."""
+        if self.pacer.due() and not self.session.paused:
             self._run_period()
+        if self.pacer.behind:
+            self._catch_up.trigger()
 
     def _run_period(self) -> None:
         inbox, was_stopped = self.session.inbox, self.session.stopped
@@ -137,8 +139,9 @@ class Simulator(Node):
         for publisher, build in self._set_publishers:
             if publisher.get_subscription_count():
                 publisher.publish(build())
-        for publisher, kind in self._transform_publishers:
-            publisher.publish(kind(transforms=self._messages.transforms()))
+        if not self.session.stopped:  # tf2 complains of a transform that comes twice
+            for publisher, kind in self._transform_publishers:
+                publisher.publish(kind(transforms=self._messages.transforms()))
         self._last_stamp_ns = stamp_ns
         self._sets_since_report += 1
 
@@ -146,18 +149,26 @@ class Simulator(Node):
         self._rollover_publisher.publish(Bool(data=self.session.rolled_over))
 
     def _report(self) -> None:
-        rate = self._sets_since_report / DIAGNOSTICS_PERIOD
+        now = self._steady_clock.now().nanoseconds
+        rate = self._sets_since_report * NANOSECONDS / (now - self._reported_ns)
         name = f"{self.get_fully_qualified_name()}: model"
         overruns = self.pacer.overruns - self._overruns_reported
         message = diagnostics(name, self.session, self.pacer, rate, overruns)
-        message.header.stamp = self.get_clock().now().to_msg()
+        message.header.stamp = self._present_stamp()
         self._diagnostics_publisher.publish(message)
-        self._sets_since_report, self._overruns_reported = 0, self.pacer.overruns
+        self._sets_since_report, self._reported_ns = 0, now
+        self._overruns_reported = self.pacer.overruns
         self.pacer.largest_late_ns = 0
 
     def _first_stamp(self) -> int:
         """Where stamps begin (ns): 0 with our own /clock, else the time of the start."""
         return 0 if self.settings.publish_clock else self.get_clock().now().nanoseconds
+
+    def _present_stamp(self):
+        """For messages of no set: the time on the clock that subscribers go by."""
+        if self.settings.publish_clock:
+            return self._messages.stamp
+        return self.get_clock().now().to_msg()
 
     def _reset(self, _, response: Trigger.Response) -> Trigger.Response:
         self.session.reset(self.settings.initial_speed)

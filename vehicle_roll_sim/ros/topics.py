@@ -12,6 +12,7 @@ from sensor_msgs.msg import Imu, JointState
 from std_msgs.msg import Bool, Float64, Float64MultiArray, String, UInt8MultiArray
 
 from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.simulation.command_inbox import channels
 
 SENT = QoSProfile(depth=10)
 """Of what the simulator publishes: reliable, volatile."""
@@ -33,11 +34,9 @@ class Topic:
         return LATCHED if self.latched else SENT
 
 
-COMMANDS = (
-    Topic("steering_cmd", Float64),
-    Topic("rear_steering_cmd", Float64),
-    Topic("wheel_torque_cmd", Float64MultiArray),
-    Topic("normal_force_cmd", Float64MultiArray),
+COMMANDS = tuple(
+    Topic(name, Float64 if channel.size == 1 else Float64MultiArray)
+    for name, channel in channels().items()
 )
 STATE_SET = (
     Topic("state", Float64MultiArray),
@@ -68,7 +67,6 @@ def _transforms() -> tuple[Topic, ...]:
 
 TRANSFORMS = _transforms()
 PUBLISHED = (*STATE_SET, ROLLOVER, ROBOT_DESCRIPTION, DIAGNOSTICS, CLOCK, *TRANSFORMS)
-STATE_TOPIC, APPLIED_COMMAND_TOPIC = "state", "applied_command"
 
 
 def recording_qos(topic: Topic) -> QoSProfile:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.records import COMMAND, WHEELS
 
 NO_FORCE = (0.0,) * len(WHEELS)
@@ -17,7 +18,8 @@ class Command:
     steering, rear_steering: road-wheel angle of both wheels of an axle (rad, left positive).
     wheel_torque: external torque at each wheel (N m, signed). normal_force: active force at each
     suspension corner (N, positive pushes the body up). speed_hold_gain, speed_hold_target: at each
-    rear wheel a further torque gain * (target - u), in N m per m/s and m/s.
+    rear wheel a further torque gain * (target - u), in N m per m/s and m/s. Raises InputError for a
+    value that is not finite.
     """
 
     steering: float = 0.0
@@ -26,6 +28,11 @@ class Command:
     normal_force: tuple[float, float, float, float] = NO_FORCE
     speed_hold_gain: float = 0.0
     speed_hold_target: float = 0.0
+
+    def __post_init__(self):
+        for name, value in vars(self).items():
+            if not np.all(np.isfinite(value)):
+                raise InputError(name, value, "finite numbers")
 
     def records(self) -> np.ndarray:
         """The command as the equations take it: one COMMAND record in an array."""

@@ -4,12 +4,13 @@ import dataclasses
 import math
 from collections.abc import Sequence
 
-import numpy as np
-
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import NO_FORCE, Command
+from vehicle_roll_sim.simulation.simulation import NANOSECONDS
 
 HOLD, CENTRE = "hold", "centre"
+DEFAULT_TIMEOUT = 0.5
+"""s, simulated"""
 
 
 @dataclasses.dataclass
@@ -29,16 +30,14 @@ class Channel:
         return self.size == 1
 
 
-def _channels() -> dict[str, Channel]:
+def channels() -> dict[str, Channel]:
+    """Every command topic, with nothing received yet."""
     return {
         "steering_cmd": Channel("steering", 1),
         "rear_steering_cmd": Channel("rear_steering", 1),
         "wheel_torque_cmd": Channel("wheel_torque", WHEEL_COUNT),
         "normal_force_cmd": Channel("normal_force", WHEEL_COUNT),
     }
-
-
-TOPICS = tuple(_channels())
 
 
 class CommandInbox:
@@ -49,9 +48,9 @@ class CommandInbox:
     `hold` or `centre`.
     """
 
-    def __init__(self, timeout: float = 0.5, steering_policy: str = HOLD):
+    def __init__(self, timeout: float = DEFAULT_TIMEOUT, steering_policy: str = HOLD):
         self.timeout, self.steering_policy = timeout, steering_policy
-        self.channels = _channels()
+        self.channels = channels()
 
     def receive(self, topic: str, values: Sequence[float], now_ns: int) -> str:
         """Keep a message come at simulated time `now_ns`; returns why it was dropped, or ''."""
@@ -83,7 +82,7 @@ class CommandInbox:
         """Whether a topic has brought messages once, but none within the timeout."""
         if channel.arrival_ns is None or self.timeout == 0.0:
             return False
-        return now_ns - channel.arrival_ns > round(self.timeout * 1e9)
+        return now_ns - channel.arrival_ns > round(self.timeout * NANOSECONDS)
 
     def clear(self) -> None:
         """Forget all commands; the counts go on."""
@@ -96,5 +95,5 @@ def _problem(values: Sequence[float], size: int) -> str:
     if len(values) != size:
         return f"{len(values)} values, {size} are expected"
     if not all(map(math.isfinite, values)):
-        return f"{list(np.asarray(values))}: every value must be finite"
+        return f"{list(map(float, values))}: every value must be finite"
     return ""

@@ -8,29 +8,52 @@ from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError
 
+FIGURE_FORMATS = (".png", ".svg", ".pdf")
+
 
 def check_writable(path: Path, field: str) -> None:
     """Raise InputError naming `field` if no file can be made at `path`."""
-    folder = path.parent
-    if path.is_dir():
-        raise InputError(field, str(path), "a file, this is a folder")
+    folder = path.resolve().parent
+    if path.exists() and not path.is_file():
+        raise InputError(field, str(path), "an ordinary file, no folder, pipe or device")
     if not folder.is_dir():
         raise InputError(field, str(path), f"a file in a folder that exists, {folder} does not")
     if not os.access(folder, os.W_OK):
         raise InputError(field, str(path), f"a file in a folder that can be written, not {folder}")
 
 
+def check_figure_format(path: Path, field: str) -> None:
+    """Raise InputError naming `field` if figures are not drawn in the format of `path`."""
+    if path.suffix.lower() not in FIGURE_FORMATS:
+        raise InputError(field, str(path), "a name that ends in " + ", ".join(FIGURE_FORMATS))
+
+
 @contextlib.contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
-    """A path to write to, in the folder of `path` and with its suffix, moved there at the end."""
+    """A path to write to, in the folder of `path` and with its suffix, moved there at the end.
+
+    Raises InputError if the system does not let it be written.
+    """
+    path = path.resolve()  # a link stays, what it leads to is replaced
+    try:
+        with _partial_file(path) as partial:
+            yield partial
+            mask = os.umask(0)
+            os.umask(mask)
+            partial.chmod(0o666 & ~mask)
+            partial.replace(path)
+    except OSError as error:
+        wanted = "a place that can be written to"
+        raise InputError(f"file {path}", "", wanted, error.strerror) from None
+
+
+@contextlib.contextmanager
+def _partial_file(path: Path) -> Iterator[Path]:
+    """A new, hidden file in the folder of `path`, gone in the end unless it was moved away."""
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
     os.close(handle)
     partial = Path(name)
     try:
         yield partial
-        mask = os.umask(0)
-        os.umask(mask)
-        partial.chmod(0o666 & ~mask)
-        partial.replace(path)
     finally:
         partial.unlink(missing_ok=True)

@@ -10,10 +10,10 @@ EARLY = 0.5
 
 
 class Pacer:
-    """How many periods of `period_ns` are due, by absolute deadlines.
+    """When the periods of `period_ns` are due, by absolute deadlines.
 
-    clock: returns ns and never goes back. late_ns: how late the last call was; largest_late_ns:
-    the most since it was last set to 0; overruns: periods given up.
+    clock: returns ns and never goes back. largest_late_ns: the most that a period came late since
+    this was last set to 0; overruns: periods given up.
     """
 
     def __init__(self, period_ns: int, clock: Callable[[], int] = time.monotonic_ns):
@@ -24,20 +24,23 @@ class Pacer:
     def restart(self) -> None:
         """The first period is due one period after the next call of `due`."""
         self.deadline_ns: int | None = None
-        self.late_ns = self.largest_late_ns = 0
+        self.largest_late_ns = 0
 
-    def due(self) -> int:
-        """Number of periods to run now; they count as run."""
+    def due(self) -> bool:
+        """Whether to run a period now; it then counts as run."""
         now = self.clock()
         if self.deadline_ns is None:
             self.deadline_ns = now + self.period_ns
         late = now - self.deadline_ns
         if late < -self.period_ns * EARLY:
-            return 0
-        self.late_ns = max(late, 0)
-        self.largest_late_ns = max(self.largest_late_ns, self.late_ns)
+            return False
+        self.largest_late_ns = max(self.largest_late_ns, late)
         given_up = max(late - LARGEST_CATCH_UP_NS, 0) // self.period_ns
         self.overruns += given_up
-        count = self.late_ns // self.period_ns + 1
-        self.deadline_ns += count * self.period_ns
-        return count - given_up
+        self.deadline_ns += (given_up + 1) * self.period_ns
+        return True
+
+    @property
+    def behind(self) -> bool:
+        """Whether the deadline of the next period has passed already."""
+        return self.deadline_ns is not None and self.clock() >= self.deadline_ns

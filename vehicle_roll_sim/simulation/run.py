@@ -10,13 +10,16 @@ from vehicle_roll_sim.simulation.command import Programme
 from vehicle_roll_sim.simulation.history import History, row_of
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
 
+DEFAULT_SAMPLE = 0.01
+"""s between two rows"""
+
 
 def run(
     simulation: Simulation,
     programme: Programme,
     duration: float,
     *,
-    sample: float = 0.01,
+    sample: float = DEFAULT_SAMPLE,
     command_period: float = 0.0,
     progress: Callable[[float], None] = lambda seconds: None,
 ) -> History:

@@ -17,19 +17,20 @@ from vehicle_roll_sim.model.events import (
 )
 from vehicle_roll_sim.model.integrator import STAGE_VECTORS
 from vehicle_roll_sim.model.jit import has_compiled_code, kernel_argument
-from vehicle_roll_sim.model.records import OUTPUTS, STATE, STATE_SIZE, WHEELS
+from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE, WHEELS
 from vehicle_roll_sim.simulation.command import Command, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
-DEFAULT_STEP = 0.001
+DEFAULT_STEP, SHORTEST_STEP, LONGEST_STEP = 0.001, 1e-6, 0.1
 """s"""
 DEFAULT_SPEED = 50 / 3.6
 """m/s: the 50 km/h of the source's manoeuvres."""
 MAXIMUM_SPEED = 100.0
 """m/s"""
-DEFAULT_ROLLOVER_ANGLE = math.radians(85.0)
+DEFAULT_ROLLOVER_DEGREES = 85.0
+DEFAULT_ROLLOVER_ANGLE = math.radians(DEFAULT_ROLLOVER_DEGREES)
 NANOSECONDS = 1_000_000_000
 STATE_NAMES = tuple(
     f"{name}_{wheel}" if STATE[name].shape else name
@@ -72,8 +73,9 @@ class Simulation:
         step: float = DEFAULT_STEP,
         rollover_angle: float = DEFAULT_ROLLOVER_ANGLE,
     ):
-        if not 1e-6 <= step <= 0.1:
-            raise InputError("step", step, "a number from 1e-06 to 0.1 s")
+        if not SHORTEST_STEP <= step <= LONGEST_STEP:
+            allowed = f"a number from {SHORTEST_STEP:g} to {LONGEST_STEP:g} s"
+            raise InputError("step", step, allowed)
         if not 0.0 < rollover_angle <= math.pi / 2:
             raise InputError("rollover_angle", rollover_angle, "an angle up to 1.5708 rad")
         self.vehicle, self.options = vehicle, options or Options()
@@ -84,7 +86,7 @@ class Simulation:
         self._limits["minimum_speed"] = MINIMUM_SPEED
         self._limits["largest"] = plausible_magnitudes()
         parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
-        self._plant = tuple(kernel_argument(part) for part in parts)
+        self._plant = tuple(kernel_argument(part) for part in (*parts, Command().records()))
         self._state = np.zeros(1, STATE)
         self._outputs = np.zeros(1, OUTPUTS)
         self._events = no_events()
@@ -133,7 +135,11 @@ class Simulation:
         if isinstance(command, Command):
             return command.records()
         halves = np.arange(2 * steps + 1)
-        return command((self.time_ns + halves * (self.step_ns / 2)) * SECONDS)
+        records = command((self.time_ns + halves * (self.step_ns / 2)) * SECONDS)
+        if records.dtype != COMMAND or len(records) not in (1, len(halves)):
+            wanted = f"one COMMAND record, or one for each of the {len(halves)} times"
+            raise InputError("command", f"{len(records)} records of {records.dtype}", wanted)
+        return records
 
     def _advance(self, commands: np.ndarray, steps: int) -> None:
         arguments = (

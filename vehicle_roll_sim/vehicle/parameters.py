@@ -62,6 +62,7 @@ class Vehicle:
     tire: Tire = dataclasses.field(kw_only=True)
 
     def __post_init__(self):
+        validated(Vehicle, {name: getattr(self, name) for name in parameters_of(Vehicle)})
         _check_inertias(self)
         _check_fits_on_its_wheels(self)
 

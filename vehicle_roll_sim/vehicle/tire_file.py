@@ -74,7 +74,7 @@ def load_tire(path: str | Path) -> Tire:
     for name in ("FNOMIN", "LFZO"):
         if coefficients[name] <= 0.0:
             raise InputError(f"{path}: {name}", coefficients[name], "a number above 0")
-    for name in ("PCX1", "PCY1", "PKY2"):
+    for name in ("PCX1", "LCX", "PCY1", "LCY", "PKY2"):
         if coefficients[name] == 0.0:
             raise InputError(f"{path}: {name}", 0.0, "any number but 0")
     side = values.get("TYRESIDE", "left").lower()

@@ -1,20 +1,21 @@
 """Command-line options from the declarations, and errors in one line."""
 
 import argparse
-import dataclasses
 import os
+import re
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, unknown_name
-from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.tire_file import load_tire
-from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
 WRONG_INPUT = 2
 """Exit status after wrong usage or input."""
 INTERRUPTED = 130
 """Exit status after Ctrl-C, as shells have it."""
+
+
+NEGATIVE_NUMBER = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
 
 class OneLineParser(argparse.ArgumentParser):
@@ -23,6 +24,7 @@ class OneLineParser(argparse.ArgumentParser):
     def __init__(self, **settings):
         settings.setdefault("allow_abbrev", False)
         super().__init__(**settings)
+        self._negative_number_matcher = NEGATIVE_NUMBER  # argparse's own knows no exponent
 
     def error(self, message: str):
         unknown = message.partition("unrecognized arguments: ")[2].split()
@@ -79,43 +81,21 @@ def declared_values(arguments: argparse.Namespace, declaring) -> dict:
         if given is None:
             continue
         if parameter.kind is float:
-            given = _number(given, option_name(parameter), parameter)
+            given = number(given, option_name(parameter), parameter)
         values[name] = parameter.validate(given, option_name(parameter))
     return values
 
 
-def _number(text: str, field: str, parameter: Parameter) -> float:
+def number(text: str, field: str, parameter: Parameter) -> float:
+    """The number that a word on the command line is; raises InputError naming `field`."""
     try:
         return float(text)
     except ValueError:
         raise InputError(field, text, parameter.allowed) from None
 
 
-def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
-    group = parser.add_argument_group("vehicle")
-    group.add_argument("--vehicle", metavar="FILE.yaml", help="vehicle file (default: reference)")
-    group.add_argument("--tire", metavar="FILE.tir", help="tire file in place of the vehicle's")
-    group.add_argument(
-        "--set",
-        metavar="NAME=VALUE",
-        action="append",
-        default=[],
-        help="a value in place of the vehicle file's; may be given many times",
-    )
-
-
-def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
-    """The vehicle that the options of `add_vehicle_options` describe."""
-    vehicle = load_vehicle(arguments.vehicle) if arguments.vehicle else preset()
-    if arguments.tire:
-        vehicle = dataclasses.replace(vehicle, tire=load_tire(arguments.tire))
-    known = parameters_of(Vehicle)
-    values = {}
-    for assignment in arguments.set:
-        name, equals, text = assignment.partition("=")
-        if not equals:
-            raise InputError("--set", assignment, "NAME=VALUE")
-        if name not in known:
-            raise unknown_name(name, known, "--set")
-        values[name] = _number(text, f"--set {name}", known[name])
-    return vehicle.with_values(values, "--set ")
+def named_file(text: str | None, option: str) -> Path | None:
+    """The file that an option names, None where it was not given."""
+    if text == "":
+        raise InputError(option, text, "the name of a file")
+    return Path(text) if text else None

@@ -1,0 +1,42 @@
+"""The options that say which vehicle."""
+
+import argparse
+import dataclasses
+
+from vehicle_roll_sim.arguments import named_file, number
+from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.tire_file import load_tire
+from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
+
+
+def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("vehicle")
+    group.add_argument("--vehicle", metavar="FILE.yaml", help="vehicle file (default: reference)")
+    group.add_argument("--tire", metavar="FILE.tir", help="tire file in place of the vehicle's")
+    group.add_argument(
+        "--set",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="a value in place of the vehicle file's; may be given many times",
+    )
+
+
+def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
+    """The vehicle that the options of `add_vehicle_options` describe."""
+    vehicle_file = named_file(arguments.vehicle, "--vehicle")
+    tire_file = named_file(arguments.tire, "--tire")
+    vehicle = load_vehicle(vehicle_file) if vehicle_file else preset()
+    if tire_file:
+        vehicle = dataclasses.replace(vehicle, tire=load_tire(tire_file))
+    known = parameters_of(Vehicle)
+    values = {}
+    for assignment in arguments.set:
+        name, equals, text = assignment.partition("=")
+        if not equals:
+            raise InputError("--set", assignment, "NAME=VALUE")
+        if name not in known:
+            raise unknown_name(name, known, "--set")
+        values[name] = number(text, f"--set {name}", known[name])
+    return vehicle.with_values(values, "--set ")
