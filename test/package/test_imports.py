@@ -1,0 +1,99 @@
+"""Imports point one way, from the command line and the nodes down to the model."""
+
+import ast
+import subprocess
+import sys
+
+import pytest
+
+PACKAGE = "vehicle_roll_sim"
+LAYERS = ("model", "vehicle", "simulation", "manoeuvres", "analysis")
+"""From the bottom up; each may import those before it."""
+MAY_IMPORT = {
+    **{layer: {layer, *LAYERS[:rank]} for rank, layer in enumerate(LAYERS)},
+    "arguments": {"arguments"},
+    "command_line": {"command_line", "arguments", *LAYERS},
+    "ros": {"ros", "arguments", *LAYERS},
+}
+EVERYONE_MAY_IMPORT = "declaration"
+MODEL_MAY_USE = {"numpy", "numba"}
+
+
+def imports_of(text: str) -> set[str]:
+    """Dotted names of all modules that a source imports, names in them left out."""
+    found = set()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            found |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return found
+
+
+@pytest.fixture(scope="module")
+def own_imports(sources) -> list[tuple[str, str]]:
+    """(importing, imported) modules of the package, both without its name in front."""
+    pairs = []
+    for importing, text in sources.items():
+        for imported in imports_of(text):
+            while imported not in sources and "." in imported:
+                imported = imported.rpartition(".")[0]
+            if imported in sources:
+                pairs.append((importing.partition(".")[2], imported.partition(".")[2]))
+    return pairs
+
+
+def is_within(module: str, part: str) -> bool:
+    return module == part or module.startswith(f"{part}.")
+
+
+def test_there_are_these_parts_and_no_others(sources):
+    parts = {name.split(".")[1] for name in sources if name.count(".") >= 1}
+    assert parts == {*MAY_IMPORT, EVERYONE_MAY_IMPORT, "__main__"}
+
+
+@pytest.mark.parametrize("part", MAY_IMPORT)
+def test_a_part_imports_only_what_is_below_it(own_imports, part):
+    allowed = {*MAY_IMPORT[part], EVERYONE_MAY_IMPORT}
+    for importing, imported in own_imports:
+        if is_within(importing, part):
+            assert any(is_within(imported, each) for each in allowed), (importing, imported)
+
+
+def test_the_declarations_import_nothing_of_the_package(own_imports):
+    assert not [pair for pair in own_imports if pair[0] == EVERYONE_MAY_IMPORT]
+
+
+def test_the_model_is_mathematics_without_declarations_files_or_ros(sources, own_imports):
+    for importing, imported in own_imports:
+        if is_within(importing, "model"):
+            assert is_within(imported, "model"), (importing, imported)
+    for name, text in sources.items():
+        if is_within(name, f"{PACKAGE}.model"):
+            outside = {i.partition(".")[0] for i in imports_of(text)} - {PACKAGE}
+            assert outside <= MODEL_MAY_USE | set(sys.stdlib_module_names), name
+
+
+def test_only_the_part_ros_imports_anything_of_ros(sources):
+    for name, text in sources.items():
+        roots = {imported.partition(".")[0] for imported in imports_of(text)}
+        of_ros = {
+            r
+            for r in roots
+            if r in ("rclpy", "rosbags") or r.endswith(("_msgs", "_srvs", "_interfaces"))
+        }
+        assert not of_ros or is_within(name, f"{PACKAGE}.ros"), (name, of_ros)
+
+
+def test_library_and_command_run_where_there_is_no_ros(tmp_path):
+    program = (
+        "import sys; sys.modules.update(dict.fromkeys(('rclpy', 'std_msgs', 'rosbags')));"
+        "from vehicle_roll_sim.command_line.main import main;"
+        "sys.exit(main(['run', 'step_steer', '--duration', '0.1']))"
+    )
+    words = [sys.executable, "-c", program]
+    result = subprocess.run(
+        words, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "0.100 s, complete" in result.stdout

@@ -1,0 +1,96 @@
+"""What `colcon build` installs: where `ros2 run` looks, and complete enough to run."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from vehicle_roll_sim.command_line.main import main
+
+EXECUTABLES = ("simulator", "manoeuvre", "recorder", "demo", "vehicle_roll_sim")
+PACKAGE = "vehicle_roll_sim"
+
+
+@pytest.fixture
+def site_packages(installed) -> Path:
+    (folder,) = installed.glob("lib/python3*/site-packages")
+    return folder
+
+
+def test_the_executables_lie_where_ros2_run_finds_them_and_no_others(installed):
+    folder = installed / "lib" / PACKAGE
+    found = {file.name for file in folder.iterdir() if file.is_file()}
+    assert found == set(EXECUTABLES)
+    for name in EXECUTABLES:
+        assert os.access(folder / name, os.X_OK)
+
+
+def test_the_package_is_in_the_resource_index_with_its_manifest(installed, root):
+    assert (installed / "share/ament_index/resource_index/packages" / PACKAGE).is_file()
+    manifest = installed / "share" / PACKAGE / "package.xml"
+    assert manifest.read_bytes() == (root / "package.xml").read_bytes()
+
+
+def test_presets_are_shared_as_files_for_users_to_copy(installed, root):
+    shared = {
+        file.name: file.read_bytes()
+        for file in (installed / "share" / PACKAGE / "presets").iterdir()
+    }
+    presets = root / PACKAGE / "vehicle" / "presets"
+    assert {"reference.yaml", "reference.tir"} <= set(shared)
+    assert shared == {file.name: file.read_bytes() for file in presets.iterdir()}
+
+
+def test_every_module_of_the_checkout_is_installed(site_packages, sources):
+    installed = {
+        ".".join(path.relative_to(site_packages).with_suffix("").parts).removesuffix(".__init__")
+        for path in (site_packages / PACKAGE).rglob("*.py")
+    }
+    assert installed == set(sources)
+
+
+@pytest.fixture
+def run_installed(installed, site_packages, environment, tmp_path):
+    """Runs words with the install space in front of any other installation."""
+
+    def call(*words) -> subprocess.CompletedProcess:
+        # plain Python: compiling for a new place would take some 20 s
+        ours = {"PYTHONPATH": str(site_packages), "NUMBA_DISABLE_JIT": "1"}
+        return subprocess.run(
+            [str(word) for word in words],
+            cwd=tmp_path,
+            env=environment | ours,
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=False,
+        )
+
+    return call
+
+
+def test_the_installed_command_runs_a_manoeuvre_like_the_one_of_the_checkout(
+    run_installed, installed, capsys
+):
+    words = ["run", "step_steer", "--start", "0", "--duration", "0.2"]
+    assert main(words) == 0
+    result = run_installed(installed / "lib" / PACKAGE / PACKAGE, *words)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout == capsys.readouterr().out
+    assert "0.200 s, complete" in result.stdout
+
+
+def test_the_installed_package_reads_its_own_presets(run_installed, installed):
+    program = (
+        "import vehicle_roll_sim, importlib.resources as r;"
+        "print(vehicle_roll_sim.__file__);"
+        "print(r.files('vehicle_roll_sim.vehicle') / 'presets');"
+        "print(vehicle_roll_sim.preset('reference').sprung_mass)"
+    )
+    result = run_installed("python", "-c", program)
+    assert result.returncode == 0, result.stderr
+    module, presets, mass = result.stdout.splitlines()
+    assert Path(module).is_relative_to(installed)
+    assert Path(presets).is_relative_to(installed)
+    assert float(mass) == 1440.0

@@ -1,0 +1,89 @@
+"""package.xml, setup.py and the sources say the same."""
+
+import ast
+import re
+import subprocess
+import sys
+from xml.etree import ElementTree
+
+import pytest
+
+PACKAGE = "vehicle_roll_sim"
+NOT_OF_ROS = {"numpy", "yaml", "tqdm", "matplotlib", "numba", "rosbags"}
+"""Libraries whose names in package.xml are rosdep keys, or that come from pip."""
+ROSDEP_KEYS = {
+    "numpy": "python3-numpy",
+    "yaml": "python3-yaml",
+    "tqdm": "python3-tqdm",
+    "matplotlib": "python3-matplotlib",
+}
+
+
+@pytest.fixture(scope="module")
+def manifest(root) -> ElementTree.Element:
+    return ElementTree.parse(root / "package.xml").getroot()
+
+
+@pytest.fixture(scope="module")
+def imported(sources) -> set[str]:
+    """Top-level names of all that is imported but the standard library and the package itself."""
+    names = set()
+    for text in sources.values():
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.Import):
+                names |= {alias.name.partition(".")[0] for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                assert node.level == 0, "imports are absolute"
+                names.add(node.module.partition(".")[0])
+    return names - set(sys.stdlib_module_names) - {PACKAGE}
+
+
+def setup_says(root, *options: str) -> list[str]:
+    words = [sys.executable, "setup.py", "--quiet", *options]
+    return subprocess.run(
+        words, cwd=root, capture_output=True, text=True, timeout=60, check=True
+    ).stdout.split("\n")[: len(options)]
+
+
+def test_it_is_a_format_3_manifest_of_an_ament_python_package(manifest):
+    assert manifest.tag == "package"
+    assert manifest.get("format") == "3"
+    assert manifest.findtext("name") == PACKAGE
+    assert manifest.findtext("export/build_type") == "ament_python"
+    assert manifest.findtext("description").strip()
+
+
+def test_name_version_and_license_are_those_of_setup(manifest, root):
+    name, version, license_name = setup_says(root, "--name", "--version", "--license")
+    assert re.fullmatch(r"\d+\.\d+\.\d+", version)
+    assert manifest.findtext("version") == version
+    assert manifest.findtext("name") == name
+    assert manifest.findtext("license") == license_name == "Apache-2.0"
+    assert "Apache License" in (root / "LICENSE").read_text()
+
+
+def test_there_is_a_maintainer_with_an_address(manifest):
+    (maintainer,) = manifest.findall("maintainer")
+    assert maintainer.text.strip()
+    assert "@" in maintainer.get("email")
+
+
+def test_every_package_of_ros_that_is_imported_is_depended_on_and_no_other(manifest, imported):
+    declared = {node.text for node in manifest.findall("exec_depend")}
+    of_ros = {name for name in declared if not name.startswith("python3-")}
+    assert of_ros - imported <= {"rosgraph_msgs"}
+    assert imported - NOT_OF_ROS == of_ros & imported
+
+
+def test_every_library_that_is_imported_is_depended_on_or_known_to_come_from_pip(
+    manifest, imported
+):
+    declared = {node.text for node in manifest.findall("exec_depend")}
+    for name, key in ROSDEP_KEYS.items():
+        assert (name in imported) == (key in declared)
+
+
+def test_a_dependency_is_declared_once(manifest):
+    for kind in ("exec_depend", "test_depend"):
+        names = [node.text for node in manifest.findall(kind)]
+        assert len(names) == len(set(names))
