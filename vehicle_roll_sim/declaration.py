@@ -18,8 +18,13 @@ class InputError(ValueError):
 
     def __init__(self, field: str, value, allowed: str, problem: str = ""):
         problem = problem or ("missing" if value is None else f"{_shown(value)} is not allowed")
-        super().__init__(f"{field}: {problem}: {allowed}")
+        super().__init__(_in_one_line(f"{field}: {problem}: {allowed}"))
         self.field, self.value, self.allowed = field, value, allowed
+
+
+def _in_one_line(text: str) -> str:
+    """Characters that are not printable, such as a new line in a file's name, written out."""
+    return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
 
 
 def _shown(value) -> str:

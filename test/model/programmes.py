@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim import Condition, Options, Simulation, Tire, Vehicle
-from vehicle_roll_sim.model.advance import SECONDS
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.fourteen_dof import derivatives
 from vehicle_roll_sim.model.jit import kernel_argument
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
@@ -50,7 +50,7 @@ class Run:
 
 def record_run(simulation: Simulation, command, duration: float) -> Run:
     """Step until `duration` (s) or the run stops, keeping everything after every step."""
-    step = simulation.step_ns * SECONDS
+    step = simulation.step_ns / NANOSECONDS
     kept = [_copy(simulation)]
     while simulation.time < duration - step / 2 and simulation.condition is Condition.RUNNING:
         simulation.step(command, step)

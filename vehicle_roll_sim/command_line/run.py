@@ -17,6 +17,7 @@ from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, c
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
@@ -28,6 +29,7 @@ from vehicle_roll_sim.simulation.simulation import (
     SHORTEST_STEP,
     Simulation,
     compile_model,
+    whole_steps,
 )
 from vehicle_roll_sim.simulation.summary import line, summary_lines
 
@@ -68,6 +70,7 @@ def run_command(words: list[str], program: str) -> int:
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
     settings = RunSettings(**declared_values(arguments, RunSettings))
     manoeuvre = _adjusted(manoeuvre, arguments, settings)
+    _check_multiples(manoeuvre, settings)
     csv, plot = _result_files(arguments)
     vehicle = chosen_vehicle(arguments)
     compile_model()
@@ -113,6 +116,15 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     group.add_argument("--csv", metavar="FILE", help="write the samples")
     group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
     return parser
+
+
+def _check_multiples(manoeuvre: Manoeuvre, settings: RunSettings) -> None:
+    """Times that the run is divided into must be multiples of the step."""
+    step_ns = round(settings.step * NANOSECONDS)
+    whole_steps(manoeuvre.duration, step_ns, "--duration")
+    whole_steps(settings.sample, step_ns, "--sample")
+    if settings.command_period:
+        whole_steps(settings.command_period, step_ns, "--command-period")
 
 
 def _result_files(arguments: argparse.Namespace) -> tuple[Path | None, Path | None]:

@@ -11,8 +11,8 @@ from vehicle_roll_sim.model.fourteen_dof import derivatives
 from vehicle_roll_sim.model.integrator import BEFORE, K1, rk4_step
 from vehicle_roll_sim.model.jit import kernel
 
-SECONDS = 1e-9
-"""Seconds in a nanosecond, the unit of simulated time."""
+NANOSECONDS = 1_000_000_000
+"""Nanoseconds, the unit of simulated time, in a second. Dividing by them rounds correctly."""
 
 
 @kernel
@@ -34,14 +34,14 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     out, seen = outputs[0], events[0]
     car = (vehicle, tire, options, out)
     stride = 0 if len(commands) == 1 else 1
-    step = step_ns * SECONDS
+    step = step_ns / NANOSECONDS
     taken, condition = 0, Condition.RUNNING
     culprit = most_implausible(state, limits.largest)
     if culprit >= 0:
         return taken, Condition.DIVERGED, culprit
     derivatives(state, commands[0], vehicle, tire, options, out, stages[K1])
     while taken < steps and condition == Condition.RUNNING:
-        time = (start_ns + taken * step_ns) * SECONDS
+        time = (start_ns + taken * step_ns) / NANOSECONDS
         note_peaks(time, state, tire, out, seen)
         stages[BEFORE, :] = state
         row = 2 * taken * stride
@@ -56,5 +56,5 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
             condition = condition_of(state, limits)
         last = idle if condition == Condition.DIVERGED else commands[2 * taken * stride]
         derivatives(state, last, vehicle, tire, options, out, stages[K1])
-    note_peaks((start_ns + taken * step_ns) * SECONDS, state, tire, out, seen)
+    note_peaks((start_ns + taken * step_ns) / NANOSECONDS, state, tire, out, seen)
     return taken, condition, culprit

@@ -46,12 +46,12 @@ math = standard_math if COMPILED else _quiet_math()
 
 
 def _source_fingerprint() -> str:
-    """Hash of every source file of the model.
+    """Hash of every source file of the model and of where they lie.
 
     numba renews its cache when the file of a function changes, but not when a function that it
     calls, in another file, does; a folder named after all of the sources does both.
     """
-    digest = hashlib.sha256()
+    digest = hashlib.sha256(__file__.encode())
     for source in sorted(Path(__file__).parent.glob("*.py")):
         digest.update(source.read_bytes())
     return digest.hexdigest()[:16]

@@ -9,10 +9,11 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu, JointState
 from std_msgs.msg import Float64, Float64MultiArray, MultiArrayDimension, UInt8MultiArray
 
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, WHEEL_COUNT, WHEELS
 from vehicle_roll_sim.simulation.session import Session
-from vehicle_roll_sim.simulation.simulation import NANOSECONDS, STATE_NAMES
+from vehicle_roll_sim.simulation.simulation import STATE_NAMES
 
 STATE_LABELS = ("time", *STATE_NAMES[:MODEL_STATE_SIZE])
 COMMAND_LABELS = (

@@ -4,9 +4,9 @@ import dataclasses
 import math
 from collections.abc import Sequence
 
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import NO_FORCE, Command
-from vehicle_roll_sim.simulation.simulation import NANOSECONDS
 
 HOLD, CENTRE = "hold", "centre"
 DEFAULT_TIMEOUT = 0.5

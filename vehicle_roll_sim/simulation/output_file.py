@@ -16,6 +16,8 @@ def check_writable(path: Path, field: str) -> None:
     folder = path.resolve().parent
     if path.exists() and not path.is_file():
         raise InputError(field, str(path), "an ordinary file, no folder, pipe or device")
+    if path.exists() and not os.access(path, os.W_OK):
+        raise InputError(field, str(path), "a file that may be written")
     if not folder.is_dir():
         raise InputError(field, str(path), f"a file in a folder that exists, {folder} does not")
     if not os.access(folder, os.W_OK):

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vehicle_roll_sim.model.advance import SECONDS
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.command import Programme
 from vehicle_roll_sim.simulation.history import History, row_of
@@ -39,14 +39,14 @@ def run(
     held = None
     while simulation.time_ns < end and simulation.condition is Condition.RUNNING:
         now = simulation.time_ns
-        if period and now % period == 0:
-            held = hold(programme, now * SECONDS)
+        if period and (held is None or now % period == 0):
+            held = hold(programme, now / NANOSECONDS)
         until = min(_next(now, every), end, _next(now, period) if period else end)
-        simulation.step(held or programme, (until - now) * SECONDS)
+        simulation.step(held or programme, (until - now) / NANOSECONDS)
         ended = simulation.time_ns == end or simulation.condition is not Condition.RUNNING
         if ended or simulation.time_ns % every == 0:
             rows.append(row_of(simulation))
-        progress((simulation.time_ns - now) * SECONDS)
+        progress((simulation.time_ns - now) / NANOSECONDS)
     return History(rows)
 
 

@@ -1,6 +1,6 @@
 """A simulation that is driven from outside, a publish period at a time. No ROS, no clock."""
 
-from vehicle_roll_sim.model.advance import SECONDS
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
@@ -31,7 +31,7 @@ class Session:
         if self.stopped:
             return
         self.applied = self.inbox.command(self.simulation.time_ns)
-        self.simulation.step(self.applied, self.period_ns * SECONDS)
+        self.simulation.step(self.applied, self.period_ns / NANOSECONDS)
 
     @property
     def stopped(self) -> bool:

@@ -6,7 +6,7 @@ import sys
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.advance import SECONDS, advance
+from vehicle_roll_sim.model.advance import NANOSECONDS, advance
 from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.events import (
     LIMITS,
@@ -31,7 +31,6 @@ MAXIMUM_SPEED = 100.0
 """m/s"""
 DEFAULT_ROLLOVER_DEGREES = 85.0
 DEFAULT_ROLLOVER_ANGLE = math.radians(DEFAULT_ROLLOVER_DEGREES)
-NANOSECONDS = 1_000_000_000
 STATE_NAMES = tuple(
     f"{name}_{wheel}" if STATE[name].shape else name
     for name in STATE.names
@@ -44,7 +43,7 @@ def whole_steps(duration: float, step_ns: int, field: str) -> int:
     """How many steps make `duration` (s); raises InputError naming `field` if no whole number."""
     wanted = duration * NANOSECONDS / step_ns if math.isfinite(duration) else math.nan
     if not wanted >= 1 - 1e-6 or abs(wanted - round(wanted)) > 1e-6 * max(1.0, wanted / 1e6):
-        raise InputError(field, duration, f"a multiple of the step, {step_ns * SECONDS:g} s")
+        raise InputError(field, duration, f"a multiple of the step, {step_ns / NANOSECONDS:g} s")
     return round(wanted)
 
 
@@ -96,7 +95,7 @@ class Simulation:
 
     @property
     def time(self) -> float:
-        return self.time_ns * SECONDS
+        return self.time_ns / NANOSECONDS
 
     @property
     def state_vector(self) -> np.ndarray:
@@ -135,7 +134,7 @@ class Simulation:
         if isinstance(command, Command):
             return command.records()
         halves = np.arange(2 * steps + 1)
-        records = command((self.time_ns + halves * (self.step_ns / 2)) * SECONDS)
+        records = command((self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS)
         if records.dtype != COMMAND or len(records) not in (1, len(halves)):
             wanted = f"one COMMAND record, or one for each of the {len(halves)} times"
             raise InputError("command", f"{len(records)} records of {records.dtype}", wanted)
