@@ -11,6 +11,8 @@ from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, u
 
 WRONG_INPUT = 2
 """Exit status after wrong usage or input."""
+REFUSED = 1
+"""Exit status when the system refused something, such as to write."""
 INTERRUPTED = 130
 """Exit status after Ctrl-C, as shells have it."""
 
@@ -35,18 +37,33 @@ class OneLineParser(argparse.ArgumentParser):
 
 
 def exit_status(command: Callable[[], int], program: str) -> int:
-    """Run `command`; what the user can mend becomes one line on stderr and status 2."""
+    """Run `command`; what goes wrong in its surroundings becomes one line on stderr.
+
+    Status 2 for what the user gave, 1 for what the system refused, 130 after Ctrl-C. A reader of
+    our output that has gone, as `head` does, is none of these.
+    """
     try:
-        return command()
+        status = command()
+        sys.stdout.flush()
     except InputError as error:
         print(f"{program}: error: {error}", file=sys.stderr)
         return WRONG_INPUT
     except KeyboardInterrupt:
         print(f"{program}: interrupted", file=sys.stderr)
         return INTERRUPTED
-    except BrokenPipeError:  # whoever read our output has gone, as `head` does
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except BrokenPipeError:
+        _write_no_more()
         return 0
+    except OSError as error:
+        _write_no_more()
+        print(f"{program}: error: {error}", file=sys.stderr)
+        return REFUSED
+    return status
+
+
+def _write_no_more() -> None:
+    """Whatever is still in the buffer of stdout goes nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def option_name(parameter: Parameter) -> str:

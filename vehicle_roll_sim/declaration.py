@@ -53,9 +53,11 @@ class Parameter:
         field = field or self.name
         if self.kind is float:
             return self._validate_number(value, field)
+        if self.choices and str(value) in self.choices:
+            return str(value)  # ROS reads `1` as a number
         if not isinstance(value, self.kind):
             raise InputError(field, value, f"a {self.kind.__name__} is wanted")
-        if self.choices and value not in self.choices:
+        if self.choices:
             raise InputError(field, value, "one of " + ", ".join(self.choices))
         return value
 

@@ -72,28 +72,27 @@ def run_command(words: list[str], program: str) -> int:
     manoeuvre = _adjusted(manoeuvre, arguments, settings)
     _check_multiples(manoeuvre, settings)
     csv, plot = _result_files(arguments)
-    vehicle = chosen_vehicle(arguments)
+    vehicle, options = chosen_vehicle(arguments), _options(arguments)
     compile_model()
     simulation = Simulation(
         vehicle,
-        Options(**declared_values(arguments, Options)),
+        options,
         step=settings.step,
         rollover_angle=math.radians(settings.stop_roll),
     )
     simulation.reset(manoeuvre.speed)
     history = _run_with_progress(simulation, manoeuvre, settings)
-    lines = summary_lines(
-        simulation.events, simulation.time, simulation.condition, simulation.implausible
-    )
-    print("\n".join(lines))
     if csv:
         history.write_csv(csv)
-        print(line("CSV", csv))
     if plot:
         from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
 
         plots.plot_run(history, simulation.events, plot, arguments.manoeuvre or arguments.commands)
-        print(line("plot", plot))
+    lines = summary_lines(
+        simulation.events, simulation.time, simulation.condition, simulation.implausible
+    )
+    results = [line(label, path) for label, path in (("CSV", csv), ("plot", plot)) if path]
+    print("\n".join([*lines, *results]))
     return DIVERGED if simulation.condition is Condition.DIVERGED else 0
 
 
@@ -116,6 +115,15 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     group.add_argument("--csv", metavar="FILE", help="write the samples")
     group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
     return parser
+
+
+def _options(arguments: argparse.Namespace) -> Options:
+    """The options of the model; a combination that is not defined is reported as an option."""
+    values = declared_values(arguments, Options)
+    try:
+        return Options(**values)
+    except InputError as error:
+        raise InputError(f"--{error.field.replace('_', '-')}", error.value, error.allowed) from None
 
 
 def _check_multiples(manoeuvre: Manoeuvre, settings: RunSettings) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, unknown_name
-from vehicle_roll_sim.manoeuvres.manoeuvre import Manoeuvre
+from vehicle_roll_sim.manoeuvres.manoeuvre import LONGEST, Manoeuvre
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.vehicle.text_file import read_text
 
@@ -59,6 +59,9 @@ def load_commands(path: str | Path) -> CommandTable:
     for (before, after), (line, _) in zip(itertools.pairwise(times), rows[1:], strict=True):
         if after <= before:
             raise InputError(f"{path}: line {line}: time", float(after), f"more than {before:g}")
+    if not abs(times[-1]) <= LONGEST:
+        where = f"{path}: line {rows[-1][0]}: time"
+        raise InputError(where, float(times[-1]), f"at most {LONGEST:g} s")
     return CommandTable(times=times, columns=table, duration=float(times[-1]))
 
 

@@ -8,6 +8,7 @@ import functools
 import hashlib
 import math as standard_math
 import os
+import shutil
 import tempfile
 from pathlib import Path
 from types import SimpleNamespace
@@ -108,6 +109,12 @@ def _plain(value):
 def has_compiled_code() -> bool:
     """Whether the first call of a kernel will find it compiled, or needs no compiling."""
     return not COMPILED or (CACHE is not None and any(CACHE.rglob("*.nbc")))
+
+
+def discard_compiled_code() -> None:
+    """Empty the cache, after a crash or a full disk has left it damaged."""
+    shutil.rmtree(CACHE, ignore_errors=True)
+    CACHE.mkdir(parents=True, exist_ok=True)
 
 
 def describe() -> str:

@@ -45,7 +45,7 @@ def demonstrate(folder: Path) -> int:
     except OSError as error:
         raise InputError("--output", str(folder), error.strerror) from None
     compile_model()
-    nodes = []
+    nodes, statuses = [], []
     try:
         nodes.append(start("simulator"))
         nodes.append(start("recorder", "--output", str(bag), stdout=subprocess.PIPE, text=True))
@@ -53,7 +53,7 @@ def demonstrate(folder: Path) -> int:
         print("a J-turn at 50 km/h, in real time:", flush=True)
         driver = start("manoeuvre", "j_turn", "--plot", str(plot))
         nodes.append(driver)
-        statuses = [driver.wait()]
+        driver.wait()
     finally:
         statuses += [stop(node) for node in reversed(nodes)]
     if any(statuses):
@@ -76,6 +76,7 @@ def main() -> int:
     )
 
     def command() -> int:
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends the nodes, too
         return demonstrate(Path(parser.parse_args().output))
 
     return exit_status(command, parser.prog)

@@ -21,6 +21,7 @@ from vehicle_roll_sim.arguments import (
     declared_values,
     named_file,
 )
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
@@ -28,6 +29,7 @@ from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.ros.collector import Collector, events_of
 from vehicle_roll_sim.ros.process import node_main
 from vehicle_roll_sim.ros.topics import COMMANDING
+from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
 from vehicle_roll_sim.simulation.summary import line, summary_lines
 
@@ -65,7 +67,7 @@ class Driver(Node):
         self.collector.forget()
         self._time, self._still, self._states = -1.0, 0, 0
         self.state = None
-        self.finished = False
+        self.finished = self.disturbed = False
 
     def prepare(self) -> None:
         """Set the speed, wait until every topic is connected, reset; raises NoAnswerError."""
@@ -111,10 +113,13 @@ class Driver(Node):
         while not self.finished:
             seen = self._states
             self._wait(lambda: self._states > seen, "its next state (is it paused?)")  # noqa: B023
+            if self.disturbed:
+                raise NoAnswerError(f"`{self._simulator}` was reset by somebody else")
         self._wait(self.collector.is_complete, "the rest of its last set")
 
     def _on_state(self, data: np.ndarray) -> None:
         now = float(data[0])
+        self.disturbed = self.disturbed or now < self._time
         self.state = data[1:]
         self._states += 1
         self._still = self._still + 1 if now == self._time else 0
@@ -144,6 +149,12 @@ class Driver(Node):
         return Condition.DIVERGED if stopped else Condition.RUNNING
 
 
+def late_commands(history: History, manoeuvre: Manoeuvre) -> int:
+    """Periods whose steering is not the one that was sent at their beginning."""
+    sent = manoeuvre(history["time"][:-1])["steering"]
+    return int(np.count_nonzero(np.abs(history["steering"][1:] - sent) > ROUNDING))
+
+
 def drive(name: str, manoeuvre: Manoeuvre, simulator: str, plot: Path | None) -> int:
     """Play the manoeuvre and print its summary; the exit status."""
     driver = Driver(manoeuvre, simulator)
@@ -155,12 +166,16 @@ def drive(name: str, manoeuvre: Manoeuvre, simulator: str, plot: Path | None) ->
         return NO_SIMULATOR
     history = driver.collector.history()
     events = events_of(history, driver.rollover_angle)
-    condition = driver.condition
-    print("\n".join(summary_lines(events, history["time"][-1], condition, "its state")))
     if plot:
         from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
 
         plots.plot_run(history, events, plot, name)
+    condition = driver.condition
+    late = late_commands(history, manoeuvre)
+    print("\n".join(summary_lines(events, history["time"][-1], condition, "its state")))
+    if late:
+        print(line("late commands", f"{late} periods were driven with an older command"))
+    if plot:
         print(line("plot", plot))
     return DIVERGED if condition is Condition.DIVERGED else 0
 
@@ -186,6 +201,8 @@ def main() -> int:
     def body(arguments: argparse.Namespace) -> int:
         manoeuvre = manoeuvre_named(arguments.manoeuvre)
         manoeuvre = dataclasses.replace(manoeuvre, **declared_values(arguments, manoeuvre))
+        if not arguments.simulator:
+            raise InputError("--simulator", "", "the name of a node")
         plot = named_file(arguments.plot, "--plot")
         if plot:
             check_writable(plot, "--plot")

@@ -4,30 +4,17 @@ import argparse
 import sys
 import time
 from pathlib import Path
+from types import ModuleType
 
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
-from rclpy.qos import DurabilityPolicy, QoSProfile
-from rosbags.interfaces import (
-    Qos,
-    QosDurability,
-    QosHistory,
-    QosLiveliness,
-    QosReliability,
-    QosTime,
-)
-from rosbags.rosbag2 import StoragePlugin, Writer, WriterError
-from rosbags.typesys import Stores, get_typestore
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.ros.process import node_main
 from vehicle_roll_sim.ros.topics import COMMANDING, COMMANDS, PUBLISHED, Topic, recording_qos
 
-BAG_VERSION = 9
-NO_DEADLINE = QosTime(9223372036, 854775807)
-"""The longest time there is: no deadline, no lifespan, no lease."""
-LONGEST_RECORDING = 1e6
+SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
 """s"""
 
 
@@ -38,69 +25,50 @@ class Recorder(Node):
     recording, that at which they came.
     """
 
-    def __init__(self, bag: Writer):
+    def __init__(self, bags: ModuleType, folder: Path):
         super().__init__("recorder")
-        self._bag = bag
-        self._types = get_typestore(Stores.ROS2_JAZZY)
+        self.bag, self._bags = bags.open_bag(folder), bags
         self.count = 0
         for topic in (*COMMANDS, *PUBLISHED):
             self._record(topic)
 
     def _record(self, topic: Topic) -> None:
-        package, name = topic.type.__module__.partition(".")[0], topic.type.__name__
         offered = COMMANDING if topic in COMMANDS else topic.publisher_qos
-        connection = self._bag.add_connection(
-            self.resolve_topic_name(topic.name),
-            f"{package}/msg/{name}",
-            typestore=self._types,
-            offered_qos_profiles=[bag_qos(offered)],
-        )
+        name = self.resolve_topic_name(topic.name)
+        connection = self._bags.add_topic(self.bag, name, topic.type, offered)
         clock = "received_timestamp" if topic.latched else "source_timestamp"
 
         def write(data: bytes, info: dict) -> None:
-            self._bag.write(connection, info[clock], data)
+            self.bag.write(connection, info[clock], data)
             self.count += 1
 
         self.create_subscription(topic.type, topic.name, write, recording_qos(topic), raw=True)
 
 
-def bag_qos(profile: QoSProfile) -> Qos:
-    """A quality of service as a bag's metadata has it."""
-    latched = profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
-    return Qos(
-        history=QosHistory.KEEP_LAST,
-        depth=profile.depth,
-        reliability=QosReliability.RELIABLE,
-        durability=QosDurability.TRANSIENT_LOCAL if latched else QosDurability.VOLATILE,
-        deadline=NO_DEADLINE,
-        lifespan=NO_DEADLINE,
-        liveliness=QosLiveliness.AUTOMATIC,
-        liveliness_lease_duration=NO_DEADLINE,
-        avoid_ros_namespace_conventions=False,
-    )
-
-
-def record(output: Path, duration: float | None) -> int:
+def record(folder: Path, duration: float | None) -> int:
     """Record until interrupted or for `duration` (wall seconds); the exit status."""
-    try:
-        bag = Writer(output, version=BAG_VERSION, storage_plugin=StoragePlugin.MCAP)
-        bag.open()
-    except WriterError:
-        raise InputError("--output", str(output), "a folder that does not exist yet") from None
-    except OSError as error:
-        raise InputError("--output", "", "a folder that can be made", str(error)) from None
-    recorder = Recorder(bag)
+    recorder = Recorder(_bags(), folder)
     executor = SingleThreadedExecutor()
     executor.add_node(recorder)
     try:
-        print(f"recorder: recording to {output}", flush=True)
+        print(f"recorder: recording to {folder}", flush=True)
         until = time.monotonic() + duration if duration else float("inf")
         while (left := until - time.monotonic()) > 0.0:
             executor.spin_once(timeout_sec=min(1.0, left))
     finally:
-        bag.close()
-        print(f"recorder: {recorder.count} messages in {output}", flush=True)
+        recorder.bag.close()
+        print(f"recorder: {recorder.count} messages in {folder}", flush=True)
     return 0
+
+
+def _bags() -> ModuleType:
+    """The module that writes bags, whose library is optional."""
+    try:
+        from vehicle_roll_sim.ros import bag
+    except ModuleNotFoundError as error:
+        wanted = "pip install rosbags, or record with ros2 bag"
+        raise InputError("recorder", "", wanted, f"no Python package {error.name}") from None
+    return bag
 
 
 def main() -> int:
@@ -121,12 +89,12 @@ def main() -> int:
 def _duration(text: str | None) -> float | None:
     if text is None:
         return None
-    allowed = f"a number from 0.1 to {LONGEST_RECORDING:g} s"
+    allowed = f"a number from {SHORTEST_RECORDING:g} to {LONGEST_RECORDING:g} s"
     try:
         seconds = float(text)
     except ValueError:
         raise InputError("--duration", text, allowed) from None
-    if not 0.1 <= seconds <= LONGEST_RECORDING:
+    if not SHORTEST_RECORDING <= seconds <= LONGEST_RECORDING:
         raise InputError("--duration", seconds, allowed)
     return seconds
 

@@ -13,6 +13,16 @@ FIGURE_FORMATS = (".png", ".svg", ".pdf")
 
 def check_writable(path: Path, field: str) -> None:
     """Raise InputError naming `field` if no file can be made at `path`."""
+    try:
+        _check_target(path, field)
+        with _partial_file(path.resolve()):
+            pass
+    except OSError as error:
+        wanted = "a file in a folder that can be written"
+        raise InputError(field, str(path), wanted, f"{path}: {error.strerror}") from None
+
+
+def _check_target(path: Path, field: str) -> None:
     folder = path.resolve().parent
     if path.exists() and not path.is_file():
         raise InputError(field, str(path), "an ordinary file, no folder, pipe or device")
@@ -52,7 +62,7 @@ def replaced_file(path: Path) -> Iterator[Path]:
 @contextlib.contextmanager
 def _partial_file(path: Path) -> Iterator[Path]:
     """A new, hidden file in the folder of `path`, gone in the end unless it was moved away."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".partial-", suffix=path.suffix)
     os.close(handle)
     partial = Path(name)
     try:

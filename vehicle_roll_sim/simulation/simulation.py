@@ -1,6 +1,7 @@
 """The simulated vehicle: reset it, step it, look at it. Everything else is built on this."""
 
 import math
+import pickle
 import sys
 
 import numpy as np
@@ -16,7 +17,11 @@ from vehicle_roll_sim.model.events import (
     plausible_magnitudes,
 )
 from vehicle_roll_sim.model.integrator import STAGE_VECTORS
-from vehicle_roll_sim.model.jit import has_compiled_code, kernel_argument
+from vehicle_roll_sim.model.jit import (
+    discard_compiled_code,
+    has_compiled_code,
+    kernel_argument,
+)
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE, WHEELS
 from vehicle_roll_sim.simulation.command import Command, Programme
 from vehicle_roll_sim.simulation.options import Options
@@ -153,15 +158,30 @@ class Simulation:
             self._stages,
         )
         with np.errstate(all="ignore"):  # divergence is found by its result
-            taken, condition, culprit = advance(*arguments)
+            taken, condition, culprit = _interruptible(advance, arguments)
         self.time_ns += taken * self.step_ns
         self.condition = Condition(condition)
         if self.condition is Condition.DIVERGED:
             self.implausible = STATE_NAMES[culprit]
 
 
+def _interruptible(function, arguments: tuple):
+    """function(*arguments); Ctrl-C in compiled code comes as the KeyboardInterrupt that it is."""
+    try:
+        return function(*arguments)
+    except SystemError as error:
+        if isinstance(error.__cause__, KeyboardInterrupt):
+            raise KeyboardInterrupt from None
+        raise
+
+
 def compile_model() -> None:
     """Have the model compiled, or read from the cache, before time matters; says so if it lasts."""
     if not has_compiled_code():
         print("compiling the model, once for this version: up to 20 s", file=sys.stderr, flush=True)
-    Simulation(preset())
+    try:
+        Simulation(preset())
+    except (EOFError, pickle.UnpicklingError) as error:
+        print(f"compiled code is damaged ({error}) and made anew", file=sys.stderr, flush=True)
+        discard_compiled_code()
+        Simulation(preset())

@@ -20,5 +20,7 @@ def read_text(path: Path, largest: int = LARGEST_FILE) -> str:
         raise InputError(f"file {path}", b"", "a UTF-8 text file", "binary data") from None
     except OSError as error:
         raise InputError(f"file {path}", "", "a readable file", error.strerror) from None
+    except InputError:
+        raise
     except ValueError as error:  # a name that no file can have
         raise InputError(f"file {str(path)!r}", "", "a readable file", str(error)) from None

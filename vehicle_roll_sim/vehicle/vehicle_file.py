@@ -6,7 +6,7 @@ from pathlib import Path
 
 import yaml
 
-from vehicle_roll_sim.declaration import InputError, parameters_of, validated
+from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name, validated
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.text_file import read_text
 from vehicle_roll_sim.vehicle.tire_file import load_tire
@@ -42,11 +42,14 @@ def load_vehicle(path: str | Path) -> Vehicle:
     values = _mapping(path)
     prefix = f"{path}: "
     expected = (*parameters_of(Vehicle), "tire")
+    for name in values:
+        if name not in expected:
+            raise unknown_name(name, expected, f"{path}: name")
     missing = [name for name in expected if name not in values]
     if missing:
         raise InputError(prefix + missing[0], None, "every parameter must be given")
     tire = values.pop("tire")
-    if not isinstance(tire, str):
+    if not isinstance(tire, str) or not tire:
         raise InputError(prefix + "tire", tire, "the name of a .tir file")
     numbers = validated(Vehicle, values, prefix)
     return Vehicle.checked(numbers, load_tire(path.parent / tire), prefix)
