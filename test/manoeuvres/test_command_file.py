@@ -158,3 +158,9 @@ def test_the_largest_finite_numbers_are_taken_as_they_are(commands_from):
     commands = commands_from("time,steering\n0,1e308\n1,-5e-324\n")(np.array([0.0, 1.0]))
     assert commands["steering"].tolist() == [1e308, -5e-324]
     assert all(map(math.isfinite, commands["steering"]))
+
+
+def test_a_file_that_would_last_for_days_is_refused(commands_from, path):
+    message = refused(lambda: commands_from("time,steering\n0,0\n1e9,0\n"), path)
+    assert "line 3" in message
+    assert "86400" in message

@@ -24,7 +24,8 @@ WRONG = {
     "rollover_angle:=4.0": ("rollover_angle", "1.57"),
     "euler_terms:=3": ("euler_terms", "bool"),
     "steering_timeout_policy:=let_go": ("steering_timeout_policy", "hold, centre"),
-    "model:=8dof": ("model", "unknown"),
+    "model:=1d": ("model", "1c-iii"),
+    "mode:=lockstep": ("mode", "unknown", "model"),
 }
 
 

@@ -5,6 +5,7 @@ from vehicle_roll_sim.model.frames import yawed_to_body
 from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire import tire_forces
+from vehicle_roll_sim.model.upright_tire import upright_contact
 
 SLOWEST_ROLLING = 1e-9
 """Floor of the speed that slip is divided by (m/s): keeps a wheel that stands across finite."""
@@ -17,11 +18,12 @@ def normal_force(tire_compression, tire_stiffness):
 
 
 @kernel
-def loaded_radius(tire_compression, radius, c_roll, c_pitch):
+def loaded_radius(tire_compression, radius, attitude):
     """Radius r of a tire compressed by xt towards the ground, as the source has it (m; eqs 15, 16).
 
     The source shortens the radius along the body's z axis by the compression along the vertical.
     """
+    _, c_roll, _, c_pitch = attitude
     return radius - tire_compression / (c_pitch * c_roll) if tire_compression > 0.0 else radius
 
 
@@ -35,19 +37,45 @@ def slip(ug, vg, steering, spin, radius):
 
 
 @kernel
-def contact_kinematics(state, vehicle, attitude, outputs):
-    """Load, loaded radius and contact velocity in frame 2 of every wheel (eqs 7, 8, 13-16)."""
+def contact_velocity(uu, vu, wu, wx, wy, r, attitude):
+    """ug and vg: velocity of the contact point in frame 2 (m/s; eqs 7, 8)."""
     s_roll, c_roll, s_pitch, c_pitch = attitude
+    rise = wu * c_roll + s_roll * (wx * r + vu)
+    return c_pitch * (uu - wy * r) + s_pitch * rise, c_roll * (vu + wx * r) - wu * s_roll
+
+
+@kernel
+def small_angle_contact_velocity(i, wx, wy, vehicle, options, outputs):
+    """ug and vg for small angles (m/s; eqs 41, 42), or those of the corner (eqs 65, 66).
+
+    Harmless simplification of section 6.4: with `fixed_strut_length`, h stands for ls + r.
+    """
+    reach = outputs.strut_length[i] + outputs.loaded_radius[i]
+    if options.fixed_strut_length:
+        reach = vehicle.cg_height
+    if options.contact_moves_with_corner:
+        reach = 0.0
+    return outputs.corner_u[i] - wy * reach, outputs.corner_v[i] + wx * reach
+
+
+@kernel
+def contact_kinematics(state, vehicle, options, attitude, outputs):
+    """Load, loaded radius and contact velocity in frame 2 of every wheel (eqs 7, 8, 13-16)."""
     wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
     xt, wu = state[at.TIRE_COMPRESSION], state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):
-        uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]
-        r = loaded_radius(xt[i], vehicle.tire_radius, c_roll, c_pitch)
         outputs.normal_force[i] = normal_force(xt[i], vehicle.tire_stiffness[i])
+        if options.tire_normal_to_ground:
+            upright_contact(i, state, vehicle, attitude, outputs)
+            continue
+        uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]
+        r = loaded_radius(xt[i], vehicle.tire_radius, attitude)
         outputs.loaded_radius[i] = r
-        rise = wu[i] * c_roll + s_roll * (wx * r + vu)
-        outputs.contact_u[i] = c_pitch * (uu - wy * r) + s_pitch * rise
-        outputs.contact_v[i] = c_roll * (vu + wx * r) - wu[i] * s_roll
+        if options.small_angles:
+            ug, vg = small_angle_contact_velocity(i, wx, wy, vehicle, options, outputs)
+        else:
+            ug, vg = contact_velocity(uu, vu, wu[i], wx, wy, r, attitude)
+        outputs.contact_u[i], outputs.contact_v[i] = ug, vg
 
 
 @kernel
@@ -68,13 +96,21 @@ def contact_forces(state, command, vehicle, tire, outputs):
 
 
 @kernel
-def contact_forces_on_body_axes(attitude, outputs):
-    """Fxgs and Fygs of every wheel: the contact forces in frame 1 (eq. 2)."""
+def contact_forces_on_body_axes(options, attitude, outputs):
+    """Fxgs and Fygs of every wheel, the contact forces in frame 1 (eqs 2, 38, 59), and the lateral
+    one that rolls the body with the loaded radius for a lever (Fygs, or F'ygs of eq. 74)."""
+    s_roll, _, s_pitch, c_pitch = attitude
     for i in range(WHEEL_COUNT):
-        fx, fy, fz = (
-            outputs.longitudinal_force[i],
-            outputs.lateral_force[i],
-            outputs.normal_force[i],
-        )
-        x, y, _ = yawed_to_body(attitude, fx, fy, fz)
+        fx, fy = outputs.longitudinal_force[i], outputs.lateral_force[i]
+        fz = outputs.normal_force[i]
+        if options.contact_forces_not_rotated:
+            x, y = fx, fy
+        elif options.small_angles:
+            x, y = fx - s_pitch * fz, fy + s_roll * fz
+        else:
+            x, y, _ = yawed_to_body(attitude, fx, fy, fz)
         outputs.contact_x[i], outputs.contact_y[i] = x, y
+        outputs.rolling_force[i] = y
+        if options.tire_normal_to_ground:
+            s_tilt, c_tilt = math.sin(outputs.tire_tilt[i]), math.cos(outputs.tire_tilt[i])
+            outputs.rolling_force[i] = c_tilt * fy + s_tilt * (fz * c_pitch + fx * s_pitch)

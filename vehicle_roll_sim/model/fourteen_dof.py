@@ -1,4 +1,7 @@
-"""Model 1: the vehicle with 14 degrees of freedom of Shim and Ghike (2007), equations 1-37."""
+"""The vehicle with 14 degrees of freedom of Shim and Ghike (2007): model 1, equations 1-37.
+
+The simplified models are the same stages with other forms of some terms, chosen by the options.
+"""
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.contact import (
@@ -6,7 +9,12 @@ from vehicle_roll_sim.model.contact import (
     contact_forces_on_body_axes,
     contact_kinematics,
 )
-from vehicle_roll_sim.model.frames import body_to_yawed, euler_rates, yawed_to_ground
+from vehicle_roll_sim.model.frames import (
+    body_to_yawed,
+    euler_rates,
+    small_angle_euler_rates,
+    yawed_to_ground,
+)
 from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, LR, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
@@ -26,51 +34,68 @@ def derivatives(state, command, vehicle, tire, options, outputs, rates):
 
     `state` and `rates` are flat vectors laid out as records.STATE, the others records.
     """
-    s_roll, c_roll = math.sin(state[at.ROLL]), math.cos(state[at.ROLL])
-    s_pitch, c_pitch = math.sin(state[at.PITCH]), math.cos(state[at.PITCH])
-    attitude = (s_roll, c_roll, s_pitch, c_pitch)
+    attitude = sines_and_cosines(state[at.ROLL], state[at.PITCH], options)
 
-    strut_kinematics(state, vehicle, outputs)
-    contact_kinematics(state, vehicle, attitude, outputs)
+    strut_kinematics(state, vehicle, options, outputs)
+    contact_kinematics(state, vehicle, options, attitude, outputs)
     contact_forces(state, command, vehicle, tire, outputs)
-    contact_forces_on_body_axes(attitude, outputs)
+    contact_forces_on_body_axes(options, attitude, outputs)
     strut_forces(state, command, vehicle, outputs)
-    applied_link_forces(state, vehicle, attitude, outputs)
+    applied_link_forces(state, vehicle, options, attitude, outputs)
 
     mass_matrix(vehicle, options, outputs)
     applied_forces(state, vehicle, options, attitude, outputs)
     solve_in_place(outputs.mass_matrix, outputs.body_acceleration)
-    link_forces(vehicle, outputs)
+    link_forces(vehicle, options, outputs)
     link_load_transfer(vehicle, options, outputs)
 
-    body_rates(state, attitude, outputs, rates)
-    unsprung_rates(state, vehicle, attitude, outputs, rates)
-    compression_rates(state, attitude, outputs, rates)
+    body_rates(state, options, attitude, outputs, rates)
+    unsprung_rates(state, vehicle, options, attitude, outputs, rates)
+    compression_rates(state, options, attitude, outputs, rates)
     wheel_rates(state, command, vehicle, outputs, rates)
-    accelerations(state, vehicle.gravity, attitude, outputs)
+    accelerations(state, vehicle.gravity, outputs)
 
 
 @kernel
-def body_rates(state, attitude, outputs, rates):
-    """Position, attitude (eqs 35-37) and velocity of the sprung mass."""
+def sines_and_cosines(roll, pitch, options):
+    """Sine and cosine of roll, then of pitch; for small angles the angle itself, and 1."""
+    if options.small_angles:
+        return roll, 1.0, pitch, 1.0
+    return math.sin(roll), math.cos(roll), math.sin(pitch), math.cos(pitch)
+
+
+@kernel
+def attitude_rates(state, options, attitude):
+    """Roll, pitch and yaw rates (rad/s; eqs 35-37, 51-53, 62-64)."""
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
+    if options.rates_not_rotated:
+        return wx, wy, wz
+    if options.small_angles:
+        return small_angle_euler_rates(state[at.ROLL], state[at.PITCH], wx, wy, wz)
+    return euler_rates(attitude, wx, wy, wz)
+
+
+@kernel
+def body_rates(state, options, attitude, outputs, rates):
+    """Position, attitude and velocity of the sprung mass."""
     forward, left, rates[at.Z] = body_to_yawed(attitude, state[at.U], state[at.V], state[at.W])
     rates[at.X], rates[at.Y] = yawed_to_ground(state[at.YAW], forward, left)
-    rates[at.ROLL], rates[at.PITCH], rates[at.YAW] = euler_rates(attitude, wx, wy, wz)
+    turning = attitude_rates(state, options, attitude)
+    rates[at.ROLL], rates[at.PITCH], rates[at.YAW] = turning
     q = outputs.body_acceleration
     rates[at.U], rates[at.V], rates[at.W] = q[DU], q[DV], q[DW]
     rates[at.ROLL_RATE], rates[at.PITCH_RATE], rates[at.YAW_RATE] = q[DWX], q[DWY], q[DWZ]
 
 
 @kernel
-def compression_rates(state, attitude, outputs, rates):
-    """Rates of the suspension springs (eq. 12) and of the tires on a smooth road (eq. 14)."""
+def compression_rates(state, options, attitude, outputs, rates):
+    """Rates of the suspension springs (eq. 12) and of the tires on a smooth road (eqs 14, 61)."""
     wu = state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):
         uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]
         _, _, rise = body_to_yawed(attitude, uu, vu, wu[i])
         rates[at.SUSPENSION_COMPRESSION][i] = outputs.suspension_rate[i]
-        rates[at.TIRE_COMPRESSION][i] = -rise
+        rates[at.TIRE_COMPRESSION][i] = -wu[i] if options.rates_not_rotated else -rise
 
 
 @kernel
@@ -88,9 +113,14 @@ def wheel_rates(state, command, vehicle, outputs, rates):
 
 
 @kernel
-def accelerations(state, gravity, attitude, outputs):
-    """Acceleration of the sprung c.g. in frame 2, and its specific force in frame 1."""
-    s_roll, c_roll, s_pitch, c_pitch = attitude
+def accelerations(state, gravity, outputs):
+    """Acceleration of the sprung c.g. in frame 2, and its specific force in frame 1.
+
+    They are measurements: their axes are those of the exact attitude in every model.
+    """
+    s_roll, c_roll = math.sin(state[at.ROLL]), math.cos(state[at.ROLL])
+    s_pitch, c_pitch = math.sin(state[at.PITCH]), math.cos(state[at.PITCH])
+    attitude = (s_roll, c_roll, s_pitch, c_pitch)
     q, u, v, w = outputs.body_acceleration, state[at.U], state[at.V], state[at.W]
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     ax, ay, az = q[DU] + wy * w - wz * v, q[DV] + wz * u - wx * w, q[DW] + wx * v - wy * u

@@ -44,6 +44,12 @@ def euler_rates(attitude, wx, wy, wz):
 
 
 @kernel
+def small_angle_euler_rates(roll, pitch, wx, wy, wz):
+    """Roll, pitch and yaw rates (rad/s) of small angles (eqs 53, 51, 52)."""
+    return wx + wz * pitch, wy - wz * roll, wy * roll + wz
+
+
+@kernel
 def quaternion(roll, pitch, yaw):
     """The attitude as a unit quaternion (x, y, z, w), for messages."""
     sr, cr = math.sin(roll / 2), math.cos(roll / 2)

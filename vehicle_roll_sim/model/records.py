@@ -85,7 +85,24 @@ VEHICLE = record_dtype(
 )
 """The vehicle as the equations want it: front and rear values laid out per wheel."""
 
-OPTIONS = record_dtype(("euler_terms", np.bool_), ("no_roll_centre", np.bool_))
+OPTION_NAMES = (
+    "euler_terms",
+    "no_roll_centre",
+    "tire_normal_to_ground",
+    "asymmetric_link_load_transfer",
+    "small_angles",
+    "no_link_inertia",
+    "no_unsprung_turning",
+    "lumped_unsprung_mass",
+    "contact_forces_not_rotated",
+    "unsprung_forces_not_rotated",
+    "rates_not_rotated",
+    "contact_moves_with_corner",
+    "fixed_strut_length",
+    "unsprung_moves_with_corner",
+)
+OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
+"""Which form of a term the equations take; all off is model 1. Each is explained where it acts."""
 
 OUTPUTS = record_dtype(
     *per_wheel("normal_force", "longitudinal_force", "lateral_force"),
@@ -93,6 +110,7 @@ OUTPUTS = record_dtype(
     ("acceleration", 3),
     ("specific_force", 3),
     *per_wheel("strut_length", "loaded_radius", "unsprung_u", "unsprung_v"),
+    *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
     *per_wheel("contact_x", "contact_y", "strut_force", "link_load_transfer"),
     *per_wheel("applied_x", "applied_y", "link_x", "link_y"),

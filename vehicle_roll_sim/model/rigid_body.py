@@ -1,7 +1,7 @@
 """The six equations of the sprung mass as one linear system in its accelerations (eqs 29-34)."""
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.jit import kernel
+from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import (
     DEGREES_OF_ACCELERATION,
     DU,
@@ -12,6 +12,7 @@ from vehicle_roll_sim.model.records import (
     DWZ,
     WHEEL_COUNT,
 )
+from vehicle_roll_sim.model.suspension import carried_mass
 
 
 @kernel
@@ -23,11 +24,12 @@ def mass_matrix(vehicle, options, outputs):
     """
     a = outputs.mass_matrix
     a[:, :] = 0.0
-    a[DU, DU] = a[DV, DV] = a[DW, DW] = vehicle.sprung_mass
+    a[DU, DU] = a[DV, DV] = moved_mass(vehicle, options)
+    a[DW, DW] = vehicle.sprung_mass
     a[DWX, DWX], a[DWY, DWY] = vehicle.roll_inertia, vehicle.pitch_inertia
     a[DWZ, DWZ] = vehicle.yaw_inertia
     for i in range(WHEEL_COUNT):
-        mu, ls = vehicle.unsprung_mass[i], outputs.strut_length[i]
+        mu, ls = carried_mass(i, vehicle, options), outputs.strut_length[i]
         x, y = vehicle.x[i], vehicle.y[i]
         lever = ls if options.no_roll_centre else vehicle.roll_centre_depth[i]
         a[DU, DU] += mu  # longitudinal link forces, (21) and (54)
@@ -47,6 +49,25 @@ def mass_matrix(vehicle, options, outputs):
         a[DWZ, DWX] += x * mu * ls
         a[DWZ, DWY] += y * mu * ls
         a[DWZ, DWZ] += mu * (x * x + y * y)
+        if options.asymmetric_link_load_transfer:
+            share = mu * (ls - vehicle.roll_centre_depth[i]) / y  # of Fdz, per lateral acceleration
+            a[DW, DV] -= share  # (31) with the sum of Fdz
+            a[DW, DWX] -= share * ls
+            a[DW, DWZ] -= share * x
+            a[DWY, DV] += x * share  # (33) with their moment
+            a[DWY, DWX] += x * share * ls
+            a[DWY, DWZ] += x * share * x
+
+
+@kernel
+def moved_mass(vehicle, options):
+    """Mass in the longitudinal and lateral equations (kg): lumping the unsprung masses into it is
+    the mistake of section 5."""
+    mass = vehicle.sprung_mass
+    if options.lumped_unsprung_mass:
+        for i in range(WHEEL_COUNT):
+            mass += vehicle.unsprung_mass[i]
+    return mass
 
 
 @kernel
@@ -56,10 +77,10 @@ def applied_forces(state, vehicle, options, attitude, outputs):
     f = outputs.body_acceleration
     u, v, w = state[at.U], state[at.V], state[at.W]
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
-    m = vehicle.sprung_mass
+    m, moved = vehicle.sprung_mass, moved_mass(vehicle, options)
     weight = m * vehicle.gravity
-    f[DU] = weight * s_pitch - m * (wy * w - wz * v)  # (29)
-    f[DV] = -weight * s_roll * c_pitch - m * (wz * u - wx * w)  # (30)
+    f[DU] = weight * s_pitch - moved * (wy * w - wz * v)  # (29)
+    f[DV] = -weight * s_roll * c_pitch - moved * (wz * u - wx * w)  # (30)
     f[DW] = -weight * c_roll * c_pitch - m * (wx * v - wy * u)  # (31)
     f[DWX] = f[DWY] = f[DWZ] = 0.0
     if options.euler_terms:
@@ -74,15 +95,24 @@ def applied_forces(state, vehicle, options, attitude, outputs):
         f[DV] += fy
         f[DW] += fz
         f[DWX] += y * fz + roll_moment(i, vehicle, options, outputs)  # (32)
-        f[DWY] -= x * fz + outputs.contact_x[i] * r + fx * ls  # (33), (27)
         f[DWZ] += x * fy - y * fx  # (34), (28)
+        if options.tire_normal_to_ground:
+            lean = state[at.ROLL] - outputs.tire_tilt[i]
+            f[DWY] -= x * fz + outputs.contact_x[i] * r * math.cos(lean) + fx * ls  # (72)
+            f[DWZ] += outputs.longitudinal_force[i] * r * math.sin(lean)  # (73)
+        else:
+            f[DWY] -= x * fz + outputs.contact_x[i] * r + fx * ls  # (33), (27)
+        if options.asymmetric_link_load_transfer:
+            moment = outputs.rolling_force[i] * r + fy * (ls - vehicle.roll_centre_depth[i])
+            f[DW] -= moment / y  # (31) with the sum of Fdz
+            f[DWY] += x * moment / y  # (33) with their moment
 
 
 @kernel
 def roll_moment(i, vehicle, options, outputs):
     """Roll moment of the lateral link force of corner i, with or without roll centre (25, 24)."""
     if options.no_roll_centre:
-        about_strut = outputs.contact_y[i] * outputs.loaded_radius[i]
+        about_strut = outputs.rolling_force[i] * outputs.loaded_radius[i]
         return about_strut + outputs.applied_y[i] * outputs.strut_length[i]
     return outputs.applied_y[i] * vehicle.roll_centre_depth[i]
 

@@ -12,8 +12,12 @@ from vehicle_roll_sim.model.records import DU, DV, DWX, DWY, DWZ, LF, LR, RF, RR
 
 
 @kernel
-def strut_kinematics(state, vehicle, outputs):
-    """Strut length and rate, and the velocity of each unsprung mass (eqs 1, 9, 10, 12, 17)."""
+def strut_kinematics(state, vehicle, options, outputs):
+    """Strut length and rate, and the velocity of each unsprung mass (eqs 1, 9, 10, 12, 17).
+
+    Harmless simplifications of section 6.4: with `fixed_strut_length` the static length stands for
+    ls in 9 and 10, with `unsprung_moves_with_corner` the corner's velocity for both.
+    """
     u, v, w = state[at.U], state[at.V], state[at.W]
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     xs, wu = state[at.SUSPENSION_COMPRESSION], state[at.UNSPRUNG_VELOCITY]
@@ -24,8 +28,12 @@ def strut_kinematics(state, vehicle, outputs):
         ls = vehicle.static_strut_length[i] + extension  # (17)
         outputs.strut_length[i] = ls
         outputs.suspension_rate[i] = wu[i] - ws  # (12)
-        outputs.unsprung_u[i] = us - ls * wy  # (9)
-        outputs.unsprung_v[i] = vs + ls * wx  # (10)
+        reach = vehicle.static_strut_length[i] if options.fixed_strut_length else ls
+        if options.unsprung_moves_with_corner:
+            reach = 0.0
+        outputs.corner_u[i], outputs.corner_v[i] = us, vs
+        outputs.unsprung_u[i] = us - reach * wy  # (9)
+        outputs.unsprung_v[i] = vs + reach * wx  # (10)
 
 
 @kernel
@@ -39,14 +47,27 @@ def strut_forces(state, command, vehicle, outputs):
 
 
 @kernel
-def applied_link_forces(state, vehicle, attitude, outputs):
-    """Link forces of every corner but for the body's accelerations (eqs 21, 22, 54, 55)."""
+def carried_mass(i, vehicle, options):
+    """Unsprung mass whose inertia the links of corner i carry (kg): none in eqs 56, 57."""
+    return 0.0 if options.no_link_inertia else vehicle.unsprung_mass[i]
+
+
+@kernel
+def carried_weight(i, vehicle, options):
+    """Unsprung weight in the plane of the links of corner i (N): none in eq. 59."""
+    if options.contact_forces_not_rotated:
+        return 0.0
+    return vehicle.unsprung_mass[i] * vehicle.gravity
+
+
+@kernel
+def applied_link_forces(state, vehicle, options, attitude, outputs):
+    """Link forces of every corner but for the body's accelerations (eqs 21, 22, 54-57, 59)."""
     s_roll, _, s_pitch, c_pitch = attitude
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     wu = state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):
-        mu = vehicle.unsprung_mass[i]
-        weight = mu * vehicle.gravity
+        mu, weight = carried_mass(i, vehicle, options), carried_weight(i, vehicle, options)
         ls_rate = -outputs.suspension_rate[i]
         uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]
         x_inertia = mu * (-ls_rate * wy - wz * vu + wy * wu[i])
@@ -56,12 +77,12 @@ def applied_link_forces(state, vehicle, attitude, outputs):
 
 
 @kernel
-def link_forces(vehicle, outputs):
+def link_forces(vehicle, options, outputs):
     """Fxs and Fys of every corner (N), once the accelerations are known (eqs 21, 22)."""
     q = outputs.body_acceleration
     du, dv, dwx, dwy, dwz = q[DU], q[DV], q[DWX], q[DWY], q[DWZ]
     for i in range(WHEEL_COUNT):
-        mu, ls = vehicle.unsprung_mass[i], outputs.strut_length[i]
+        mu, ls = carried_mass(i, vehicle, options), outputs.strut_length[i]
         outputs.link_x[i] = outputs.applied_x[i] - mu * (du - vehicle.y[i] * dwz - ls * dwy)
         outputs.link_y[i] = outputs.applied_y[i] - mu * (dv + vehicle.x[i] * dwz + ls * dwx)
 
@@ -69,27 +90,33 @@ def link_forces(vehicle, outputs):
 @kernel
 def link_moment(i, vehicle, outputs):
     """Roll moment that the links of corner i pass on beside the roll centre (N m)."""
-    about_strut = outputs.contact_y[i] * outputs.loaded_radius[i]
+    about_strut = outputs.rolling_force[i] * outputs.loaded_radius[i]
     arm = outputs.strut_length[i] - vehicle.roll_centre_depth[i]
     return about_strut + outputs.link_y[i] * arm
 
 
 @kernel
 def link_load_transfer(vehicle, options, outputs):
-    """Fdz of every corner (N): the roll centre's share of the load transfer (eq. 26)."""
+    """Fdz of every corner (N): the roll centre's share of the load transfer (eq. 26).
+
+    Symmetric over an axle, or each side by itself (section 7.3); none without a roll centre.
+    """
     for left, right in ((LF, RF), (LR, RR)):
-        transfer = 0.0
-        if not options.no_roll_centre:
-            track = vehicle.y[left] - vehicle.y[right]
-            moments = link_moment(right, vehicle, outputs) + link_moment(left, vehicle, outputs)
-            transfer = moments / track
-        outputs.link_load_transfer[left] = -transfer
-        outputs.link_load_transfer[right] = transfer
+        on_left, on_right = (
+            link_moment(left, vehicle, outputs),
+            link_moment(right, vehicle, outputs),
+        )
+        if options.no_roll_centre:
+            on_left = on_right = 0.0
+        elif not options.asymmetric_link_load_transfer:
+            on_left = on_right = (on_left + on_right) / 2
+        outputs.link_load_transfer[left] = -on_left / vehicle.y[left]
+        outputs.link_load_transfer[right] = -on_right / vehicle.y[right]
 
 
 @kernel
-def unsprung_rates(state, vehicle, attitude, outputs, rates):
-    """Vertical acceleration of every unsprung mass, in frame 1 (eq. 11)."""
+def unsprung_rates(state, vehicle, options, attitude, outputs, rates):
+    """Vertical acceleration of every unsprung mass, in frame 1 (eqs 11, 43, 58, 60)."""
     s_roll, c_roll, s_pitch, c_pitch = attitude
     wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
     for i in range(WHEEL_COUNT):
@@ -97,6 +124,10 @@ def unsprung_rates(state, vehicle, attitude, outputs, rates):
         load = outputs.normal_force[i] - mu * vehicle.gravity
         upward = c_pitch * load + s_pitch * outputs.longitudinal_force[i]
         force = c_roll * upward - s_roll * outputs.lateral_force[i]
+        if options.unsprung_forces_not_rotated:
+            force = load  # (60)
         force -= outputs.link_load_transfer[i] + outputs.strut_force[i]
         turning = outputs.unsprung_v[i] * wx - outputs.unsprung_u[i] * wy
+        if options.no_unsprung_turning:
+            turning = 0.0  # (58)
         rates[at.UNSPRUNG_VELOCITY][i] = force / mu - turning

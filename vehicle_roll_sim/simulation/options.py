@@ -1,20 +1,54 @@
-"""Options of the model, declared once for Python, the command line and the node."""
+"""Which model, and its options: declared once for Python, the command line and the node."""
 
 import dataclasses
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import parameter, validated
+from vehicle_roll_sim.declaration import InputError, parameter, validated
 from vehicle_roll_sim.model.records import OPTIONS
+
+_1A = ("small_angles",)
+_1B = (*_1A, "no_link_inertia", "no_unsprung_turning")
+MODELS = {
+    "1": (),
+    "1a": _1A,
+    "1b": _1B,
+    "1c-i": (*_1B, "contact_forces_not_rotated"),
+    "1c-ii": (*_1B, "unsprung_forces_not_rotated"),
+    "1c-iii": (*_1B, "rates_not_rotated"),
+    "1c-iv": (*_1B, "contact_moves_with_corner"),
+    "1b-static-strut": (*_1B, "fixed_strut_length"),
+    "1b-no-strut": (*_1B, "fixed_strut_length", "unsprung_moves_with_corner"),
+    "1b-turning-kept": (*_1A, "no_link_inertia"),
+    "1b-mass-lumped": (*_1B, "lumped_unsprung_mass"),
+}
+"""The forms of the terms that make each model. The last four: the harmless simplification of
+section 6.4 in its two steps, and the two mistakes of section 5 (58 left out; the unsprung mass
+lumped into the equations 48 and 49)."""
+SYMMETRIC, ASYMMETRIC = "symmetric", "asymmetric"
 
 
 @dataclasses.dataclass(frozen=True)
 class Options:
-    """Variants of the equations. All off: the source's model 1."""
+    """The model and variants of it. The default is the source's model 1.
 
+    Raises InputError for a combination that the source does not define: of the variants, the
+    simplified models have `no_roll_centre` only, and without a roll centre there is no link load
+    transfer that could be asymmetric.
+    """
+
+    model: str = parameter("the model of the source", choices=tuple(MODELS), default="1")
     no_roll_centre: bool = parameter(
         "lateral link forces act at the strut top (eq. 24 for 25), no link load transfer",
         default=False,
+    )
+    tire_normal_to_ground: bool = parameter(
+        "tires stay normal to the ground in roll (section 7.2)", default=False
+    )
+    link_load_transfer: str = parameter(
+        "over an axle, or each side by itself (section 7.3)",
+        choices=(SYMMETRIC, ASYMMETRIC),
+        default=SYMMETRIC,
     )
     euler_terms: bool = parameter(
         "the gyroscopic terms that the source leaves out of equations 32 to 34", default=False
@@ -22,10 +56,21 @@ class Options:
 
     def __post_init__(self):
         validated(Options, dataclasses.asdict(self))
+        if self.model != "1":
+            for name in ("tire_normal_to_ground", "link_load_transfer", "euler_terms"):
+                if getattr(self, name) not in (False, SYMMETRIC):
+                    allowed = f"an option of model 1, model {self.model} does not have it"
+                    raise InputError(name, getattr(self, name), allowed)
+        if self.no_roll_centre and self.link_load_transfer == ASYMMETRIC:
+            allowed = "symmetric where there is no roll centre"
+            raise InputError("link_load_transfer", ASYMMETRIC, allowed)
 
     def record(self) -> np.ndarray:
         """The options as the equations take them: one OPTIONS record in an array."""
         options = np.zeros(1, OPTIONS)
-        for name, value in dataclasses.asdict(self).items():
-            options[name] = value
+        for name in MODELS[self.model]:
+            options[name] = True
+        for name in ("no_roll_centre", "tire_normal_to_ground", "euler_terms"):
+            options[name] = getattr(self, name)
+        options["asymmetric_link_load_transfer"] = self.link_load_transfer == ASYMMETRIC
         return options

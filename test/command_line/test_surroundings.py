@@ -1,0 +1,80 @@
+"""What the surroundings may do to a command: hang up, fill up, interrupt, damage the cache."""
+
+import os
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from vehicle_roll_sim.model.jit import COMPILED
+
+COMMAND = (sys.executable, "-u", "-m", "vehicle_roll_sim")
+"""With output that is not buffered: every line meets the surroundings at once."""
+PATIENCE = 120
+"""s: a cold start takes 20."""
+
+
+def run(*words, **options):
+    options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True} | options
+    return subprocess.run([*COMMAND, "run", *words], timeout=PATIENCE, **options)
+
+
+def test_a_reader_that_has_gone_costs_no_result(tmp_path):
+    reading, writing = os.pipe()
+    os.close(reading)
+    result = run("step_steer", "--csv", str(tmp_path / "rows.csv"), stdout=writing)
+    os.close(writing)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert (tmp_path / "rows.csv").stat().st_size > 0
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full on this system")
+def test_an_output_that_is_full_is_said_in_one_line():
+    with open("/dev/full", "w") as full:
+        result = run("step_steer", stdout=full)
+    assert result.returncode == 1
+    assert len(result.stderr.splitlines()) == 1
+    assert "No space left" in result.stderr
+
+
+@pytest.mark.skipif(not COMPILED, reason="interrupting compiled code needs compiled code")
+def test_ctrl_c_in_the_middle_of_a_computation_is_no_crash():
+    words = ("step_steer", "--amplitude", "0", "--duration", "3600", "--sample", "0.1")
+    process = subprocess.Popen(
+        [*COMMAND, "run", *words, "--step", "1e-5"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    with pytest.raises(subprocess.TimeoutExpired):  # it computes
+        process.communicate(timeout=5)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 130
+    assert err.splitlines()[-1] == "vehicle_roll_sim: interrupted"
+    assert "Traceback" not in err
+
+
+def test_a_link_stays_and_what_it_leads_to_is_written(tmp_path):
+    target, link = tmp_path / "target.csv", tmp_path / "link.csv"
+    target.write_text("old")
+    link.symlink_to(target)
+    assert run("step_steer", "--duration", "0.1", "--csv", str(link)).returncode == 0
+    assert link.is_symlink()
+    assert target.read_text().startswith("time,")
+
+
+@pytest.mark.skipif(not COMPILED, reason="only compiled code is cached")
+def test_damaged_compiled_code_is_made_anew(tmp_path):
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    words = ("step_steer", "--duration", "0.1")
+    first = run(*words, env=environment)
+    assert "compiling" in first.stderr
+    for compiled in tmp_path.rglob("*.nbc"):
+        compiled.write_bytes(compiled.read_bytes()[:100])
+    second = run(*words, env=environment)
+    assert second.returncode == 0
+    assert "damaged" in second.stderr
+    assert second.stdout == first.stdout
+    assert run(*words, env=environment).stderr == ""
