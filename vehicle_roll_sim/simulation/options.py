@@ -55,7 +55,8 @@ class Options:
     )
 
     def __post_init__(self):
-        validated(Options, dataclasses.asdict(self))
+        for name, value in validated(Options, dataclasses.asdict(self)).items():
+            object.__setattr__(self, name, value)  # as its type: 1 is model "1"
         if self.model != "1":
             for name in ("tire_normal_to_ground", "link_load_transfer", "euler_terms"):
                 if getattr(self, name) not in (False, SYMMETRIC):
