@@ -15,7 +15,7 @@ $(VENV)/.ready: requirements/build.txt $(PINNED) setup.py setup.cfg
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/pip install --quiet --requirement requirements/build.txt
 	$(BIN)/pip install --quiet $(addprefix --requirement ,$(PINNED))
-	$(BIN)/pip install --quiet --no-deps --no-build-isolation --editable .
+	PYTHONWARNINGS=ignore $(BIN)/pip install --quiet --no-deps --no-build-isolation --editable .
 	touch $@
 
 run: setup

@@ -105,7 +105,7 @@ def test_an_svg_figure_has_the_title_the_axes_and_the_wheels(command, folder):
     assert command("run", "j_turn", "--plot", "figure.svg").status == 0
     ElementTree.parse(folder / "figure.svg")
     text = (folder / "figure.svg").read_text()
-    for word in ("j_turn", "roll angle (deg)", "tire normal force (kN)", "lr, lifts at 1.40 s"):
+    for word in ("j_turn", "roll angle", "tire normal force", "lr, lifts at 1.40 s"):
         assert f"<!-- {word}" in text  # text is drawn as paths, and kept as comments
 
 

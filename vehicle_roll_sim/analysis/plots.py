@@ -15,10 +15,10 @@ from vehicle_roll_sim.simulation.output_file import replaced_file
 UNDATED = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
 """Metadata without which the same figure would differ from one run to the next."""
 PANELS = (
-    ("steering", "steering (deg)", math.degrees(1)),
-    ("roll", "roll angle (deg)", math.degrees(1)),
-    ("lateral_acceleration", "lateral acceleration (m/s²)", 1.0),
-    ("yaw_rate", "yaw rate (deg/s)", math.degrees(1)),
+    ("steering", "steering\n(deg)", math.degrees(1)),
+    ("roll", "roll angle\n(deg)", math.degrees(1)),
+    ("lateral_acceleration", "lateral acceleration\n(m/s²)", 1.0),
+    ("yaw_rate", "yaw rate\n(deg/s)", math.degrees(1)),
 )
 COLOURS = ("tab:blue", "tab:orange", "tab:green", "tab:red")
 KILO = 1e3
@@ -60,5 +60,5 @@ def _draw_tire_loads(axis, history: History, events: np.record) -> None:
         lifted = "" if math.isnan(lift_off) else f", lifts at {lift_off:.2f} s"
         axis.plot(history["time"], load, color=colour, linewidth=1.2, label=wheel + lifted)
         axis.plot([lift_off], [0.0], "o", color=colour)
-    axis.set_ylabel("tire normal force (kN)")
+    axis.set_ylabel("tire normal force\n(kN)")
     axis.legend(loc="upper left", fontsize="small")
