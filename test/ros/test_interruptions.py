@@ -3,7 +3,9 @@
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
+import pytest
 from std_srvs.srv import Trigger
 
 
@@ -11,16 +13,23 @@ def names_of(peer) -> set[str]:
     return set(peer.node.get_node_names())
 
 
-def test_a_demo_that_is_interrupted_takes_its_nodes_along(start, peer, tmp_path):
-    nodes = {"simulator", "recorder", "manoeuvre"}
-    for number, signum in enumerate((signal.SIGINT, signal.SIGTERM)):
-        demo = start("demo", "--output", str(tmp_path / str(number)))
-        peer.wait(lambda: nodes <= names_of(peer), "the nodes of the demo")
-        status, out, err = demo.finish(signum)
-        assert status == 130
-        assert "Traceback" not in out + err
-        peer.wait(lambda: not nodes & names_of(peer), "the end of the nodes")
-        assert (tmp_path / str(number) / "bag" / "metadata.yaml").exists()
+def children_of(process: subprocess.Popen) -> list[int]:
+    """Process ids of the children, as Linux lists them."""
+    listed = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()
+    return [int(number) for number in listed.split()]
+
+
+@pytest.mark.parametrize("signum", [signal.SIGINT, signal.SIGTERM])
+def test_a_demo_that_is_interrupted_takes_its_nodes_along(start, tmp_path, signum):
+    demo = start("demo", "--output", str(tmp_path / "run"))
+    assert "J-turn" in demo.process.stdout.readline()  # simulator and recorder are up
+    children = children_of(demo.process)
+    assert len(children) >= 2
+    status, out, err = demo.finish(signum)
+    assert status == 130
+    assert "Traceback" not in out + err
+    assert not any(Path(f"/proc/{child}").exists() for child in children)
+    assert (tmp_path / "run" / "bag" / "metadata.yaml").exists()
 
 
 def test_a_manoeuvre_that_is_reset_by_somebody_else_says_so(start, peer):

@@ -3,11 +3,15 @@
 import xml.etree.ElementTree as ElementTree
 
 import pytest
+import rclpy
 from rcl_interfaces.srv import DescribeParameters, ListParameters, SetParameters
+from rclpy.context import Context
 from rclpy.parameter import Parameter
 from std_srvs.srv import Trigger
 
+from vehicle_roll_sim import InputError
 from vehicle_roll_sim.ros.settings import PARAMETERS
+from vehicle_roll_sim.ros.simulator import Simulator
 
 PLAUSIBLE_RUN = 1000
 """s: far more than a test lasts, far less than the time since 1970."""
@@ -29,14 +33,27 @@ WRONG = {
 }
 
 
+@pytest.fixture
+def context(domain):
+    context = Context()
+    rclpy.init(context=context, domain_id=domain)
+    yield context
+    rclpy.shutdown(context=context)
+
+
 @pytest.mark.parametrize("assignment", WRONG)
-def test_a_wrong_parameter_ends_it_with_one_line_and_status_2(start, assignment):
-    status, out, err = start("simulator", "--ros-args", "-p", assignment).finish()
-    assert status == 2
-    assert out == ""
-    assert len(err.splitlines()) == 1
+def test_a_wrong_parameter_is_refused_by_name_with_what_is_allowed(context, assignment):
+    with pytest.raises(InputError) as refusal:
+        Simulator(context=context, cli_args=["--ros-args", "-p", assignment])
     for word in WRONG[assignment]:
-        assert word in err
+        assert word in str(refusal.value)
+
+
+def test_a_wrong_parameter_ends_the_process_with_one_line_and_status_2(start):
+    status, out, err = start("simulator", "--ros-args", "-p", "vehicle.cg_height:=-1").finish()
+    assert (status, out) == (2, "")
+    assert err.startswith("simulator: error: vehicle.cg_height: -1 is not allowed")
+    assert len(err.splitlines()) == 1
 
 
 def set_parameter(peer, name, value):

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -14,6 +15,10 @@ from vehicle_roll_sim.simulation.summary import line
 
 PATIENCE = 10.0
 """Seconds that a process may take to end."""
+POLL = 0.05
+"""s"""
+ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+"""What ends the demonstration, and with it the nodes."""
 
 
 LOCAL = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
@@ -21,15 +26,16 @@ LOCAL = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
 
 
 def start(module: str, *words: str, **options) -> subprocess.Popen:
-    """Start a node of this package in a process of its own."""
+    """Start a node of this package in a process of its own, which Ctrl-C does not reach."""
     command = [sys.executable, "-m", f"vehicle_roll_sim.ros.{module}", *words]
-    return subprocess.Popen(command, env=LOCAL | os.environ, **options)
+    environment = LOCAL | os.environ
+    return subprocess.Popen(command, env=environment, start_new_session=True, **options)
 
 
 def stop(process: subprocess.Popen) -> int:
-    """End a node as Ctrl-C would; its exit status."""
+    """End a node, also one that is still starting; its exit status."""
     if process.poll() is None:
-        process.send_signal(signal.SIGINT)
+        process.terminate()
     try:
         return process.wait(PATIENCE)
     except subprocess.TimeoutExpired:
@@ -45,6 +51,9 @@ def demonstrate(folder: Path) -> int:
     except OSError as error:
         raise InputError("--output", str(folder), error.strerror) from None
     compile_model()
+    interrupted = threading.Event()
+    for signum in ENDING:  # noted, not raised: no node is lost between its start and its record
+        signal.signal(signum, lambda *_: interrupted.set())
     nodes, statuses = [], []
     try:
         nodes.append(start("simulator"))
@@ -53,9 +62,12 @@ def demonstrate(folder: Path) -> int:
         print("a J-turn at 50 km/h, in real time:", flush=True)
         driver = start("manoeuvre", "j_turn", "--plot", str(plot))
         nodes.append(driver)
-        driver.wait()
+        while driver.poll() is None and not interrupted.is_set():
+            interrupted.wait(POLL)
     finally:
         statuses += [stop(node) for node in reversed(nodes)]
+    if interrupted.is_set():
+        raise KeyboardInterrupt
     if any(statuses):
         return 1
     print(line("bag", bag))
@@ -76,7 +88,6 @@ def main() -> int:
     )
 
     def command() -> int:
-        signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends the nodes, too
         return demonstrate(Path(parser.parse_args().output))
 
     return exit_status(command, parser.prog)

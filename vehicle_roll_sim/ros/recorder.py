@@ -25,39 +25,38 @@ class Recorder(Node):
     recording, that at which they came.
     """
 
-    def __init__(self, bags: ModuleType, folder: Path):
+    def __init__(self, bags: ModuleType, bag):
         super().__init__("recorder")
-        self.bag, self._bags = bags.open_bag(folder), bags
-        self.count = 0
+        self._bags, self._bag = bags, bag
         for topic in (*COMMANDS, *PUBLISHED):
             self._record(topic)
 
     def _record(self, topic: Topic) -> None:
         offered = COMMANDING if topic in COMMANDS else topic.publisher_qos
         name = self.resolve_topic_name(topic.name)
-        connection = self._bags.add_topic(self.bag, name, topic.type, offered)
+        connection = self._bags.add_topic(self._bag, name, topic.type, offered)
         clock = "received_timestamp" if topic.latched else "source_timestamp"
 
         def write(data: bytes, info: dict) -> None:
-            self.bag.write(connection, info[clock], data)
-            self.count += 1
+            self._bag.write(connection, info[clock], data)
 
         self.create_subscription(topic.type, topic.name, write, recording_qos(topic), raw=True)
 
 
 def record(folder: Path, duration: float | None) -> int:
     """Record until interrupted or for `duration` (wall seconds); the exit status."""
-    recorder = Recorder(_bags(), folder)
-    executor = SingleThreadedExecutor()
-    executor.add_node(recorder)
+    bags = _bags()
+    bag = bags.open_bag(folder)
     try:
+        executor = SingleThreadedExecutor()
+        executor.add_node(Recorder(bags, bag))
         print(f"recorder: recording to {folder}", flush=True)
         until = time.monotonic() + duration if duration else float("inf")
         while (left := until - time.monotonic()) > 0.0:
             executor.spin_once(timeout_sec=min(1.0, left))
     finally:
-        recorder.bag.close()
-        print(f"recorder: {recorder.count} messages in {folder}", flush=True)
+        bag.close()
+        print(f"recorder: {sum(bag.counts.values())} messages in {folder}", flush=True)
     return 0
 
 
