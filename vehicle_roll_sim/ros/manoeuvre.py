@@ -74,7 +74,7 @@ class Driver(Node):
         reset = self.create_client(Trigger, f"{self._simulator}/reset")
         self.rollover_angle = self._get("rollover_angle").double_value
         self._set("initial_speed", self.manoeuvre.speed)
-        self._wait(lambda: self._connected(), "a connection to its topics")
+        self._wait(self._connected, "a connection to its topics")
         self._forget()
         self._call(reset, Trigger.Request(), "a reset")
         self._wait(lambda: self.state is not None, "its state")

@@ -13,6 +13,7 @@ from std_srvs.srv import SetBool, Trigger
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.ros import settings as ros_settings
 from vehicle_roll_sim.ros.diagnostics import diagnostics
@@ -33,12 +34,7 @@ from vehicle_roll_sim.ros.urdf import robot_description
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.pacing import Pacer
 from vehicle_roll_sim.simulation.session import Session
-from vehicle_roll_sim.simulation.simulation import (
-    NANOSECONDS,
-    Simulation,
-    compile_model,
-    whole_steps,
-)
+from vehicle_roll_sim.simulation.simulation import Simulation, compile_model, whole_steps
 
 DIAGNOSTICS_PERIOD = 1.0
 """s"""
