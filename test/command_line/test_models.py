@@ -17,6 +17,8 @@ UNDEFINED = (
     ["--model", "1a", "--tire-normal-to-ground"],
     ["--model", "1b", "--link-load-transfer", "asymmetric"],
     ["--model", "1c-iv", "--euler-terms"],
+    ["--model", "8dof", "--no-roll-centre"],
+    ["--model", "8dof", "--euler-terms"],
     ["--no-roll-centre", "--link-load-transfer", "asymmetric"],
 )
 
@@ -47,6 +49,6 @@ def test_a_combination_that_is_not_defined_is_refused(command, words):
 
 
 def test_an_unknown_model_is_refused_with_those_there_are(command):
-    result = command("run", "step_steer", "--model", "8dof")
+    result = command("run", "step_steer", "--model", "9dof")
     assert result.status == 2
     assert "1c-iii" in result.err

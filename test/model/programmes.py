@@ -6,15 +6,13 @@ import numpy as np
 
 from vehicle_roll_sim import Condition, Options, Simulation, Tire, Vehicle
 from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.fourteen_dof import derivatives
+from vehicle_roll_sim.model.derivatives import derivatives
 from vehicle_roll_sim.model.jit import kernel_argument
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
 from vehicle_roll_sim.simulation.command import Programme
 
 SHIFTS = dict.fromkeys(("LHX", "LHY", "LVX", "LVY", "LVYKA"), 1.0)
 """Scaling factors that switch on all that makes a left and a right tire differ."""
-LATERAL_ONLY = {"LMUX": 0.0, "RBY1": 0.0}
-"""Coefficients of a tire without longitudinal force, whose lateral force knows no slip ratio."""
 
 
 def ramp_and_hold(start: float, rate: float, amplitude: float, **held) -> Programme:
@@ -92,9 +90,14 @@ def _flat(state: np.ndarray) -> np.ndarray:
 
 
 def largest_difference(mine: np.ndarray, other: np.ndarray, names) -> dict[str, float]:
-    """Per signal, the largest difference as a share of the signal's peak over all wheels."""
+    """Per signal, the largest difference as a share of the signal's peak over all wheels.
+
+    What both do not have, nan, does not differ.
+    """
     differences = {}
     for name in names:
-        peak = max(np.abs(other[name]).max(), np.finfo(float).tiny)
-        differences[name] = float(np.abs(mine[name] - other[name]).max() / peak)
+        known = ~(np.isnan(mine[name]) & np.isnan(other[name]))
+        one, two = mine[name][known], other[name][known]
+        peak = np.abs(two).max(initial=np.finfo(float).tiny)
+        differences[name] = float(np.abs(one - two).max(initial=0.0) / peak)
     return differences

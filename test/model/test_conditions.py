@@ -142,7 +142,7 @@ def test_a_run_that_diverges_by_itself_stops_at_its_last_plausible_state(referen
     assert simulation.step(j_turn(), 6.0) is Condition.DIVERGED
     assert 0.0 < simulation.time < 6.0
     assert simulation.implausible in BOUNDED
-    assert (np.abs(vector(simulation)) <= plausible_magnitudes()).all()
+    assert (np.abs(vector(simulation)) <= plausible_magnitudes().view(float)).all()
     assert np.isfinite(simulation.outputs.normal_force).all()
     again = Simulation(reference, step=0.1)
     again.step(j_turn(), simulation.time)  # as far as the other got

@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from vehicle_roll_sim import LF, LR, RF, RR, Command, Simulation, preset
-from vehicle_roll_sim.ros.messages import COMMAND_LABELS, Messages, load_transfer_ratio
+from vehicle_roll_sim.ros.messages import COMMAND_LABELS, Messages
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.session import Session
 
@@ -112,12 +112,6 @@ def test_lift_off_is_1_exactly_where_there_is_no_load(session, messages):
     assert flags[RR] == 0
 
 
-def test_load_transfer_ratio_is_0_in_the_air_and_1_on_two_wheels():
-    assert load_transfer_ratio(np.zeros(4)) == 0.0
-    assert load_transfer_ratio(np.array([0.0, 3.0, 0.0, 2.0])) == 1.0
-    assert load_transfer_ratio(np.array([3.0, 1.0, 3.0, 1.0])) == pytest.approx(-0.5)
-
-
 def test_applied_command_names_every_element(messages):
     message = messages.applied_command()
     assert [dimension.label for dimension in message.layout.dim] == list(COMMAND_LABELS)
@@ -129,7 +123,7 @@ def test_applied_command_names_every_element(messages):
 
 
 def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session, messages):
-    body, footprint = messages.transforms()
+    footprint, body = messages.transforms()
     state = session.simulation.state
     assert (body.child_frame_id, footprint.child_frame_id) == (
         "car/base_link",

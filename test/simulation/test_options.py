@@ -11,7 +11,8 @@ from vehicle_roll_sim import Condition, InputError, Options, Simulation, preset
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.simulation.options import MODELS
 
-SIMPLIFIED = [model for model in MODELS if model != "1"]
+EIGHT_DOF = [model for model in MODELS if model.startswith("8dof")]
+SIMPLIFIED = [model for model in MODELS if model not in ("1", *EIGHT_DOF)]
 MODEL_1_ONLY = {
     "tire_normal_to_ground": True,
     "link_load_transfer": "asymmetric",
@@ -36,6 +37,7 @@ def has_a_link_to_split(combination: dict) -> bool:
 DEFINED = [
     *({"model": "1", **values} for values in COMBINATIONS if has_a_link_to_split(values)),
     *({"model": model, "no_roll_centre": none} for model in SIMPLIFIED for none in (False, True)),
+    *({"model": model} for model in EIGHT_DOF),
 ]
 
 
@@ -46,7 +48,7 @@ def flags(options: Options) -> set[str]:
     return {name for name in record.dtype.names if record[0][name]}
 
 
-@pytest.mark.parametrize("model", SIMPLIFIED)
+@pytest.mark.parametrize("model", SIMPLIFIED + EIGHT_DOF)
 @pytest.mark.parametrize("name", MODEL_1_ONLY)
 def test_simplified_models_refuse_the_options_of_model_1(model, name):
     with pytest.raises(InputError) as refusal:
@@ -88,7 +90,7 @@ def test_a_value_that_is_none_of_the_choices_is_refused_by_name(name, value):
 def test_every_defined_combination_runs(values):
     simulation = Simulation(preset(), Options(**values))
     assert simulation.step(turn(4.0), 0.5) is Condition.RUNNING
-    assert np.isfinite(simulation.state_vector).all()
+    assert np.isfinite(simulation.model_state).all()
     assert simulation.state.roll > 0.01  # rad, to the outside of the turn
     assert simulation.options == Options(**values)
 
@@ -109,9 +111,20 @@ def test_the_default_is_model_1_as_the_source_has_it():
     assert everything(named) == everything(unnamed)
 
 
+@pytest.mark.parametrize("model", EIGHT_DOF)
+def test_the_8_dof_model_refuses_the_option_of_the_others(model):
+    with pytest.raises(InputError, match="does not have it") as refusal:
+        Options(model=model, no_roll_centre=True)
+    assert refusal.value.field == "no_roll_centre"
+
+
 @pytest.mark.parametrize("model", MODELS)
 def test_the_record_has_just_the_flags_of_the_model(model):
     assert flags(Options(model=model)) == set(MODELS[model])
+
+
+@pytest.mark.parametrize("model", ["1", *SIMPLIFIED])
+def test_no_roll_centre_is_one_more_flag(model):
     assert flags(Options(model=model, no_roll_centre=True)) == {*MODELS[model], "no_roll_centre"}
 
 

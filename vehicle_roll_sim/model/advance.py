@@ -1,13 +1,15 @@
 """Several steps at once, in one call of compiled code."""
 
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.derivatives import derivatives
 from vehicle_roll_sim.model.events import (
     Condition,
     condition_of,
     most_implausible,
-    note_crossings,
+    note_lift_offs,
     note_peaks,
+    note_rollover,
 )
-from vehicle_roll_sim.model.fourteen_dof import derivatives
 from vehicle_roll_sim.model.integrator import BEFORE, K1, rk4_step
 from vehicle_roll_sim.model.jit import kernel
 
@@ -40,6 +42,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     if culprit >= 0:
         return taken, Condition.DIVERGED, culprit
     derivatives(state, commands[0], vehicle, tire, options, out, stages[K1])
+    note_lift_offs(start_ns / NANOSECONDS, 0.0, out.support, seen)
     while taken < steps and condition == Condition.RUNNING:
         time = (start_ns + taken * step_ns) / NANOSECONDS
         note_peaks(time, state, tire, out, seen)
@@ -52,9 +55,12 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
             condition = Condition.DIVERGED
         else:
             taken += 1
-            note_crossings(time, step, stages[BEFORE], state, limits.rollover_angle, seen)
             condition = condition_of(state, limits)
         last = idle if condition == Condition.DIVERGED else commands[2 * taken * stride]
         derivatives(state, last, vehicle, tire, options, out, stages[K1])
+        if culprit < 0:
+            note_lift_offs(time, step, out.support, seen)
+            roll_before, roll = stages[BEFORE, at.ROLL], state[at.ROLL]
+            note_rollover(time, step, roll_before, roll, limits.rollover_angle, seen)
     note_peaks((start_ns + taken * step_ns) / NANOSECONDS, state, tire, out, seen)
     return taken, condition, culprit

@@ -12,9 +12,9 @@ SLOWEST_ROLLING = 1e-9
 
 
 @kernel
-def normal_force(tire_compression, tire_stiffness):
-    """Fzg of one wheel (N): never negative, 0 off the ground (eqs 13, 16)."""
-    return tire_stiffness * tire_compression if tire_compression > 0.0 else 0.0
+def normal_force(support):
+    """Fzg of one wheel (N): never negative, 0 off the ground (eq. 16)."""
+    return support if support > 0.0 else 0.0
 
 
 @kernel
@@ -64,7 +64,8 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
     wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
     xt, wu = state[at.TIRE_COMPRESSION], state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):
-        outputs.normal_force[i] = normal_force(xt[i], vehicle.tire_stiffness[i])
+        outputs.support[i] = vehicle.tire_stiffness[i] * xt[i]  # (13)
+        outputs.normal_force[i] = normal_force(outputs.support[i])
         if options.tire_normal_to_ground:
             upright_contact(i, state, vehicle, attitude, outputs)
             continue

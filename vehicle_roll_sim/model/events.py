@@ -28,6 +28,7 @@ SLIP_RATIO, SLIP_ANGLE, NORMAL_FORCE = 0, 1, 2
 
 EVENTS = record_dtype(
     *per_wheel("lift_off_time"),
+    *per_wheel("support"),
     ("rollover_time", (1,)),
     ("peak_roll", 2),
     ("peak_lateral_acceleration", 2),
@@ -35,8 +36,9 @@ EVENTS = record_dtype(
 )
 """Times (s) are nan until the event. lift_off_time: the first time that Fz reaches 0, and
 rollover_time: that the roll angle reaches its limit, both interpolated linearly between steps.
-Peaks are (value, time) of the largest magnitude at the steps. out_of_range_time: when slip ratio,
-slip angle or load of any loaded tire first left the range of the tire file."""
+support: of each wheel (N), as last noted. Peaks are (value, time) of the largest magnitude at the
+steps. out_of_range_time: when slip ratio, slip angle or load of any loaded tire first left the
+range of the tire file."""
 
 LIMITS = record_dtype("rollover_angle", "minimum_speed", ("largest", STATE_SIZE))
 """Where a run stops: roll angle (rad), forward speed (m/s) and the largest plausible magnitude of
@@ -44,7 +46,10 @@ every state."""
 
 
 def plausible_magnitudes() -> np.ndarray:
-    """Largest magnitude of each state that a road vehicle can show; beyond it is divergence."""
+    """Largest magnitude of each state that a road vehicle can show: one STATE record in an array.
+
+    Beyond it is divergence.
+    """
     largest = np.full(1, np.inf, STATE)
     bound = largest[0]
     bound.z = 1e3
@@ -55,7 +60,7 @@ def plausible_magnitudes() -> np.ndarray:
     bound.suspension_compression = bound.tire_compression = 1e2
     bound.unsprung_velocity = 1e3
     bound.wheel_speed = 1e6
-    return largest.view(np.float64)
+    return largest
 
 
 def no_events() -> np.ndarray:
@@ -99,24 +104,33 @@ def note_range(time, value, lowest, highest, noted, quantity):
 
 
 @kernel
-def note_crossings(time, step, before, state, rollover_angle, events):
-    """Lift-offs and rollover during the step that began at `time` with the state `before`."""
-    xt_before, xt = before[at.TIRE_COMPRESSION], state[at.TIRE_COMPRESSION]
+def note_lift_offs(time, step, support, events):
+    """Wheels whose support passed 0 in the step (s) from `time` on; 0: at once, by a command."""
     for i in range(WHEEL_COUNT):
-        if xt[i] <= 0.0 < xt_before[i] and math.isnan(events.lift_off_time[i]):
-            events.lift_off_time[i] = crossing_time(time, step, xt_before[i], xt[i])
-    left, gone = rollover_angle - abs(before[at.ROLL]), rollover_angle - abs(state[at.ROLL])
+        before = events.support[i]
+        if support[i] <= 0.0 < before and math.isnan(events.lift_off_time[i]):
+            events.lift_off_time[i] = crossing_time(time, step, before, support[i])
+        events.support[i] = support[i]
+
+
+@kernel
+def note_rollover(time, step, roll_before, roll, rollover_angle, events):
+    """Rollover during the step that began at `time` with the roll angle `roll_before` (rad)."""
+    left, gone = rollover_angle - abs(roll_before), rollover_angle - abs(roll)
     if gone <= 0.0 < left:
         events.rollover_time[0] = crossing_time(time, step, left, gone)
 
 
 @kernel
 def most_implausible(state, largest):
-    """Index of the state furthest beyond its bound, or not finite; -1 if all are plausible."""
+    """Index of the state furthest beyond its bound, or not finite; -1 if all are plausible.
+
+    A state without a bound (nan) is one that the model does not have.
+    """
     worst, culprit = 1.0, -1
     for i in range(len(state)):
         excess = abs(state[i]) / largest[i]
-        if not math.isfinite(state[i]):
+        if not math.isfinite(state[i]) and not math.isnan(largest[i]):
             excess = math.inf
         if excess > worst:
             worst, culprit = excess, i

@@ -29,11 +29,8 @@ from vehicle_roll_sim.model.suspension import (
 
 
 @kernel
-def derivatives(state, command, vehicle, tire, options, outputs, rates):
-    """Time derivative of the state, into `rates`, and all that leads to it, into `outputs`.
-
-    `state` and `rates` are flat vectors laid out as records.STATE, the others records.
-    """
+def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, rates):
+    """Rates of all states, and all that leads to them; see `derivatives`."""
     attitude = sines_and_cosines(state[at.ROLL], state[at.PITCH], options)
 
     strut_kinematics(state, vehicle, options, outputs)

@@ -1,6 +1,6 @@
 """Classical Runge-Kutta integration of fourth order with a fixed step."""
 
-from vehicle_roll_sim.model.fourteen_dof import derivatives
+from vehicle_roll_sim.model.derivatives import derivatives
 from vehicle_roll_sim.model.jit import kernel
 
 STAGE_VECTORS = 6

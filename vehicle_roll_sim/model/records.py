@@ -40,6 +40,12 @@ MODEL_STATE = record_dtype(
 """The 28 states: position of the sprung c.g. (m, ground frame), Euler angles (rad), velocity
 (m/s) and rates (rad/s) in the body frame, then per wheel xs, xt (m), wu (m/s) and spin (rad/s)."""
 
+EIGHT_DOF_STATES = (
+    *("x", "y", "yaw", "roll"),
+    *("u", "v", "yaw_rate", "roll_rate", "wheel_speed"),
+)
+"""Those of the 8 DOF model, in the order of its equations."""
+
 STATE = record_dtype(
     *((name, MODEL_STATE[name].shape or ()) for name in MODEL_STATE.names),
     *per_wheel("wheel_angle"),
@@ -78,7 +84,7 @@ at each corner (N), and a speed hold, a torque gain * (target - u) added at each
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
     *("tire_radius", "wheel_inertia", "gravity"),
-    *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass"),
+    *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass", "axle_load_share"),
     *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
     *per_wheel("static_strut_length", "static_suspension_compression"),
     *per_wheel("static_tire_compression"),
@@ -100,12 +106,14 @@ OPTION_NAMES = (
     "contact_moves_with_corner",
     "fixed_strut_length",
     "unsprung_moves_with_corner",
+    "eight_dof",
+    "rigid_tires",
 )
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 """Which form of a term the equations take; all off is model 1. Each is explained where it acts."""
 
 OUTPUTS = record_dtype(
-    *per_wheel("normal_force", "longitudinal_force", "lateral_force"),
+    *per_wheel("normal_force", "longitudinal_force", "lateral_force", "support"),
     *per_wheel("slip_ratio", "slip_angle", "steering", "suspension_rate"),
     ("acceleration", 3),
     ("specific_force", 3),
@@ -119,8 +127,9 @@ OUTPUTS = record_dtype(
 )
 """Everything that is computed on the way from a state to its derivative.
 
-normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N); acceleration: of
-the sprung c.g. along the axes of frame 2 (m/s^2); specific_force: what an accelerometer at the
-c.g. reads, in frame 1 (m/s^2); body_acceleration: derivatives of u, v, w and the body rates. The
-rest are the terms of the equations, named where they are computed.
+normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N); support: what the
+normal force would be if the ground could pull (N), below 0 when the wheel is off; acceleration: of
+the sprung c.g. along the axes of frame 2 (m/s^2); specific_force: what an accelerometer at the c.g.
+reads, in frame 1 (m/s^2); body_acceleration: derivatives of u, v, w and the body rates. The rest
+are the terms of the equations, named where they are computed. What a model does not have is nan.
 """

@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from rclpy.node import Node
 
-from vehicle_roll_sim.model.events import TIME, VALUE, no_events, note_crossings
+from vehicle_roll_sim.model.events import TIME, VALUE, no_events, note_lift_offs, note_rollover
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.jit import kernel_argument
-from vehicle_roll_sim.model.records import PITCH, ROLL, WHEELS
-from vehicle_roll_sim.ros.messages import COMMAND_LABELS, STATE_LABELS
+from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.ros.messages import COMMAND_LABELS
 from vehicle_roll_sim.ros.topics import STATE_SET, recording_qos
 from vehicle_roll_sim.simulation.history import COLUMNS, History
 
@@ -23,10 +23,10 @@ class Collector:
     """Keeps what a simulator publishes from the last reset on.
 
     A set begins with its `state` and one process sends it in order, so whatever was sent between
-    two states belongs to the first of them. on_state is told the data of every `state` kept.
+    two states belongs to the first of them. on_state is told every `state` kept, by name.
     """
 
-    def __init__(self, node: Node, on_state: Callable[[np.ndarray], None]):
+    def __init__(self, node: Node, on_state: Callable[[dict], None]):
         self._on_state = on_state
         self.subscriptions = [
             node.create_subscription(
@@ -44,14 +44,14 @@ class Collector:
     def _listener(self, name: str):
         def listen(message, info: dict) -> None:
             if name == STATE:
-                self._keep_state(np.array(message.data), info["source_timestamp"])
+                self._keep_state(by_name(message), info["source_timestamp"])
             else:
                 self._kept[name].append((info["source_timestamp"], message))
 
         return listen
 
-    def _keep_state(self, state: np.ndarray, sent: int) -> None:
-        if state[0] == 0.0:
+    def _keep_state(self, state: dict, sent: int) -> None:
+        if state["time"] == 0.0:
             self._kept[STATE] = []
         elif not self._kept[STATE]:
             return
@@ -86,19 +86,26 @@ class Collector:
         return None
 
 
-def _row(state: np.ndarray, command, imu, loads) -> np.ndarray:
+def by_name(message) -> dict[str, float]:
+    """The values of a labelled multi-array."""
+    labels = (dimension.label for dimension in message.layout.dim)
+    return dict(zip(labels, message.data, strict=True))
+
+
+def _row(state: dict, command, imu, loads) -> np.ndarray:
     row = np.full(len(COLUMNS), np.nan)
-    row[: len(STATE_LABELS)] = state
+    for name, value in state.items():
+        row[COLUMNS.index(name)] = value
     first = COLUMNS.index(f"normal_force_{WHEELS[0]}")
     row[first : first + len(WHEELS)] = loads.data
     row[COLUMNS.index("steering")] = command.data[COMMAND_LABELS.index("steering")]
-    row[COLUMNS.index("lateral_acceleration")] = _lateral_acceleration(state[1:], imu)
+    row[COLUMNS.index("lateral_acceleration")] = _lateral_acceleration(state, imu)
     return row
 
 
-def _lateral_acceleration(state: np.ndarray, imu) -> float:
+def _lateral_acceleration(state: dict, imu) -> float:
     """Along the y axis of frame 2, where gravity has no share of the specific force."""
-    roll, pitch = state[ROLL], state[PITCH]
+    roll, pitch = state["roll"], state.get("pitch", 0.0)
     attitude = (np.sin(roll), np.cos(roll), np.sin(pitch), np.cos(pitch))
     specific = imu.linear_acceleration
     return body_to_yawed(attitude, specific.x, specific.y, specific.z)[1]
@@ -107,11 +114,16 @@ def _lateral_acceleration(state: np.ndarray, imu) -> float:
 def events_of(history: History, rollover_angle: float) -> np.record:
     """Lift-offs, rollover and peaks as the samples show them (an EVENTS record)."""
     events = no_events()
-    time, states = history["time"], history.rows[:, 1 : len(STATE_LABELS)]
+    time, roll = history["time"], history["roll"]
+    support = history.wheels("tire_compression")
+    if np.isnan(support).all():  # the model has no such states
+        support = history.wheels("normal_force")
+    seen = kernel_argument(events)[0]
+    note_lift_offs(time[0], 0.0, support[0], seen)
     for k in range(1, len(time)):
-        step = time[k] - time[k - 1]
-        argument = kernel_argument(events)[0]
-        note_crossings(time[k - 1], step, states[k - 1], states[k], rollover_angle, argument)
+        before, step = time[k - 1], time[k] - time[k - 1]
+        note_lift_offs(before, step, support[k], seen)
+        note_rollover(before, step, roll[k - 1], roll[k], rollover_angle, seen)
     for peak, name in (
         ("peak_roll", "roll"),
         ("peak_lateral_acceleration", "lateral_acceleration"),

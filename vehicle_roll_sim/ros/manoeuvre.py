@@ -23,7 +23,6 @@ from vehicle_roll_sim.arguments import (
 )
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
-from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.ros.collector import Collector, events_of
@@ -117,10 +116,10 @@ class Driver(Node):
                 raise NoAnswerError(f"`{self._simulator}` was reset by somebody else")
         self._wait(self.collector.is_complete, "the rest of its last set")
 
-    def _on_state(self, data: np.ndarray) -> None:
-        now = float(data[0])
+    def _on_state(self, state: dict) -> None:
+        now = state["time"]
         self.disturbed = self.disturbed or now < self._time
-        self.state = data[1:]
+        self.state = state
         self._states += 1
         self._still = self._still + 1 if now == self._time else 0
         self._time = now
@@ -132,7 +131,7 @@ class Driver(Node):
     def _command(self, when: float) -> None:
         command = self.manoeuvre(np.array([when]))[0]
         self._steering.publish(Float64(data=float(command.steering)))
-        error = command.speed_hold_target - self.state[at.U]
+        error = command.speed_hold_target - self.state["u"]
         torque = float(command.speed_hold_gain * error)
         if self.manoeuvre.speed_hold:
             torques = [torque if wheel >= LR else 0.0 for wheel in range(WHEEL_COUNT)]
@@ -141,9 +140,9 @@ class Driver(Node):
     @property
     def condition(self) -> Condition:
         """How the run ended, as far as the last state shows it."""
-        if abs(self.state[at.ROLL]) >= self.rollover_angle:
+        if abs(self.state["roll"]) >= self.rollover_angle:
             return Condition.ROLLED_OVER
-        if self.state[at.U] < MINIMUM_SPEED:
+        if self.state["u"] < MINIMUM_SPEED:
             return Condition.TOO_SLOW
         stopped = self._time < self.manoeuvre.duration - ROUNDING
         return Condition.DIVERGED if stopped else Condition.RUNNING

@@ -9,13 +9,12 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu, JointState
 from std_msgs.msg import Float64, Float64MultiArray, MultiArrayDimension, UInt8MultiArray
 
+from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
-from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, WHEEL_COUNT, WHEELS
+from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
 from vehicle_roll_sim.simulation.session import Session
-from vehicle_roll_sim.simulation.simulation import STATE_NAMES
 
-STATE_LABELS = ("time", *STATE_NAMES[:MODEL_STATE_SIZE])
 COMMAND_LABELS = (
     *("time", "steering", "rear_steering"),
     *(f"wheel_torque_{wheel}" for wheel in WHEELS),
@@ -24,9 +23,11 @@ COMMAND_LABELS = (
 )
 NO_BRAKES = (0.0,) * WHEEL_COUNT
 """The model has no brakes yet; their places in `applied_command` are kept."""
-JOINTS = tuple(
-    f"{wheel}_{kind}_joint" for kind in ("suspension", "steering", "wheel") for wheel in WHEELS
+SUSPENSION, STEERING, SPINNING = (
+    tuple(f"{wheel}_{kind}_joint" for wheel in WHEELS)
+    for kind in ("suspension", "steering", "wheel")
 )
+"""Names of the joints."""
 
 
 def labelled(kind: type, labels: tuple[str, ...]):
@@ -34,13 +35,6 @@ def labelled(kind: type, labels: tuple[str, ...]):
     message = kind()
     message.layout.dim = [MultiArrayDimension(label=name, size=1, stride=1) for name in labels]
     return message
-
-
-def load_transfer_ratio(normal_force: np.ndarray) -> float:
-    """(right - left) / total of the tire loads, -1 to 1; 0 when no tire carries load."""
-    left, right = normal_force[0::2].sum(), normal_force[1::2].sum()
-    total = left + right
-    return float((right - left) / total) if total > 0.0 else 0.0
 
 
 class Messages:
@@ -55,7 +49,8 @@ class Messages:
         self.stamp = Time()
         body, odom = f"{frame_prefix}base_link", f"{frame_prefix}odom"
         footprint = f"{frame_prefix}base_footprint"
-        self._state = labelled(Float64MultiArray, STATE_LABELS)
+        self._whole_body = not session.simulation.options.has_eight_dof
+        self._state = labelled(Float64MultiArray, ("time", *session.simulation.state_names))
         self._command = labelled(Float64MultiArray, COMMAND_LABELS)
         self._loads = labelled(Float64MultiArray, WHEELS)
         self._lift_off = labelled(UInt8MultiArray, WHEELS)
@@ -63,11 +58,11 @@ class Messages:
         self._odom.child_frame_id = body
         self._imu = self._stamped(Imu, body)
         self._joints = self._stamped(JointState, "")
-        self._joints.name = list(JOINTS)
+        self._joints.name = [*(SUSPENSION if self._whole_body else ()), *STEERING, *SPINNING]
         self._forces = [self._stamped(WrenchStamped, footprint) for _ in WHEELS]
         self._transforms = [self._stamped(TransformStamped, odom) for _ in range(2)]
-        self._transforms[0].child_frame_id = body
-        self._transforms[1].child_frame_id = footprint
+        self._transforms[0].child_frame_id = footprint
+        self._transforms[1].child_frame_id = body
         self._ratio = Float64()
 
     def _stamped(self, kind: type, frame: str):
@@ -83,7 +78,7 @@ class Messages:
     def state(self) -> Float64MultiArray:
         simulation = self.simulation
         self._state.data = array("d", [simulation.time])
-        self._state.data.frombytes(simulation.state_vector[:MODEL_STATE_SIZE].tobytes())
+        self._state.data.frombytes(simulation.model_state.tobytes())
         return self._state
 
     def applied_command(self) -> Float64MultiArray:
@@ -118,10 +113,12 @@ class Messages:
 
     def joint_states(self) -> JointState:
         state, outputs = self.simulation.state, self.simulation.outputs
-        at_rest = self.simulation.static_suspension_compression
-        travel = state["suspension_compression"] - at_rest
-        position = (travel, outputs["steering"], state["wheel_angle"])
-        velocity = (outputs["suspension_rate"], np.zeros(WHEEL_COUNT), state["wheel_speed"])
+        position = [outputs["steering"], state["wheel_angle"]]
+        velocity = [np.zeros(WHEEL_COUNT), state["wheel_speed"]]
+        if self._whole_body:
+            at_rest = self.simulation.static_suspension_compression
+            position.insert(0, state["suspension_compression"] - at_rest)
+            velocity.insert(0, outputs["suspension_rate"])
         self._joints.position = array("d", np.concatenate(position).tobytes())
         self._joints.velocity = array("d", np.concatenate(velocity).tobytes())
         return self._joints
@@ -142,17 +139,20 @@ class Messages:
         return self._lift_off
 
     def load_transfer_ratio(self) -> Float64:
-        self._ratio.data = load_transfer_ratio(self.simulation.outputs["normal_force"])
+        loads = self.simulation.outputs["normal_force"]
+        self._ratio.data = float(load_transfer_ratio(loads))
         return self._ratio
 
     def transforms(self) -> list[TransformStamped]:
-        """odom to base_link, and odom to base_footprint: on the ground, yaw only."""
+        """odom to base_footprint: on the ground, yaw only; and to base_link, if it has a height."""
         state = self.simulation.state
-        body, footprint = (message.transform for message in self._transforms)
-        _set_vector(body.translation, state["x"], state["y"], state["z"])
-        _set_attitude(body.rotation, state)
+        footprint, body = (message.transform for message in self._transforms)
         _set_vector(footprint.translation, state["x"], state["y"], 0.0)
         _set_quaternion(footprint.rotation, *quaternion(0.0, 0.0, float(state["yaw"])))
+        if not self._whole_body:
+            return self._transforms[:1]
+        _set_vector(body.translation, state["x"], state["y"], state["z"])
+        _set_attitude(body.rotation, state)
         return self._transforms
 
 
@@ -165,8 +165,9 @@ def _set_rates(vector, state: np.record) -> None:
 
 
 def _set_attitude(orientation, state: np.record) -> None:
-    attitude = (float(state[name]) for name in ("roll", "pitch", "yaw"))
-    _set_quaternion(orientation, *quaternion(*attitude))
+    """Roll, pitch and yaw; of a model that does not pitch, roll and yaw."""
+    pitch = 0.0 if np.isnan(state["pitch"]) else float(state["pitch"])
+    _set_quaternion(orientation, *quaternion(float(state["roll"]), pitch, float(state["yaw"])))
 
 
 def _set_quaternion(orientation, x: float, y: float, z: float, w: float) -> None:

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter, validated
-from vehicle_roll_sim.model.records import OPTIONS
+from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, OPTIONS
 
 _1A = ("small_angles",)
 _1B = (*_1A, "no_link_inertia", "no_unsprung_turning")
@@ -21,10 +21,13 @@ MODELS = {
     "1b-no-strut": (*_1B, "fixed_strut_length", "unsprung_moves_with_corner"),
     "1b-turning-kept": (*_1A, "no_link_inertia"),
     "1b-mass-lumped": (*_1B, "lumped_unsprung_mass"),
+    "8dof": ("eight_dof",),
+    "8dof-rigid-tires": ("eight_dof", "rigid_tires"),
 }
-"""The forms of the terms that make each model. The last four: the harmless simplification of
-section 6.4 in its two steps, and the two mistakes of section 5 (58 left out; the unsprung mass
-lumped into the equations 48 and 49)."""
+"""The forms of the terms that make each model. After 1c-iv: the harmless simplification of section
+6.4 in its two steps, and the two mistakes of section 5 (58 left out; the unsprung mass lumped into
+the equations 48 and 49). At the end: the 8 DOF model of section 8, as it should be and with the
+roll stiffness of the springs alone."""
 SYMMETRIC, ASYMMETRIC = "symmetric", "asymmetric"
 
 
@@ -33,8 +36,8 @@ class Options:
     """The model and variants of it. The default is the source's model 1.
 
     Raises InputError for a combination that the source does not define: of the variants, the
-    simplified models have `no_roll_centre` only, and without a roll centre there is no link load
-    transfer that could be asymmetric.
+    simplified models have `no_roll_centre` only and the 8 DOF model has none; without a roll centre
+    there is no link load transfer that could be asymmetric.
     """
 
     model: str = parameter("the model of the source", choices=tuple(MODELS), default="1")
@@ -58,13 +61,28 @@ class Options:
         for name, value in validated(Options, dataclasses.asdict(self)).items():
             object.__setattr__(self, name, value)  # as its type: 1 is model "1"
         if self.model != "1":
-            for name in ("tire_normal_to_ground", "link_load_transfer", "euler_terms"):
-                if getattr(self, name) not in (False, SYMMETRIC):
-                    allowed = f"an option of model 1, model {self.model} does not have it"
-                    raise InputError(name, getattr(self, name), allowed)
+            self._refuse("of model 1", "tire_normal_to_ground", "link_load_transfer", "euler_terms")
+        if self.has_eight_dof:
+            self._refuse("of the 14 DOF models", "no_roll_centre")
         if self.no_roll_centre and self.link_load_transfer == ASYMMETRIC:
             allowed = "symmetric where there is no roll centre"
             raise InputError("link_load_transfer", ASYMMETRIC, allowed)
+
+    def _refuse(self, of_which: str, *names: str) -> None:
+        """Raise InputError for the first of these options that is not at its default."""
+        for name in names:
+            if getattr(self, name) not in (False, SYMMETRIC):
+                allowed = f"an option {of_which}, model {self.model} does not have it"
+                raise InputError(name, getattr(self, name), allowed)
+
+    @property
+    def has_eight_dof(self) -> bool:
+        return "eight_dof" in MODELS[self.model]
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Fields of records.STATE that the model has, in the order of its equations."""
+        return EIGHT_DOF_STATES if self.has_eight_dof else MODEL_STATE.names
 
     def record(self) -> np.ndarray:
         """The options as the equations take them: one OPTIONS record in an array."""

@@ -22,7 +22,14 @@ from vehicle_roll_sim.model.jit import (
     has_compiled_code,
     kernel_argument,
 )
-from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE, WHEELS
+from vehicle_roll_sim.model.records import (
+    COMMAND,
+    MODEL_STATE,
+    OUTPUTS,
+    STATE,
+    STATE_SIZE,
+    WHEELS,
+)
 from vehicle_roll_sim.simulation.command import Command, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -36,11 +43,18 @@ MAXIMUM_SPEED = 100.0
 """m/s"""
 DEFAULT_ROLLOVER_DEGREES = 85.0
 DEFAULT_ROLLOVER_ANGLE = math.radians(DEFAULT_ROLLOVER_DEGREES)
-STATE_NAMES = tuple(
-    f"{name}_{wheel}" if STATE[name].shape else name
-    for name in STATE.names
-    for wheel in (WHEELS if STATE[name].shape else ("",))
-)
+
+
+def element_names(fields: tuple[str, ...]) -> tuple[str, ...]:
+    """Name of every element of these fields of STATE: a wheel's bears the wheel's name."""
+    return tuple(
+        f"{name}_{wheel}" if STATE[name].shape else name
+        for name in fields
+        for wheel in (WHEELS if STATE[name].shape else ("",))
+    )
+
+
+STATE_NAMES = element_names(STATE.names)
 """Name of every element of the state vector."""
 
 
@@ -53,7 +67,7 @@ def whole_steps(duration: float, step_ns: int, field: str) -> int:
 
 
 class Simulation:
-    """The 14 degree-of-freedom model of one vehicle.
+    """A model of one vehicle: that with 14 degrees of freedom, unless the options say otherwise.
 
     vehicle: what is simulated. options: variants of the equations. step: integration step (s),
     rounded to whole nanoseconds. rollover_angle: roll angle (rad) at which a run stops.
@@ -66,7 +80,9 @@ class Simulation:
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.events)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
-    The records are views of memory that the next step changes: copy what is to be kept.
+    The records are views of memory that the next step changes: copy what is to be kept. States and
+    outputs that the model does not have are nan. With the 8 DOF model x, y, u and v are those of
+    the point of the roll axis below the c.g.
     """
 
     def __init__(
@@ -88,11 +104,12 @@ class Simulation:
         self._limits = np.zeros(1, LIMITS)
         self._limits["rollover_angle"] = rollover_angle
         self._limits["minimum_speed"] = MINIMUM_SPEED
-        self._limits["largest"] = plausible_magnitudes()
+        self._absent = [name for name in MODEL_STATE.names if name not in self.options.states]
+        self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
         parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
         self._plant = tuple(kernel_argument(part) for part in (*parts, Command().records()))
         self._state = np.zeros(1, STATE)
-        self._outputs = np.zeros(1, OUTPUTS)
+        self._outputs = np.full(1, np.nan, OUTPUTS)
         self._events = no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
         self.state, self.outputs, self.events = self._state[0], self._outputs[0], self._events[0]
@@ -108,6 +125,21 @@ class Simulation:
         return self._state.view(np.float64)
 
     @property
+    def model_state(self) -> np.ndarray:
+        """The states of the model in the order of its equations, named by `state_names`."""
+        return np.hstack([self.state[name] for name in self.options.states])
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        return element_names(self.options.states)
+
+    def _without_absent(self, states: np.ndarray) -> np.ndarray:
+        """STATE records with nan for what the model does not have."""
+        for name in self._absent:
+            states[name] = np.nan
+        return states
+
+    @property
     def static_suspension_compression(self) -> np.ndarray:
         """Compression of the suspension springs at rest, shape (4,) (m; eq. 19)."""
         return self._vehicle[0]["static_suspension_compression"]
@@ -117,7 +149,7 @@ class Simulation:
         if not MINIMUM_SPEED <= speed <= MAXIMUM_SPEED:
             allowed = f"from {MINIMUM_SPEED:g} to {MAXIMUM_SPEED:g} m/s"
             raise InputError("speed", speed, allowed)
-        self._state[:] = equilibrium(self._vehicle, speed)
+        self._state[:] = self._without_absent(equilibrium(self._vehicle, speed))
         self._events[:] = no_events()
         self.time_ns = 0
         self.condition, self.implausible = Condition.RUNNING, None

@@ -1,0 +1,239 @@
+"""The vehicle with 8 degrees of freedom of section 8: equations 77-87.
+
+The body rolls about an axis that is fixed in the vehicle; it neither heaves nor pitches, and the
+wheels have no vertical motion. u and v belong to the point of the roll axis below the c.g. The
+states that this model does not have are nan.
+
+Tire loads hold the accelerations, those the tire forces, and these the loads: they are iterated,
+from no acceleration, until they agree.
+"""
+
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.contact import contact_forces, normal_force
+from vehicle_roll_sim.model.fourteen_dof import wheel_rates
+from vehicle_roll_sim.model.frames import yawed_to_ground
+from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
+from vehicle_roll_sim.model.roll_axis import (
+    corner_damping,
+    corner_stiffness,
+    roll_axis_depth,
+    strut_share,
+    wheel_centre_height,
+)
+
+MOST_ITERATIONS = 200
+AGREEMENT = 1e-12
+"""Change of the accelerations, relative to 1 m/s^2 or to themselves, that counts as none."""
+
+
+@kernel
+def eight_dof_derivatives(state, command, vehicle, tire, options, outputs, rates):
+    """Rates of the states that this model has, and all that leads to them; see `derivatives`."""
+    contact_velocities(state, vehicle, outputs)
+    accelerate(state, command, vehicle, tire, options, outputs)
+    rates[at.X], rates[at.Y] = yawed_to_ground(state[at.YAW], state[at.U], state[at.V])
+    rates[at.YAW], rates[at.ROLL] = state[at.YAW_RATE], state[at.ROLL_RATE]
+    q = outputs.body_acceleration
+    rates[at.U], rates[at.V] = q[DU], q[DV]
+    rates[at.YAW_RATE], rates[at.ROLL_RATE] = q[DWZ], q[DWX]
+    wheel_rates(state, command, vehicle, outputs, rates)
+    measured_accelerations(state, vehicle, outputs)
+
+
+@kernel
+def contact_velocities(state, vehicle, outputs):
+    """ug and vg of every wheel (m/s; eqs 82, 83)."""
+    u, v, wz = state[at.U], state[at.V], state[at.YAW_RATE]
+    for i in range(WHEEL_COUNT):
+        outputs.contact_u[i] = u - vehicle.y[i] * wz
+        outputs.contact_v[i] = v + vehicle.x[i] * wz
+
+
+@kernel
+def accelerate(state, command, vehicle, tire, options, outputs):
+    """Tire loads, tire forces and accelerations that agree with each other (eqs 77-87).
+
+    Broyden's method in ax and ay, which begins as the iteration of the three in turn. The
+    accelerations are nan where none are found.
+    """
+    q, wz = outputs.body_acceleration, state[at.YAW_RATE]
+    q[:] = math.nan
+    ax, ay, x_step, y_step = 0.0, 0.0, 0.0, 0.0
+    slopes = (-1.0, 0.0, 0.0, -1.0)
+    for _ in range(MOST_ITERATIONS):
+        tire_loads(state, command, ax, ay, vehicle, options, outputs)
+        contact_forces(state, command, vehicle, tire, outputs)
+        x_gap = longitudinal_acceleration(state, vehicle, outputs) - ax
+        y_gap = lateral_acceleration(state, command, vehicle, options, outputs) - ay
+        if abs(x_gap) + abs(y_gap) <= AGREEMENT * (1.0 + abs(ax) + abs(ay)):
+            q[DU], q[DV] = ax + wz * state[at.V], ay - wz * state[at.U]
+            q[DWZ] = yaw_acceleration(ay, vehicle, outputs)
+            q[DWX] = roll_acceleration(state, command, ay, vehicle, options)
+            break
+        slopes = corrected(slopes, x_step, y_step, x_gap, y_gap)
+        x_step, y_step = solution(slopes, -x_gap, -y_gap)
+        ax, ay = ax + x_step, ay + y_step
+
+
+@kernel
+def corrected(slopes, x_step, y_step, x_gap, y_gap):
+    """Slopes of the gaps over ax and ay, after a step that should have closed them (Broyden)."""
+    length = x_step**2 + y_step**2
+    if length == 0.0:
+        return slopes
+    xx, xy, yx, yy = slopes
+    x_gap, y_gap = x_gap / length, y_gap / length
+    return xx + x_gap * x_step, xy + x_gap * y_step, yx + y_gap * x_step, yy + y_gap * y_step
+
+
+@kernel
+def solution(matrix, x, y):
+    """Of two linear equations, the matrix given row by row."""
+    xx, xy, yx, yy = matrix
+    determinant = xx * yy - xy * yx
+    return (yy * x - xy * y) / determinant, (xx * y - yx * x) / determinant
+
+
+@kernel
+def tire_loads(state, command, ax, ay, vehicle, options, outputs):
+    """Load and loaded radius of every wheel at the accelerations ax and ay (eqs 84-87)."""
+    pitching = vehicle.sprung_mass * vehicle.cg_height
+    for i in range(WHEEL_COUNT):
+        pitching += vehicle.unsprung_mass[i] * wheel_centre_height(i, vehicle)
+    pitching *= ax / (2 * (vehicle.x[LF] - vehicle.x[LR]))  # lx
+    for i in range(WHEEL_COUNT):
+        y, stiffness = vehicle.y[i], vehicle.tire_stiffness[i]
+        carried = vehicle.sprung_mass * vehicle.axle_load_share[i]
+        overturning = carried * (vehicle.cg_height - vehicle.roll_centre_depth[i])
+        overturning += vehicle.unsprung_mass[i] * wheel_centre_height(i, vehicle)
+        load = stiffness * vehicle.static_tire_compression[i] - overturning * ay / y
+        load += active_load(i, command, vehicle, options) - strut_reaction(
+            i, state, vehicle, options
+        )
+        load += -pitching if i < LR else pitching
+        outputs.support[i] = load
+        outputs.normal_force[i] = normal_force(load)
+        outputs.loaded_radius[i] = vehicle.tire_radius - outputs.normal_force[i] / stiffness
+
+
+@kernel
+def strut_reaction(i, state, vehicle, options):
+    """Force (N) with which the rolled body pulls at corner i: (kphi phi + bphi dphi/dt) / c."""
+    force = corner_stiffness(i, vehicle, options) * state[at.ROLL]
+    force += corner_damping(i, vehicle, options) * state[at.ROLL_RATE]
+    return force * vehicle.y[i]
+
+
+@kernel
+def active_load(i, command, vehicle, options):
+    """What the active normal forces of an axle add to the load of wheel i (N).
+
+    Not in the source. Their roll moment acts through the struts, which take their share of it, and
+    returns to the road as a pair; their sum would lift the body, which this model cannot show.
+    """
+    other = i + 1 if i % 2 == 0 else i - 1
+    own = strut_share(i, vehicle, options) * command.normal_force[i]
+    return (own - strut_share(other, vehicle, options) * command.normal_force[other]) / 2
+
+
+@kernel
+def unsprung_imbalance(vehicle):
+    """Muf a - Mur b: first moment of the unsprung masses about the c.g. (kg m)."""
+    moment = 0.0
+    for i in range(WHEEL_COUNT):
+        moment += vehicle.unsprung_mass[i] * vehicle.x[i]
+    return moment
+
+
+@kernel
+def total_mass(vehicle):
+    """mt (kg)."""
+    mass = vehicle.sprung_mass
+    for i in range(WHEEL_COUNT):
+        mass += vehicle.unsprung_mass[i]
+    return mass
+
+
+@kernel
+def longitudinal_acceleration(state, vehicle, outputs):
+    """ax = du/dt - wz v (m/s^2; eq. 77)."""
+    wx, wz = state[at.ROLL_RATE], state[at.YAW_RATE]
+    force = unsprung_imbalance(vehicle) * wz**2
+    force -= 2 * roll_axis_depth(vehicle) * vehicle.sprung_mass * wz * wx
+    for i in range(WHEEL_COUNT):
+        force += outputs.longitudinal_force[i]
+    return force / total_mass(vehicle)
+
+
+@kernel
+def lateral_acceleration(state, command, vehicle, options, outputs):
+    """ay = dv/dt + wz u (m/s^2; eq. 78, with the yaw and roll accelerations of 79 and 80)."""
+    imbalance, arm = unsprung_imbalance(vehicle), coupling(vehicle)
+    yawing, rolling = yaw_inertia(vehicle), roll_inertia(vehicle)
+    force = -imbalance * yaw_acceleration(0.0, vehicle, outputs)
+    force += arm * roll_acceleration(state, command, 0.0, vehicle, options)
+    for i in range(WHEEL_COUNT):
+        force += outputs.lateral_force[i]
+    return force / (total_mass(vehicle) - imbalance**2 / yawing - arm**2 / rolling)
+
+
+@kernel
+def coupling(vehicle):
+    """hrc m: what ties roll to lateral motion (kg m)."""
+    return roll_axis_depth(vehicle) * vehicle.sprung_mass
+
+
+@kernel
+def yaw_inertia(vehicle):
+    """Of the whole vehicle (kg m^2; under eq. 79)."""
+    inertia = vehicle.yaw_inertia
+    for i in range(WHEEL_COUNT):
+        inertia += vehicle.unsprung_mass[i] * (vehicle.x[i] ** 2 + vehicle.y[i] ** 2)
+    return inertia
+
+
+@kernel
+def roll_inertia(vehicle):
+    """Of the sprung mass about the roll axis (kg m^2; eq. 80)."""
+    return vehicle.roll_inertia + coupling(vehicle) * roll_axis_depth(vehicle)
+
+
+@kernel
+def yaw_acceleration(ay, vehicle, outputs):
+    """rad/s^2, from the tire forces and the lateral acceleration ay (eq. 79)."""
+    moment = -unsprung_imbalance(vehicle) * ay
+    for i in range(WHEEL_COUNT):
+        moment += vehicle.x[i] * outputs.lateral_force[i]
+        moment -= vehicle.y[i] * outputs.longitudinal_force[i]
+    return moment / yaw_inertia(vehicle)
+
+
+@kernel
+def roll_acceleration(state, command, ay, vehicle, options):
+    """rad/s^2, from weight, struts, active forces and the lateral acceleration ay (eq. 80)."""
+    moment = coupling(vehicle) * (vehicle.gravity * state[at.ROLL] + ay)
+    for i in range(WHEEL_COUNT):
+        strut = active_load(i, command, vehicle, options)
+        strut -= strut_reaction(i, state, vehicle, options)
+        moment += vehicle.y[i] * strut
+    return moment / roll_inertia(vehicle)
+
+
+@kernel
+def measured_accelerations(state, vehicle, outputs):
+    """Acceleration of the sprung c.g. in frame 2 and its specific force in frame 1.
+
+    The c.g. lies hrc above the roll axis, beside it when rolled: terms as in 77, 78. It keeps its
+    height, as weight and struts have it in 80.
+    """
+    q, depth = outputs.body_acceleration, roll_axis_depth(vehicle)
+    wx, wz, roll = state[at.ROLL_RATE], state[at.YAW_RATE], state[at.ROLL]
+    ax = q[DU] - wz * state[at.V] + 2 * depth * wz * wx
+    ay = q[DV] + wz * state[at.U] - depth * q[DWX]
+    outputs.acceleration[0], outputs.acceleration[1] = ax, ay
+    outputs.acceleration[2] = math.nan
+    s, c, g = math.sin(roll), math.cos(roll), vehicle.gravity
+    outputs.specific_force[0] = ax
+    outputs.specific_force[1] = c * ay + s * g
+    outputs.specific_force[2] = c * g - s * ay

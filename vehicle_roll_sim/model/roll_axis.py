@@ -1,0 +1,52 @@
+"""The body on its roll axis: what equations 77-87 and the roll-plane models have in common."""
+
+from vehicle_roll_sim.model.jit import kernel
+from vehicle_roll_sim.model.records import WHEEL_COUNT
+
+
+@kernel
+def roll_axis_depth(vehicle):
+    """hrc: depth of the roll axis below the sprung c.g. (m; eq. 81)."""
+    depth = 0.0
+    for i in range(WHEEL_COUNT):
+        depth += vehicle.axle_load_share[i] * vehicle.roll_centre_depth[i]
+    return depth
+
+
+@kernel
+def strut_share(i, vehicle, options):
+    """Share of corner i's travel over the ground that its strut takes, the tire the rest (-).
+
+    kt / (ks + kt): strut and tire in series. All of it, where the tire counts as rigid.
+    """
+    if options.rigid_tires:
+        return 1.0
+    tire_stiffness = vehicle.tire_stiffness[i]
+    return tire_stiffness / (vehicle.spring_stiffness[i] + tire_stiffness)
+
+
+@kernel
+def corner_stiffness(i, vehicle, options):
+    """Vertical stiffness between body and ground at corner i (N/m): ks kt / (ks + kt)."""
+    return vehicle.spring_stiffness[i] * strut_share(i, vehicle, options)
+
+
+@kernel
+def corner_damping(i, vehicle, options):
+    """Vertical damping between body and ground at corner i (N s/m): bs (kt / (ks + kt))^2."""
+    return vehicle.damping[i] * strut_share(i, vehicle, options) ** 2
+
+
+@kernel
+def roll_stiffness(vehicle, options):
+    """Roll stiffness of both axles (N m/rad): the sum of c^2 / 2 times a corner's of each."""
+    stiffness = 0.0
+    for i in range(WHEEL_COUNT):
+        stiffness += vehicle.y[i] ** 2 * corner_stiffness(i, vehicle, options)
+    return stiffness
+
+
+@kernel
+def wheel_centre_height(i, vehicle):
+    """hu: height of wheel centre i over the ground at rest (m)."""
+    return vehicle.tire_radius - vehicle.static_tire_compression[i]
