@@ -3,6 +3,7 @@
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEELS
+from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -20,6 +21,7 @@ __all__ = [
     "Condition",
     "InputError",
     "Options",
+    "RollPlane",
     "Simulation",
     "Tire",
     "Vehicle",

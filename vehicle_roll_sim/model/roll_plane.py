@@ -1,0 +1,64 @@
+"""The oldest and cheapest predictors of lift-off: the vehicle from behind, in steady cornering.
+
+Rigid: the whole vehicle is one body on two wheels; its threshold is the static stability factor.
+Suspended, quasi-static: the sprung mass rolls about the roll axis (eq. 81) on springs and tires in
+series, and its weight moves outwards.
+"""
+
+import numpy as np
+
+from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.records import OPTIONS
+from vehicle_roll_sim.model.roll_axis import roll_axis_depth, roll_stiffness
+
+
+class RollPlane:
+    """A roll-plane model of one vehicle.
+
+    vehicle: one VEHICLE record in an array (`Vehicle.record()`). suspended: False for the rigid
+    one. Attributes: `weight` of the whole vehicle (N), `track`, the mean of both axles (m),
+    `cg_height` of the whole vehicle (m), `static_stability_factor` (-) and `roll_gradient`, rad of
+    roll per m/s^2 of lateral acceleration: 0 of the rigid model, infinite where the springs cannot
+    hold the body upright.
+    """
+
+    def __init__(self, vehicle: np.ndarray, suspended: bool = True):
+        car = vehicle[0]
+        unsprung = car["unsprung_mass"]
+        mass = car["sprung_mass"] + unsprung.sum()
+        wheel_centres = car["tire_radius"] - car["static_tire_compression"]
+        moment = car["sprung_mass"] * car["cg_height"] + (unsprung * wheel_centres).sum()
+        self.cg_height = float(moment / mass)
+        self.weight = float(mass * car["gravity"])
+        self.track = float(2 * np.abs(car["y"]).mean())
+        self.static_stability_factor = self.track / (2 * self.cg_height)
+        self._gravity = float(car["gravity"])
+        self._depth = float(roll_axis_depth(kernel_argument(vehicle)[0]))
+        self._sprung_mass = float(car["sprung_mass"])
+        self.roll_gradient = self._gradient(vehicle) if suspended else 0.0
+
+    def _gradient(self, vehicle: np.ndarray) -> float:
+        springs = (kernel_argument(part)[0] for part in (vehicle, np.zeros(1, OPTIONS)))
+        tipping = self._sprung_mass * self._depth
+        left_over = roll_stiffness(*springs) - tipping * self._gravity
+        return float(tipping / left_over) if left_over > 0.0 else np.inf
+
+    @property
+    def _overturning_arm(self) -> float:
+        """Overturning moment per weight of the vehicle and g of lateral acceleration (m)."""
+        outward = self._sprung_mass * self._depth * self.roll_gradient
+        return self.cg_height + outward * self._gravity**2 / self.weight
+
+    @property
+    def lift_off_threshold(self) -> float:
+        """Lateral acceleration (m/s^2) at which the inner wheels carry nothing any more."""
+        return self._gravity * self.track / (2 * self._overturning_arm)
+
+    def roll(self, lateral_acceleration):
+        """Roll angle (rad) at a lateral acceleration (m/s^2), both of any shape."""
+        return self.roll_gradient * np.asarray(lateral_acceleration)
+
+    def load_transfer_ratio(self, lateral_acceleration):
+        """(right - left) / total of the loads, -1 to 1, at a lateral acceleration (m/s^2)."""
+        share = np.asarray(lateral_acceleration) / self.lift_off_threshold
+        return np.clip(share, -1.0, 1.0)
