@@ -85,9 +85,19 @@ def test_only_the_part_ros_imports_anything_of_ros(sources):
         assert not of_ros or is_within(name, f"{PACKAGE}.ros"), (name, of_ros)
 
 
-def test_library_and_command_run_where_there_is_no_ros(tmp_path):
+def test_only_the_comparison_with_the_multibody_engine_imports_it(sources):
+    importing = {
+        name
+        for name, text in sources.items()
+        if any(is_within(imported, "mujoco") for imported in imports_of(text))
+    }
+    assert importing == {f"{PACKAGE}.analysis.multibody"}
+
+
+def test_library_and_command_run_where_there_is_neither_ros_nor_the_multibody_engine(tmp_path):
     program = (
-        "import sys; sys.modules.update(dict.fromkeys(('rclpy', 'std_msgs', 'rosbags')));"
+        "import sys;"
+        "sys.modules.update(dict.fromkeys(('rclpy', 'std_msgs', 'rosbags', 'mujoco')));"
         "from vehicle_roll_sim.command_line.main import main;"
         "sys.exit(main(['run', 'step_steer', '--duration', '0.1']))"
     )

@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 PACKAGE = "vehicle_roll_sim"
-NOT_OF_ROS = {"numpy", "yaml", "tqdm", "matplotlib", "numba", "rosbags"}
+NOT_OF_ROS = {"numpy", "yaml", "tqdm", "matplotlib", "numba", "rosbags", "mujoco"}
 """Libraries whose names in package.xml are rosdep keys, or that come from pip."""
 ROSDEP_KEYS = {
     "numpy": "python3-numpy",

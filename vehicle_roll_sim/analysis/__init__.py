@@ -1,1 +1,1 @@
-"""Pictures of what a run was."""
+"""What runs were: metrics, figures, the comparison with a multibody engine and with the source."""

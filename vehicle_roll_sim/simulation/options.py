@@ -93,3 +93,8 @@ class Options:
             options[name] = getattr(self, name)
         options["asymmetric_link_load_transfer"] = self.link_load_transfer == ASYMMETRIC
         return options
+
+
+MULTIBODY = Options(no_roll_centre=True, euler_terms=True)
+"""The model that is the exact mechanics of a body and four point masses that slide along its z axis
+(docs/model.md)."""
