@@ -1,4 +1,4 @@
-"""The standard figure of a run."""
+"""The standard figure of a run, and what all figures share."""
 
 import math
 from pathlib import Path
@@ -26,13 +26,19 @@ MARGIN = 0.02
 """Room after the last sample, as a share of the time shown."""
 
 
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure (inches), drawn without a screen."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
 def plot_run(history: History, events: np.record, path: Path, title: str) -> None:
     """Draw steering, roll, lateral acceleration, yaw rate and tire loads against time.
 
     events: the EVENTS record of the run; lift-offs and rollover are marked.
     """
-    figure = Figure(figsize=(8.0, 11.0), layout="constrained")
-    FigureCanvasAgg(figure)
+    figure = new_figure(8.0, 11.0)
     axes = figure.subplots(len(PANELS) + 1, sharex=True, height_ratios=[1] * len(PANELS) + [2])
     time = history["time"]
     for axis, (name, label, scale) in zip(axes, PANELS, strict=False):
@@ -47,6 +53,11 @@ def plot_run(history: History, events: np.record, path: Path, title: str) -> Non
     axes[-1].set_xlabel("time (s); dashed: rollover")
     axes[-1].set_xlim(time[0], time[-1] + MARGIN * max(time[-1] - time[0], MARGIN))
     figure.align_ylabels()
+    save_figure(figure, path)
+
+
+def save_figure(figure: Figure, path: Path) -> None:
+    """Write a figure in the format of its name, the same bytes for the same figure."""
     with replaced_file(path) as partial, matplotlib.rc_context({"svg.hashsalt": "run"}):
         figure.savefig(partial, dpi=110, metadata=UNDATED.get(path.suffix.lower()))
 

@@ -1,4 +1,4 @@
-"""Writing a result: the file appears under its name when it is whole, or not at all."""
+"""Writing results: a file or set of files appears when it is whole, or not at all."""
 
 import contextlib
 import os
@@ -69,3 +69,34 @@ def _partial_file(path: Path) -> Iterator[Path]:
         yield partial
     finally:
         partial.unlink(missing_ok=True)
+
+
+def check_folder(path: Path, field: str) -> None:
+    """Raise InputError naming `field` if there can be no folder of results at `path`."""
+    try:
+        with tempfile.TemporaryDirectory(dir=_existing(path), prefix=".partial-"):
+            pass
+    except OSError as error:
+        wanted = "a folder that can be written to, or made"
+        raise InputError(field, str(path), wanted, f"{path}: {error.strerror}") from None
+
+
+@contextlib.contextmanager
+def filled_folder(path: Path) -> Iterator[Path]:
+    """A new folder to write files to; in the end they move to the folder `path`.
+
+    It is made if need be; what it holds already stays, but for files of the same names.
+    """
+    with tempfile.TemporaryDirectory(dir=_existing(path), prefix=".partial-") as partial:
+        yield Path(partial)
+        path.mkdir(parents=True, exist_ok=True)
+        for file in sorted(Path(partial).iterdir()):
+            file.replace(path / file.name)
+
+
+def _existing(path: Path) -> Path:
+    """The folder itself, or the nearest above it that exists."""
+    path = path.resolve()
+    while not path.exists():
+        path = path.parent
+    return path

@@ -1,0 +1,75 @@
+"""`vehicle_roll_sim paper`: rerun the source, its figures and its claims."""
+
+import sys
+from pathlib import Path
+
+from tqdm import tqdm
+
+from vehicle_roll_sim.analysis.paper.claim import HOLDS, Finding
+from vehicle_roll_sim.analysis.paper.report import (
+    NO_ENGINE,
+    as_markdown,
+    as_text,
+    check_claims,
+    thresholds_as_markdown,
+    thresholds_as_text,
+)
+from vehicle_roll_sim.analysis.paper.study import Study
+from vehicle_roll_sim.arguments import OneLineParser, named_file
+from vehicle_roll_sim.simulation.output_file import check_folder, filled_folder
+from vehicle_roll_sim.simulation.simulation import compile_model
+from vehicle_roll_sim.vehicle.vehicle_file import preset
+
+DESCRIPTION = "Rerun Shim and Ghike (2007): figures, data, and a verdict on every claim."
+DEFAULT_FOLDER = "paper"
+CLAIM_FAILED = 1
+"""Exit status with --strict."""
+
+
+def paper_command(words: list[str], program: str) -> int:
+    """The command, given the words behind its name; returns the exit status."""
+    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser.add_argument(
+        "--out",
+        metavar="DIR",
+        default=DEFAULT_FOLDER,
+        help=f"folder for figures (PNG), their data (CSV) and the table (default {DEFAULT_FOLDER})",
+    )
+    parser.add_argument(
+        "--strict",
+        action="store_true",
+        help="exit with 1 unless every claim was checked and holds",
+    )
+    arguments = parser.parse_args(words)
+    folder = named_file(arguments.out, "--out")
+    check_folder(folder, "--out")
+    compile_model()
+    with tqdm(disable=None, leave=False, unit="result") as bar:
+        study = Study(preset(), bar.update)
+        if not study.has_engine:
+            print(f"{program}: {NO_ENGINE}; claim 22 is not checked", file=sys.stderr)
+        findings = _write_results(study, folder, bar)
+    print(f"{as_text(findings)}\n\n{thresholds_as_text(study)}\n\nresults: {folder}")
+    return CLAIM_FAILED if arguments.strict and not _all_hold(findings) else 0
+
+
+def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
+    """Make all runs, then write figures, data and tables, all of them or none."""
+    from vehicle_roll_sim.analysis.paper import figures  # matplotlib: half a second
+
+    bar.reset(len(study.runs) + len(figures.FIGURES))
+    findings = check_claims(study)
+    with filled_folder(folder) as partial:
+        for figure in figures.FIGURES:
+            figures.draw(figure, study, partial)
+            bar.update()
+        figures.draw_roll_plane(study, partial)
+        text = f"{as_text(findings)}\n\n{thresholds_as_text(study)}\n"
+        table = f"{as_markdown(findings)}\n\n{thresholds_as_markdown(study)}\n"
+        (partial / "claims.txt").write_text(text, encoding="utf-8")
+        (partial / "claims.md").write_text(table, encoding="utf-8")
+    return findings
+
+
+def _all_hold(findings: list[Finding]) -> bool:
+    return all(finding.verdict == HOLDS for finding in findings)
