@@ -25,6 +25,7 @@ setup(
     extras_require={
         "compiled": ["numba>=0.59"],
         "recorder": ["rosbags>=0.11,<0.12"],
+        "validation": ["mujoco>=3.2"],
         "test": [
             "pytest>=7,<9",
             "scipy>=1.11",
