@@ -17,6 +17,7 @@ from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
 from vehicle_roll_sim.model.roll_axis import (
     corner_damping,
     corner_stiffness,
+    over_wheels,
     roll_axis_depth,
     strut_share,
     wheel_centre_height,
@@ -140,10 +141,7 @@ def active_load(i, command, vehicle, options):
 @kernel
 def unsprung_imbalance(vehicle):
     """Muf a - Mur b: first moment of the unsprung masses about the c.g. (kg m)."""
-    moment = 0.0
-    for i in range(WHEEL_COUNT):
-        moment += vehicle.unsprung_mass[i] * vehicle.x[i]
-    return moment
+    return over_wheels(vehicle.unsprung_mass, vehicle.x)
 
 
 @kernel
@@ -202,11 +200,9 @@ def roll_inertia(vehicle):
 @kernel
 def yaw_acceleration(ay, vehicle, outputs):
     """rad/s^2, from the tire forces and the lateral acceleration ay (eq. 79)."""
-    moment = -unsprung_imbalance(vehicle) * ay
-    for i in range(WHEEL_COUNT):
-        moment += vehicle.x[i] * outputs.lateral_force[i]
-        moment -= vehicle.y[i] * outputs.longitudinal_force[i]
-    return moment / yaw_inertia(vehicle)
+    moment = over_wheels(vehicle.x, outputs.lateral_force)
+    moment -= over_wheels(vehicle.y, outputs.longitudinal_force)
+    return (moment - unsprung_imbalance(vehicle) * ay) / yaw_inertia(vehicle)
 
 
 @kernel

@@ -5,12 +5,18 @@ from vehicle_roll_sim.model.records import WHEEL_COUNT
 
 
 @kernel
+def over_wheels(weights, values):
+    """Sum of the products of two quantities of each wheel."""
+    total = 0.0
+    for i in range(WHEEL_COUNT):
+        total += weights[i] * values[i]
+    return total
+
+
+@kernel
 def roll_axis_depth(vehicle):
     """hrc: depth of the roll axis below the sprung c.g. (m; eq. 81)."""
-    depth = 0.0
-    for i in range(WHEEL_COUNT):
-        depth += vehicle.axle_load_share[i] * vehicle.roll_centre_depth[i]
-    return depth
+    return over_wheels(vehicle.axle_load_share, vehicle.roll_centre_depth)
 
 
 @kernel
