@@ -1,4 +1,4 @@
-"""A run in a process of its own: python plain_run.py STEPS FILE [without-numba].
+"""A run in a process of its own: python plain_run.py STEPS FILE [without-numba | 8dof].
 
 Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran.
 """
@@ -19,11 +19,14 @@ STEP = 0.001
 HELD = {"wheel_torque": (0.0, 50.0, 120.0, -80.0), "normal_force": (100.0, 0.0, -200.0, 300.0)}
 
 
-def run(steps: int):
-    simulation = Simulation(preset(), Options(euler_terms=True), step=STEP)
+FULL, SIMPLE = Options(euler_terms=True), Options(model="8dof")
+
+
+def run(steps: int, options: Options = FULL):
+    simulation = Simulation(preset(), options, step=STEP)
     return record_run(simulation, j_turn(**HELD), steps * STEP)
 
 
 if __name__ == "__main__":
-    result = run(int(sys.argv[1]))
+    result = run(int(sys.argv[1]), SIMPLE if sys.argv[3:] == ["8dof"] else FULL)
     np.savez(sys.argv[2], state=result.state, outputs=result.outputs, how=jit.describe())

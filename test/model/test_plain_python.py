@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from plain_run import run
+from plain_run import SIMPLE, run
 from programmes import largest_difference
 
 import vehicle_roll_sim
@@ -69,6 +69,15 @@ def test_plain_python_follows_compiled_code_through_lift_off_to_rollover(plain, 
 def test_all_outputs_are_those_of_compiled_code_too(plain, compiled):
     shares = largest_difference(plain["outputs"], compiled.outputs, OUTPUTS.names)
     assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
+
+
+@compiled_only
+def test_the_8_dof_model_is_one_source_too(tmp_path):
+    plain = in_another_process(tmp_path, A_FEW, "8dof", NUMBA_DISABLE_JIT="1")
+    compiled = run(A_FEW, SIMPLE)
+    for part, dtype in (("state", STATE), ("outputs", OUTPUTS)):
+        shares = largest_difference(plain[part], getattr(compiled, part), dtype.names)
+        assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 
 @compiled_only

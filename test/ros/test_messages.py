@@ -1,11 +1,14 @@
 """Each message holds what its documentation says, without a middleware in between."""
 
+from xml.etree import ElementTree
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from vehicle_roll_sim import LF, LR, RF, RR, Command, Simulation, preset
+from vehicle_roll_sim import LF, LR, RF, RR, Command, Options, Simulation, preset
 from vehicle_roll_sim.ros.messages import COMMAND_LABELS, Messages
+from vehicle_roll_sim.ros.urdf import robot_description
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.session import Session
 
@@ -133,3 +136,40 @@ def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session, message
     q = footprint.transform.rotation
     yaw = Rotation.from_quat([q.x, q.y, q.z, q.w]).as_euler("ZYX")
     assert yaw == pytest.approx([state.yaw, 0.0, 0.0], abs=ROUNDING)
+
+
+def test_without_heave_and_pitch_odom_still_has_the_sprung_cg():
+    """Where the 8 DOF model has its c.g. is known from the acceleration that it measures there."""
+    simulation = Simulation(preset(), Options(model="8dof"))
+    messages = Messages(Session(simulation, CommandInbox(), 1_000_000, 13.9), "")
+    step, course, places = 0.001, [], []  # s
+    for _ in range(300):
+        simulation.step(Command(steering=0.1), step)
+        odom = messages.odom()
+        course.append(odom.twist.twist.linear.y / np.cos(simulation.state.roll))  # level again
+        places.append(odom.pose.pose.position.y)
+    state, outputs = simulation.state, simulation.outputs
+    rate = (course[-1] - course[-3]) / (2 * step)  # of the step before the last
+    turning = state.yaw_rate * state.u
+    # between neighbouring steps the acceleration changes by some 0.05 m/s^2
+    assert rate + turning == pytest.approx(outputs.acceleration[1], abs=0.15)
+    assert abs(outputs.body_acceleration[3]) > 0.5  # rad/s^2: the c.g. moves unlike the axis
+    depth = (0.65 * 1.524 + 0.6 * 1.016) / 2.54  # m, equation 81
+    beside = -depth * state.roll * np.cos(state.yaw)
+    assert places[-1] == pytest.approx(state.y + beside, rel=1e-9)
+    assert np.isnan([odom.pose.pose.position.z, odom.twist.twist.linear.z]).all()
+
+
+@pytest.mark.parametrize(
+    ("model", "kind", "limited"), [("1", "prismatic", True), ("8dof", "fixed", False)]
+)
+def test_the_description_has_the_joints_that_joint_states_moves(model, kind, limited):
+    options = Options(model=model)
+    session = Session(Simulation(preset(), options), CommandInbox(), 10_000_000, 13.9)
+    description = robot_description(preset(), not options.has_eight_dof)
+    joints = ElementTree.fromstring(description.encode()).findall("joint")
+    moving = [joint.get("name") for joint in joints if joint.get("type") != "fixed"]
+    assert sorted(moving) == sorted(Messages(session, "").joint_states().name)
+    struts = [joint for joint in joints if "suspension" in joint.get("name")]
+    assert {joint.get("type") for joint in struts} == {kind}
+    assert all((joint.find("limit") is not None) == limited for joint in struts)

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from rclpy.node import Node
 
-from vehicle_roll_sim.model.events import TIME, VALUE, no_events, note_lift_offs, note_rollover
+from vehicle_roll_sim.analysis.metrics import peak, rollover_time
+from vehicle_roll_sim.model.events import no_events, note_lift_offs
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.jit import kernel_argument
 from vehicle_roll_sim.model.records import WHEELS
@@ -112,22 +113,21 @@ def _lateral_acceleration(state: dict, imu) -> float:
 
 
 def events_of(history: History, rollover_angle: float) -> np.record:
-    """Lift-offs, rollover and peaks as the samples show them (an EVENTS record)."""
+    """Lift-offs, rollover and peaks as the samples show them (an EVENTS record).
+
+    Lift-offs are interpolated where the model has tire compressions, else those of the first sample
+    without load.
+    """
     events = no_events()
-    time, roll = history["time"], history["roll"]
+    seen, time = kernel_argument(events)[0], history["time"]
     support = history.wheels("tire_compression")
-    if np.isnan(support).all():  # the model has no such states
+    if np.isnan(support).all():
         support = history.wheels("normal_force")
-    seen = kernel_argument(events)[0]
     note_lift_offs(time[0], 0.0, support[0], seen)
     for k in range(1, len(time)):
-        before, step = time[k - 1], time[k] - time[k - 1]
-        note_lift_offs(before, step, support[k], seen)
-        note_rollover(before, step, roll[k - 1], roll[k], rollover_angle, seen)
-    for peak, name in (
-        ("peak_roll", "roll"),
-        ("peak_lateral_acceleration", "lateral_acceleration"),
-    ):
-        largest = np.argmax(np.abs(history[name]))
-        events[0][peak][[VALUE, TIME]] = history[name][largest], time[largest]
+        note_lift_offs(time[k - 1], time[k] - time[k - 1], support[k], seen)
+    events["rollover_time"] = rollover_time(time, history["roll"], rollover_angle)
+    events["peak_roll"] = peak(time, history["roll"])
+    acceleration = history["lateral_acceleration"]
+    events["peak_lateral_acceleration"] = peak(time, acceleration)
     return events[0]

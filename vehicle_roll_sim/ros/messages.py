@@ -98,9 +98,10 @@ class Messages:
 
     def odom(self) -> Odometry:
         state, pose, twist = self.simulation.state, self._odom.pose.pose, self._odom.twist.twist
-        _set_vector(pose.position, state["x"], state["y"], state["z"])
+        motion = self.simulation.cg_motion
+        _set_vector(pose.position, *motion[:3])
         _set_attitude(pose.orientation, state)
-        _set_vector(twist.linear, state["u"], state["v"], state["w"])
+        _set_vector(twist.linear, *motion[3:])
         _set_rates(twist.angular, state)
         return self._odom
 

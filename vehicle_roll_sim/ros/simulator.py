@@ -73,7 +73,8 @@ class Simulator(Node):
         self._diagnostics_publisher = self._publisher(DIAGNOSTICS)
         self._clock_publisher = self._publisher(CLOCK) if self.settings.publish_clock else None
         self._description_publisher = self._publisher(ROBOT_DESCRIPTION)
-        self._description_publisher.publish(String(data=robot_description(declared.vehicle)))
+        description = robot_description(declared.vehicle, not declared.options.has_eight_dof)
+        self._description_publisher.publish(String(data=description))
         self._sets_since_report = self._overruns_reported = 0
         self._reported_ns = self._steady_clock.now().nanoseconds
 

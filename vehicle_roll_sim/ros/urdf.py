@@ -17,17 +17,20 @@ AXES = {"prismatic": "0 0 1", "revolute": "0 0 1", "continuous": "0 1 0"}
 HERE = (0.0, 0.0, 0.0)
 
 
-def robot_description(vehicle: Vehicle) -> str:
+def robot_description(vehicle: Vehicle, has_suspension: bool = True) -> str:
     """URDF: base_link is the sprung c.g.; per wheel a suspension, a steering and a wheel joint.
 
-    Suspension joints are prismatic along the body's z axis, 0 at rest; the wheel is the last link.
+    Suspension joints are prismatic along the body's z axis, 0 at rest, or fixed; the wheel is the
+    last link.
     """
+    travel = ("prismatic", TRAVEL) if has_suspension else ("fixed", 0.0)
     robot = ElementTree.Element("robot", name="vehicle")
     _body(robot, vehicle)
     record = vehicle.record()[0]
     for i, wheel in enumerate(WHEELS):
         at_rest = (record.x[i], record.y[i], -record.static_strut_length[i])
-        strut = _joint(robot, f"{wheel}_suspension", "prismatic", "base_link", at_rest, TRAVEL)
+        motion, limit = travel
+        strut = _joint(robot, f"{wheel}_suspension", motion, "base_link", at_rest, limit)
         knuckle = _joint(robot, f"{wheel}_steering", "revolute", strut, HERE, LOCK)
         _joint(robot, f"{wheel}_wheel", "continuous", knuckle, HERE)
         geometry = _visual(robot[-1], "0 0 0", "1.5707963267948966 0 0")
@@ -55,7 +58,8 @@ def _joint(robot, name: str, motion: str, parent: str, origin, limit: float = 0.
     ElementTree.SubElement(joint, "origin", xyz=" ".join(f"{x:.10g}" for x in origin))
     ElementTree.SubElement(joint, "parent", link=parent)
     ElementTree.SubElement(joint, "child", link=child)
-    ElementTree.SubElement(joint, "axis", xyz=AXES[motion])
+    if motion in AXES:
+        ElementTree.SubElement(joint, "axis", xyz=AXES[motion])
     if limit:
         ElementTree.SubElement(
             joint, "limit", lower=str(-limit), upper=str(limit), effort="1e9", velocity="1e9"

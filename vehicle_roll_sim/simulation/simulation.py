@@ -30,6 +30,7 @@ from vehicle_roll_sim.model.records import (
     STATE_SIZE,
     WHEELS,
 )
+from vehicle_roll_sim.model.roll_axis import roll_axis_depth
 from vehicle_roll_sim.simulation.command import Command, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -77,12 +78,13 @@ class Simulation:
     - `time` (s) and `time_ns`: since the last reset, an exact multiple of the step
     - `state`: a STATE record: `.roll`, `.u`, `.wheel_speed[LF]`, ... (model.records)
     - `outputs`: an OUTPUTS record: `.normal_force`, `.slip_angle`, `.acceleration`, ...
+    - `model_state`, `state_names`: the states of the chosen model and their names
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.events)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
     The records are views of memory that the next step changes: copy what is to be kept. States and
     outputs that the model does not have are nan. With the 8 DOF model x, y, u and v are those of
-    the point of the roll axis below the c.g.
+    the point of the roll axis below the c.g.; `cg_motion` has the c.g. itself in every model.
     """
 
     def __init__(
@@ -104,6 +106,9 @@ class Simulation:
         self._limits = np.zeros(1, LIMITS)
         self._limits["rollover_angle"] = rollover_angle
         self._limits["minimum_speed"] = MINIMUM_SPEED
+        self.state_names = element_names(self.options.states)
+        self._places = np.array([STATE_NAMES.index(name) for name in self.state_names])
+        self._axis_depth = roll_axis_depth(kernel_argument(self._vehicle)[0])
         self._absent = [name for name in MODEL_STATE.names if name not in self.options.states]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
         parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
@@ -127,11 +132,23 @@ class Simulation:
     @property
     def model_state(self) -> np.ndarray:
         """The states of the model in the order of its equations, named by `state_names`."""
-        return np.hstack([self.state[name] for name in self.options.states])
+        return self.state_vector[self._places]
 
     @property
-    def state_names(self) -> tuple[str, ...]:
-        return element_names(self.options.states)
+    def cg_motion(self) -> tuple[float, ...]:
+        """Position of the sprung c.g. on the ground's axes (m), its velocity on the body's (m/s).
+
+        nan for what the model does not have. In the 8 DOF model the c.g. is hrc above the roll axis
+        and keeps its height.
+        """
+        now = self.state
+        if not self.options.has_eight_dof:
+            return tuple(float(now[name]) for name in ("x", "y", "z", "u", "v", "w"))
+        roll, yaw, aside = float(now["roll"]), float(now["yaw"]), -self._axis_depth * now["roll"]
+        ahead = now["u"] - now["yaw_rate"] * aside
+        left = (now["v"] - self._axis_depth * now["roll_rate"]) * math.cos(roll)
+        x, y = now["x"] - aside * math.sin(yaw), now["y"] + aside * math.cos(yaw)
+        return float(x), float(y), math.nan, float(ahead), float(left), math.nan
 
     def _without_absent(self, states: np.ndarray) -> np.ndarray:
         """STATE records with nan for what the model does not have."""
