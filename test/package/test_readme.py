@@ -1,9 +1,63 @@
-"""The README shows the parameters that the program has."""
+"""The README shows the parameters that the program has, and the claims as they come out."""
+
+import re
+
+import pytest
+from studies import reference_study
 
 from vehicle_roll_sim import preset
+from vehicle_roll_sim.analysis.paper.report import CLAIMS, as_markdown, check_claims
 from vehicle_roll_sim.command_line.parameters import parameter_table
+
+SHOWN = 0.01
+"""Relative: numbers are rounded to three digits."""
+ROUNDING_ERRORS = 22
+"""The claim whose numbers are as small as the machine makes them, below their criterion."""
+MEASURED = re.compile(r"(?P<name>.+): (?P<value>\S+)( (?P<unit>[^\s(]+))?( \((?P<criterion>.+)\))?")
+
+
+def rows_of(text: str, header: str) -> dict[int, list[str]]:
+    """Cells of the table below a header, by the number in the first."""
+    table = text.partition(f"{header}\n")[2].partition("\n\n")[0]
+    rows = [line.strip("| ").split(" | ") for line in table.splitlines()[1:]]
+    return {int(row[0]): row for row in rows}
 
 
 def test_the_readme_has_the_table_of_parameters_word_for_word(root):
     readme = (root / "README.md").read_text(encoding="utf-8")
     assert parameter_table(preset()) in readme
+
+
+@pytest.fixture(scope="module")
+def claims(root) -> dict[int, tuple[list[str], list[str]]]:
+    """Each claim's row in the README and in the table that the program writes."""
+    study = reference_study()
+    if not study.has_engine:
+        pytest.skip("the multibody engine is not installed")
+    written = as_markdown(check_claims(study))
+    header = written.splitlines()[0]
+    shown = rows_of((root / "README.md").read_text(encoding="utf-8"), header)
+    found = rows_of(written, header)
+    assert list(shown) == list(found) == [claim.number for claim in CLAIMS]
+    return {number: (shown[number], found[number]) for number in found}
+
+
+def test_the_readme_has_every_claim_with_place_text_and_verdict(claims):
+    for shown, found in claims.values():
+        assert len(shown) == len(found) == 5
+        assert (shown[:3], shown[4]) == (found[:3], found[4])
+
+
+@pytest.mark.parametrize("number", [claim.number for claim in CLAIMS])
+def test_its_numbers_and_criteria_are_those_that_are_measured(claims, number):
+    shown, found = (row[3].split("; ") for row in claims[number])
+    for one, other in zip(shown, found, strict=True):
+        one, other = MEASURED.fullmatch(one), MEASURED.fullmatch(other)
+        assert one is not None
+        for part in ("name", "unit", "criterion"):
+            assert one[part] == other[part]
+        value = float(one["value"])
+        if number == ROUNDING_ERRORS and one["criterion"]:
+            assert 0.0 <= value < float(one["criterion"].removeprefix("< "))
+        else:
+            assert value == pytest.approx(float(other["value"]), rel=SHOWN)

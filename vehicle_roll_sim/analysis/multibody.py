@@ -33,7 +33,6 @@ from vehicle_roll_sim.simulation.simulation import (
 )
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 
-"""The variant of model 1 that the engine's bodies are."""
 MASSLESS = 1e-9
 """kg m^2, of the point masses: the engine wants something, and this is 1e-12 of the body's."""
 POSE = 7

@@ -11,8 +11,8 @@ from vehicle_roll_sim.analysis.paper.report import (
     as_markdown,
     as_text,
     check_claims,
-    thresholds_as_markdown,
-    thresholds_as_text,
+    numbers_as_markdown,
+    numbers_as_text,
 )
 from vehicle_roll_sim.analysis.paper.study import Study
 from vehicle_roll_sim.arguments import OneLineParser, named_file
@@ -49,7 +49,7 @@ def paper_command(words: list[str], program: str) -> int:
         if not study.has_engine:
             print(f"{program}: {NO_ENGINE}; claim 22 is not checked", file=sys.stderr)
         findings = _write_results(study, folder, bar)
-    print(f"{as_text(findings)}\n\n{thresholds_as_text(study)}\n\nresults: {folder}")
+    print(f"{as_text(findings)}\n\n{numbers_as_text(study)}\n\nresults: {folder}")
     return CLAIM_FAILED if arguments.strict and not _all_hold(findings) else 0
 
 
@@ -64,8 +64,8 @@ def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
             figures.draw(figure, study, partial)
             bar.update()
         figures.draw_roll_plane(study, partial)
-        text = f"{as_text(findings)}\n\n{thresholds_as_text(study)}\n"
-        table = f"{as_markdown(findings)}\n\n{thresholds_as_markdown(study)}\n"
+        text = f"{as_text(findings)}\n\n{numbers_as_text(study)}\n"
+        table = f"{as_markdown(findings)}\n\n{numbers_as_markdown(study)}\n"
         (partial / "claims.txt").write_text(text, encoding="utf-8")
         (partial / "claims.md").write_text(table, encoding="utf-8")
     return findings

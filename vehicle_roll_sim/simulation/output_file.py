@@ -1,6 +1,7 @@
 """Writing results: a file or set of files appears when it is whole, or not at all."""
 
 import contextlib
+import errno
 import os
 import tempfile
 from collections.abc import Iterator
@@ -85,18 +86,35 @@ def check_folder(path: Path, field: str) -> None:
 def filled_folder(path: Path) -> Iterator[Path]:
     """A new folder to write files to; in the end they move to the folder `path`.
 
-    It is made if need be; what it holds already stays, but for files of the same names.
+    It is made if need be; what it holds already stays, but for files of the same names. Raises
+    InputError if the system does not let it be filled.
     """
-    with tempfile.TemporaryDirectory(dir=_existing(path), prefix=".partial-") as partial:
-        yield Path(partial)
-        path.mkdir(parents=True, exist_ok=True)
-        for file in sorted(Path(partial).iterdir()):
-            file.replace(path / file.name)
+    try:
+        path = _resolved(path)
+        with tempfile.TemporaryDirectory(dir=_existing(path), prefix=".partial-") as partial:
+            yield Path(partial)
+            path.mkdir(parents=True, exist_ok=True)
+            files = sorted(Path(partial).iterdir())
+            for file in files:
+                if (path / file.name).is_dir():
+                    raise InputError(f"file {path / file.name}", "", "no folder of that name")
+            for file in files:
+                file.replace(path / file.name)
+    except OSError as error:
+        raise InputError(f"folder {path}", "", "a place to write to", error.strerror) from None
 
 
 def _existing(path: Path) -> Path:
     """The folder itself, or the nearest above it that exists."""
-    path = path.resolve()
+    path = _resolved(path)
     while not path.exists():
         path = path.parent
     return path
+
+
+def _resolved(path: Path) -> Path:
+    """Where a path leads; raises OSError also for links that lead in a circle."""
+    try:
+        return path.resolve()
+    except RuntimeError:
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP)) from None

@@ -4,7 +4,9 @@ import dataclasses
 import math
 from collections.abc import Callable
 
-from vehicle_roll_sim.analysis.paper.study import Study
+import numpy as np
+
+from vehicle_roll_sim.analysis.paper.study import Response, Study
 
 HOLDS, FAILS, NOT_CHECKED = "holds", "fails", "not checked"
 
@@ -13,7 +15,8 @@ HOLDS, FAILS, NOT_CHECKED = "holds", "fails", "not checked"
 class Measured:
     """A number that a claim is judged by: it must lie between its limits.
 
-    Without limits it is reported only. One that is nan, as of an event that never came, fails.
+    Without limits it is reported only. One that is nan fails: an event (in s) that never came, or
+    what cannot be measured on these runs.
     """
 
     name: str
@@ -24,7 +27,11 @@ class Measured:
 
     @property
     def holds(self) -> bool:
-        return not self.is_judged or self.above < self.value < self.below
+        if not self.is_judged:
+            return True
+        is_above = self.value > self.above or math.isinf(self.above)
+        is_below = self.value < self.below or math.isinf(self.below)
+        return is_above and is_below and not math.isnan(self.value)
 
     @property
     def is_judged(self) -> bool:
@@ -40,7 +47,9 @@ class Measured:
         return f"< {self.below:.3g}" if math.isfinite(self.below) else ""
 
     def __str__(self) -> str:
-        value = "never" if math.isnan(self.value) else f"{self.value:.3g} {self.unit}"
+        value = f"{self.value:.3g} {self.unit}".rstrip()
+        if math.isnan(self.value) and self.unit == "s":
+            value = "never"
         limits = f" ({self.criterion})" if self.is_judged else ""
         return f"{self.name}: {value}{limits}"
 
@@ -69,6 +78,16 @@ class Finding:
     claim: Claim
     verdict: str
     measured: list[Measured]
+
+
+def driven_to_the_end(response: Response) -> Measured:
+    """For a claim that a vehicle stays upright: a run that broke off shows nothing."""
+    return Measured("runs broken off", 0.0 if response.is_complete else 1.0, "", below=1.0)
+
+
+def largest(values: np.ndarray) -> float:
+    """nan where there are none."""
+    return float(values.max()) if len(values) else math.nan
 
 
 def percent_more(value: float, other: float) -> float:

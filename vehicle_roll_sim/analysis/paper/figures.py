@@ -90,7 +90,8 @@ def draw(figure: PaperFigure, study: Study, folder: Path) -> None:
     drawing.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
     drawing.suptitle(figure.title)
     save_figure(drawing, folder / f"{figure.name}.png")
-    _write_data(folder / f"{figure.name}.csv", responses)
+    samples = {case: _samples(response) for case, response in responses.items()}
+    _write_table(folder / f"{figure.name}.csv", ("model", *DATA), samples)
 
 
 def _draw_panel(axis, panel: tuple, responses: dict[str, Response]) -> None:
@@ -107,33 +108,48 @@ def _draw_panel(axis, panel: tuple, responses: dict[str, Response]) -> None:
     axis.grid(alpha=0.3)
 
 
-def _write_data(path: Path, responses: dict[str, Response]) -> None:
-    """One row for every 10 ms of every case, and its last row."""
+def _samples(response: Response) -> list[np.ndarray]:
+    """DATA of every 10 ms and of the end."""
+    last = len(response.time) - 1
+    return [response.history[name][[*range(0, last, EVERY), last]] for name in DATA]
+
+
+def _write_table(path: Path, header: tuple[str, ...], curves: dict) -> None:
+    """Rows of each curve one after the other, its name in the first column."""
     with path.open("w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
-        table.writerow(("model", *DATA))
-        for case, response in responses.items():
-            columns = np.column_stack([response.history[name] for name in DATA])
-            last = len(columns) - 1
-            for row in columns[[*range(0, last, EVERY), last]].tolist():
-                table.writerow((case, *map(repr, row)))
+        table.writerow(header)
+        for name, columns in curves.items():
+            for row in np.column_stack(columns).tolist():
+                table.writerow((name, *map(repr, row)))
 
 
-def draw_roll_plane(study: Study, folder: Path) -> None:
-    """Load transfer over lateral acceleration: the roll-plane models and the ramp steer."""
-    drawing = new_figure(8.0, 5.0)
-    axis = drawing.subplots()
-    acceleration = np.linspace(0.0, 1.2, 121)
+def load_transfer_curves(study: Study) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    """Lateral acceleration (m/s^2) and load transfer ratio: roll planes, ramp up to lift-off."""
+    acceleration, curves = np.linspace(0.0, 12.0, 121), {}
     for suspended, label in ((False, "rigid roll plane"), (True, "suspended roll plane")):
         model = RollPlane(study.vehicle.record(), suspended)
-        ratio = model.load_transfer_ratio(acceleration * GRAVITY)
-        axis.plot(acceleration, ratio, "--", label=label)
+        curves[label] = acceleration, model.load_transfer_ratio(acceleration)
     for case in ("1", "8dof"):
         response = study.ramp(case)
         until = response.time <= response.first_lift_off
-        lateral = response.history["lateral_acceleration"][until] / GRAVITY
-        ratio = load_transfer_ratio(response.loads[until])
-        axis.plot(lateral, ratio, label=f"{in_words(case)}, ramp steer up to lift-off")
+        lateral = response.history["lateral_acceleration"][until]
+        curves[f"{in_words(case)}, ramp steer up to lift-off"] = (
+            lateral,
+            load_transfer_ratio(response.loads[until]),
+        )
+    return curves
+
+
+def draw_roll_plane(study: Study, folder: Path) -> None:
+    """Write load transfer over lateral acceleration, as PNG and CSV, into `folder`."""
+    drawing = new_figure(8.0, 5.0)
+    axis = drawing.subplots()
+    curves = load_transfer_curves(study)
+    for label, (acceleration, ratio) in curves.items():
+        axis.plot(acceleration / GRAVITY, ratio, "--" if "plane" in label else "-", label=label)
+    header = ("model", "lateral_acceleration", "load_transfer_ratio")
+    _write_table(folder / f"{ROLL_PLANE}.csv", header, curves)
     axis.set_xlabel("lateral acceleration (g)")
     axis.set_ylabel("load transfer ratio")
     axis.grid(alpha=0.3)

@@ -6,12 +6,15 @@ import numpy as np
 
 from vehicle_roll_sim.analysis.paper import assumptions, simplified_models
 from vehicle_roll_sim.analysis.paper.claim import FAILS, HOLDS, NOT_CHECKED, Finding
+from vehicle_roll_sim.analysis.paper.responses import HEADER as RESPONSES
+from vehicle_roll_sim.analysis.paper.responses import response_rows
 from vehicle_roll_sim.analysis.paper.study import Study
 from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.vehicle.parameters import GRAVITY
 
 CLAIMS = (*simplified_models.CLAIMS, *assumptions.CLAIMS)
 HEADER = ("#", "section, figures", "claim of the source", "measured (criterion)", "")
+THRESHOLDS = ("first lift-off", "lateral acceleration (g)")
 WIDTH = 100
 """Characters of a line of text."""
 MARGIN = " " * 5
@@ -78,16 +81,37 @@ def lift_off_thresholds(study: Study) -> dict[str, float]:
     return thresholds
 
 
-def thresholds_as_text(study: Study) -> str:
-    """One predictor in a line."""
-    rows = [f"{MARGIN}{name}: {g:.3f} g" for name, g in lift_off_thresholds(study).items()]
-    return "\n".join(["first lift-off at a lateral acceleration of", *rows])
+def numbers_as_text(study: Study) -> str:
+    """The responses of all models, then the predictors of lift-off, in columns."""
+    responses, thresholds = _numbers(study)
+    return "\n".join([*_columns(*responses), "", *_columns(*thresholds)])
 
 
-def thresholds_as_markdown(study: Study) -> str:
-    """A table with a predictor in each row."""
-    rows = [(name, f"{g:.3f}") for name, g in lift_off_thresholds(study).items()]
-    return _table(("predictor", "first lift-off at (g)"), rows)
+def numbers_as_markdown(study: Study) -> str:
+    """The same two tables."""
+    responses, thresholds = _numbers(study)
+    return f"{_table(*responses)}\n\n{_table(*thresholds)}"
+
+
+def _numbers(study: Study) -> tuple[tuple, tuple]:
+    """(header, rows) of both tables."""
+    thresholds = [(name, f"{g:.3f}") for name, g in lift_off_thresholds(study).items()]
+    return (RESPONSES, response_rows(study)), (THRESHOLDS, thresholds)
+
+
+def _columns(header: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
+    """Lines of columns: names to the left, numbers to the right; units below the headings."""
+    headings = [name.partition(" (") for name in header]
+    units = tuple(f"({rest}" if rest else "" for _, _, rest in headings)
+    lines = [tuple(name for name, _, _ in headings), units, *rows]
+    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    return [
+        "  ".join(
+            cell.rjust(width) if place else cell.ljust(width)
+            for place, (cell, width) in enumerate(zip(line, widths, strict=True))
+        ).rstrip()
+        for line in lines
+    ]
 
 
 def _table(header: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:

@@ -1,8 +1,16 @@
 """Claims 1 to 13 of the source: what each simplification of model 1 does."""
 
+import math
+
 import numpy as np
 
-from vehicle_roll_sim.analysis.paper.claim import Claim, Measured, percent_more
+from vehicle_roll_sim.analysis.paper.claim import (
+    Claim,
+    Measured,
+    driven_to_the_end,
+    largest,
+    percent_more,
+)
 from vehicle_roll_sim.analysis.paper.study import Response, Study
 
 
@@ -24,9 +32,10 @@ def small_angles_in_step(study: Study) -> list[Measured]:
 
 def small_angles_in_ramp(study: Study) -> list[Measured]:
     roll, apart = study.ramp("1").roll, difference(study.ramp("1a"), study.ramp("1"))
-    until_8, at_15 = apart[: np.argmax(roll > 8.0)], apart[np.argmax(roll > 15.0)]
+    over_8, over_15 = (np.logical_or.accumulate(roll[: len(apart)] > angle) for angle in (8, 15))
+    at_15 = apart[over_15][0] if over_15.any() else math.nan
     return [
-        Measured("roll apart up to 8°", until_8.max(), "deg", below=0.1),
+        Measured("roll apart up to 8°", largest(apart[~over_8]), "deg", below=0.1),
         Measured("at 15°", at_15, "deg", above=0.5),
     ]
 
@@ -74,9 +83,11 @@ def contact_forces_in_step(study: Study) -> list[Measured]:
 
 
 def contact_forces_in_ramp(study: Study) -> list[Measured]:
+    one = study.ramp("1c-i")
     return [
         Measured("85° of 1b", study.ramp("1b").rollover, "s", above=0.0),
-        Measured("peak roll of 1c-i", study.ramp("1c-i").peak_roll, "deg", below=15.0),
+        Measured("peak roll of 1c-i", one.peak_roll, "deg", below=15.0),
+        driven_to_the_end(one),
     ]
 
 
@@ -96,6 +107,7 @@ def rates(study: Study) -> list[Measured]:
     return [
         Measured("steady loads over the weight", excess, "%", above=2.0),
         Measured("peak roll in the ramp", ramp.peak_roll, "deg", below=20.0),
+        driven_to_the_end(ramp),
         Measured("yet lr lifts", float(ramp.lift_offs[2]), "s"),
     ]
 
@@ -114,7 +126,7 @@ def until_lift_off(study: Study, case: str) -> float:
     """Largest difference of a case's roll from 1b's in the ramp steer until a wheel lifts (deg)."""
     one, other = study.ramp(case), study.ramp("1b")
     apart, until = difference(one, other), max(one.first_lift_off, other.first_lift_off)
-    return apart[one.time[: len(apart)] <= until].max()
+    return largest(apart[one.time[: len(apart)] <= until])
 
 
 def contact_velocity_in_ramp(study: Study) -> list[Measured]:

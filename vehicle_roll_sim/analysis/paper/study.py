@@ -9,26 +9,28 @@ import numpy as np
 
 from vehicle_roll_sim.analysis import metrics
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.options import MULTIBODY, Options
+from vehicle_roll_sim.simulation.options import ASYMMETRIC, MULTIBODY, Options
 from vehicle_roll_sim.simulation.run import run
 from vehicle_roll_sim.simulation.simulation import Simulation
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 STEP_STEER, RAMP_STEER, J_TURN = "step_steer", "ramp_steer", "j_turn"
 NO_ROLL_CENTRE = "no roll centre"
 UPRIGHT_TIRES = "tire normal to the ground"
-ASYMMETRIC = "asymmetric link load transfer"
+ASYMMETRIC_LINKS = "asymmetric link load transfer"
 SAME_AS_ENGINE = "no roll centre, Euler terms"
 ENGINE = "multibody engine"
 OPTIONS = {
     NO_ROLL_CENTRE: Options(no_roll_centre=True),
     UPRIGHT_TIRES: Options(tire_normal_to_ground=True),
-    ASYMMETRIC: Options(link_load_transfer="asymmetric"),
+    ASYMMETRIC_LINKS: Options(link_load_transfer=ASYMMETRIC),
     SAME_AS_ENGINE: MULTIBODY,
 }
 """Variants of model 1; every other case but the engine bears the name of its model."""
-VARIANTS = (NO_ROLL_CENTRE, UPRIGHT_TIRES, ASYMMETRIC, "8dof")
+VARIANTS = (NO_ROLL_CENTRE, UPRIGHT_TIRES, ASYMMETRIC_LINKS, "8dof")
 SIMPLIFIED = ("1", "1a", "1b", "1c-i", "1c-ii", "1c-iii", "1c-iv")
 RUNS = (
     *((STEP_STEER, case) for case in SIMPLIFIED),
@@ -42,16 +44,18 @@ RUNS = (
 """(manoeuvre, case) of every run."""
 SAMPLE = 0.001
 """s: every step, for peaks and the moments of events."""
-STEERING_HELD = 1.1
+_STEP = STANDARD[STEP_STEER]
+STEERING_HELD = _STEP.start + _STEP.amplitude / _STEP.rate
 """s: from here on the step steer holds its angle."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Response:
-    """A run: its history, a row a step, and its EVENTS record."""
+    """A run: its history, a row a step, its EVENTS record and how it ended."""
 
     history: History
     events: np.record
+    condition: Condition
 
     @property
     def time(self) -> np.ndarray:
@@ -74,7 +78,13 @@ class Response:
 
     @property
     def peak_roll(self) -> float:
-        return metrics.peak(self.time, self.roll)[0]
+        """Largest roll angle to either side (deg)."""
+        return abs(metrics.peak(self.time, self.roll)[0])
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether the manoeuvre was driven to its end, without rollover or divergence."""
+        return self.condition is Condition.RUNNING
 
     def steady(self, values: np.ndarray):
         """Mean of a signal of this run over the last half second."""
@@ -121,8 +131,7 @@ class Study:
     @property
     def weight(self) -> float:
         """Of the whole vehicle (N)."""
-        unsprung = self.vehicle.per_wheel("unsprung_mass").sum()
-        return GRAVITY * (self.vehicle.sprung_mass + unsprung)
+        return RollPlane(self.vehicle.record()).weight
 
     def response(self, manoeuvre: str, case: str) -> Response:
         """The run of a case through a manoeuvre of the source, made when first asked for."""
@@ -145,7 +154,7 @@ class Study:
         manoeuvre, simulation = STANDARD[name], self._simulation(case)
         simulation.reset(manoeuvre.speed)
         history = run(simulation, manoeuvre, manoeuvre.duration, sample=SAMPLE)
-        return Response(history, simulation.events)
+        return Response(history, simulation.events, simulation.condition)
 
     def _simulation(self, case: str) -> Simulation:
         if case == ENGINE:

@@ -1,0 +1,266 @@
+"""`paper`: all results in a folder and a verdict on each claim, or one line and nothing."""
+
+import errno
+import io
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from studies import Rerun, reference_study
+from tqdm import tqdm
+
+from vehicle_roll_sim.analysis.paper import figures
+from vehicle_roll_sim.analysis.paper.claim import FAILS, HOLDS, NOT_CHECKED
+from vehicle_roll_sim.analysis.paper.report import (
+    NO_ENGINE,
+    as_markdown,
+    as_text,
+    check_claims,
+    numbers_as_markdown,
+    numbers_as_text,
+)
+from vehicle_roll_sim.analysis.paper.study import RUNS, Study
+from vehicle_roll_sim.command_line import paper as paper_module
+
+pytest.importorskip("mujoco", reason="the multibody engine is not installed")
+
+NUMBERS = ("06", "07", "08", "09", "10", "11", "12", "13", "14", "15", "17", "18")
+TABLES = ("claims.md", "claims.txt")
+ROLL_PLANE = "roll_plane"
+SUFFIXES = ("csv", "png")
+RESULTS = {
+    *(f"figure_{number}.{suffix}" for number in NUMBERS for suffix in SUFFIXES),
+    *(f"{ROLL_PLANE}.{suffix}" for suffix in SUFFIXES),
+    *TABLES,
+}
+QUICK = 11
+"""The figure that has a run which no claim is about."""
+QUICK_RESULTS = {
+    *(f"{figure}.{suffix}" for figure in (f"figure_{QUICK}", ROLL_PLANE) for suffix in SUFFIXES),
+    *TABLES,
+}
+"""Of a command that draws only this one of the figures with curves over time."""
+PATIENCE = 120
+"""s: it takes 16."""
+FALSE = {"1a": "1c-i"}
+"""A case taken for another, so that claims fail."""
+
+
+@pytest.fixture(scope="module")
+def study() -> Study:
+    """That of the reference vehicle; each of its runs is made once."""
+    return reference_study()
+
+
+@pytest.fixture
+def paper(command, study, monkeypatch):
+    """Runs `paper` with runs that are made already, and one figure; with cases taken for others."""
+
+    def call(*words, instead=None):
+        monkeypatch.setattr(paper_module, "Study", lambda _, done: Rerun(study, instead, done))
+        return command("paper", *words)
+
+    monkeypatch.setattr(figures, "FIGURES", [f for f in figures.FIGURES if f.number == QUICK])
+    return call
+
+
+@pytest.fixture
+def no_runs(monkeypatch):
+    """No run is made."""
+
+    def refuse(*_):
+        raise AssertionError("a run before the command was checked")
+
+    monkeypatch.setattr(paper_module, "Study", refuse)
+
+
+def names(folder: Path) -> set[str]:
+    """Everything that lies in a folder, hidden files too."""
+    return {entry.name for entry in folder.iterdir()}
+
+
+def test_in_a_process_of_its_own_it_reruns_everything_and_prints_what_it_writes(study, tmp_path):
+    words = [sys.executable, "-m", "vehicle_roll_sim", "paper", "--out", "results", "--strict"]
+    result = subprocess.run(
+        words, cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE, check=False
+    )
+    assert (result.returncode, result.stderr) == (0, "")
+    assert names(tmp_path) == {"results"}
+    folder = tmp_path / "results"
+    assert names(folder) == RESULTS
+    assert all((folder / name).stat().st_size > 1000 for name in RESULTS)
+    text = (folder / "claims.txt").read_text(encoding="utf-8")
+    assert result.stdout == f"{text}\nresults: results\n"
+    findings = check_claims(study)
+    assert text == f"{as_text(findings)}\n\n{numbers_as_text(study)}\n"
+    table = (folder / "claims.md").read_text(encoding="utf-8")
+    assert table == f"{as_markdown(findings)}\n\n{numbers_as_markdown(study)}\n"
+
+
+def test_without_a_folder_the_results_go_to_paper(paper, folder):
+    result = paper()
+    assert (result.status, result.err) == (0, "")
+    assert names(folder) == {"paper"}
+    assert names(folder / "paper") == QUICK_RESULTS
+    assert result.out.splitlines()[-1] == "results: paper"
+
+
+@pytest.mark.parametrize(
+    ("instead", "engine", "words", "status"),
+    [
+        (None, True, (), 0),
+        (None, True, ("--strict",), 0),
+        (FALSE, True, (), 0),
+        (FALSE, True, ("--strict",), 1),
+        (None, False, (), 0),
+        (None, False, ("--strict",), 1),
+    ],
+)
+def test_only_with_strict_the_status_tells_a_claim_that_fails_or_is_not_checked(
+    paper, folder, monkeypatch, instead, engine, words, status
+):
+    if not engine:
+        monkeypatch.setitem(sys.modules, "mujoco", None)
+    result = paper("--out", "results", *words, instead=instead)
+    assert result.status == status
+    assert names(folder / "results") == QUICK_RESULTS
+    assert result.out.startswith((folder / "results/claims.txt").read_text(encoding="utf-8"))
+    verdicts = {line[5:].split("  ")[0] for line in result.out.splitlines() if line[:3].strip()}
+    assert (FAILS in verdicts) == bool(instead)
+    assert HOLDS in verdicts
+    if not engine:
+        assert NOT_CHECKED in verdicts
+        assert result.err == f"vehicle_roll_sim paper: {NO_ENGINE}; claim 22 is not checked\n"
+
+
+def test_what_lies_in_the_folder_stays_but_for_older_results(paper, folder):
+    results = folder / "results"
+    results.mkdir()
+    (results / "notes.txt").write_text("mine")
+    (results / "claims.txt").write_text("old")
+    assert paper("--out", results).status == 0
+    assert names(results) == {*QUICK_RESULTS, "notes.txt"}
+    assert (results / "notes.txt").read_text() == "mine"
+    assert (results / "claims.txt").read_text(encoding="utf-8").startswith("  1  holds")
+
+
+def test_folders_above_are_made_if_need_be(paper, folder):
+    assert paper("--out", "new/results").status == 0
+    assert names(folder) == {"new"}
+    assert names(folder / "new/results") == QUICK_RESULTS
+
+
+def test_progress_counts_every_run_and_figure(paper, monkeypatch):
+    shown, bars = io.StringIO(), []
+
+    def bar(**about) -> tqdm:
+        bars.append(tqdm(**about | {"disable": False, "file": shown}))
+        return bars[-1]
+
+    monkeypatch.setattr(paper_module, "tqdm", bar)
+    assert paper().status == 0
+    assert [(bar.n, bar.total) for bar in bars] == [(len(RUNS) + 1, len(RUNS) + 1)]
+
+
+@pytest.mark.parametrize("name", ["", "file", "file/results", "/proc/results"])
+def test_where_no_folder_can_be_the_command_is_refused_before_any_run(
+    refused, folder, no_runs, name
+):
+    (folder / "file").write_text("no folder")
+    refused(("paper", "--out", name), "--out", name)
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_may_not_be_written_is_refused_before_any_run(refused, folder, no_runs):
+    (folder / "locked").mkdir(mode=0o555)
+    for name in ("locked", "locked/results"):
+        refused(("paper", "--out", name), "--out", "Permission denied")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [("--outt", "x"), ("--stric",), ("--ou", "x"), ("--strict=1",), ("--out",), ("results",)],
+)
+def test_unknown_options_and_words_are_refused(refused, no_runs, words):
+    refused(("paper", *words), words[0].partition("=")[0])
+
+
+@pytest.mark.parametrize(
+    ("words", "nearest"),
+    [(("papr",), "paper"), (("paper", "--outt"), "--out"), (("paper", "--stirct"), "--strict")],
+)
+def test_what_is_misspelt_gives_the_nearest(refused, no_runs, words, nearest):
+    refused(words, words[-1], f"did you mean {nearest}?")
+
+
+@pytest.mark.parametrize("words", [("--help",), ("paper", "--help")])
+def test_help_names_the_command_and_its_options(command, no_runs, capsys, words):
+    with pytest.raises(SystemExit) as end:
+        command(*words)
+    assert end.value.code == 0
+    text = capsys.readouterr().out
+    shown = ("  paper ",) if words == ("--help",) else ("--out DIR", "--strict", "(default paper)")
+    for word in shown:
+        assert word in text
+
+
+FAILURES = {
+    KeyboardInterrupt(): ({130}, "interrupted"),
+    OSError(errno.ENOSPC, "No space left on device"): ({1, 2}, "No space left on device"),
+}
+"""What goes wrong, and the status and the words that it ends with."""
+PLACES = (
+    "vehicle_roll_sim.analysis.paper.study.Study.step",
+    "vehicle_roll_sim.analysis.paper.figures.save_figure",
+    "vehicle_roll_sim.analysis.paper.figures.draw_roll_plane",
+    "pathlib.Path.write_text",
+    "pathlib.Path.replace",
+)
+
+
+def everything(folder: Path) -> dict[Path, str]:
+    return {path: path.read_text() if path.is_file() else "" for path in folder.rglob("*")}
+
+
+@pytest.mark.parametrize("place", PLACES)
+@pytest.mark.parametrize("failure", FAILURES, ids=lambda failure: type(failure).__name__)
+def test_what_goes_wrong_half_way_is_one_line_and_leaves_everything_as_it_was(
+    paper, folder, monkeypatch, failure, place
+):
+    def fail(*_args, **_kwargs):
+        raise failure
+
+    (folder / "results").mkdir()
+    for name in ("claims.txt", "notes.txt"):
+        (folder / "results" / name).write_text("old")
+    before = everything(folder)
+    with monkeypatch.context() as patched:
+        patched.setattr("vehicle_roll_sim.arguments._write_no_more", lambda: None)  # of pytest's
+        patched.setattr(place, fail)
+        result = paper("--out", "results")
+    status, words = FAILURES[failure]
+    assert result.status in status
+    assert result.out == ""
+    assert words in result.err
+    assert len(result.err.splitlines()) == 1
+    assert everything(folder) == before
+
+
+@pytest.mark.parametrize("name", ["results", "new/results"])
+def test_an_error_in_the_program_leaves_no_folder(paper, folder, monkeypatch, name):
+    monkeypatch.setattr(figures, "draw_roll_plane", lambda *_: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        paper("--out", name)
+    assert not names(folder)
+
+
+def test_a_folder_in_the_place_of_a_result_is_one_line_and_no_result_appears(paper, folder):
+    name = max(QUICK_RESULTS)
+    (folder / "results" / name).mkdir(parents=True)
+    result = paper("--out", "results")
+    assert (result.status, result.out) == (2, "")
+    assert name in result.err
+    assert len(result.err.splitlines()) == 1
+    assert names(folder / "results") == {name}
