@@ -1,8 +1,12 @@
 """The runs that the source's figures and claims are made of."""
 
-import pytest
-from studies import reference_study
+import sys
 
+import pytest
+from studies import Rerun, reference_study
+
+from vehicle_roll_sim.analysis.paper.claim import Finding
+from vehicle_roll_sim.analysis.paper.report import check_claims
 from vehicle_roll_sim.analysis.paper.study import Study
 
 
@@ -10,3 +14,15 @@ from vehicle_roll_sim.analysis.paper.study import Study
 def study() -> Study:
     """That of the reference vehicle; each of its runs is made once."""
     return reference_study()
+
+
+@pytest.fixture(scope="session")
+def findings(study) -> list[Finding]:
+    return check_claims(study)
+
+
+@pytest.fixture
+def without_engine(study, monkeypatch) -> Rerun:
+    """The study where the multibody engine is not installed."""
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    return Rerun(study)

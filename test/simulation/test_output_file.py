@@ -224,6 +224,11 @@ def test_a_file_and_what_is_below_one_are_no_folders(path, name):
     assert "a folder that can be written to, or made" in refused(Path(name), check_folder)
 
 
+def test_a_link_that_leads_in_a_circle_is_refused(path):
+    path.symlink_to(path.name)
+    assert "symbolic links" in refused(path)
+
+
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="no /proc on this system")
 def test_neither_is_what_the_system_does_not_let_be_made(path):
     refused(Path("/proc/results"), check_folder)

@@ -58,6 +58,8 @@ def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
     from vehicle_roll_sim.analysis.paper import figures  # matplotlib: half a second
 
     bar.reset(len(study.runs) + len(figures.FIGURES))
+    for manoeuvre, case in study.runs:
+        study.response(manoeuvre, case)
     findings = check_claims(study)
     with filled_folder(folder) as partial:
         for figure in figures.FIGURES:

@@ -16,7 +16,7 @@ def check_writable(path: Path, field: str) -> None:
     """Raise InputError naming `field` if no file can be made at `path`."""
     try:
         _check_target(path, field)
-        with _partial_file(path.resolve()):
+        with _partial_file(_resolved(path)):
             pass
     except OSError as error:
         wanted = "a file in a folder that can be written"
@@ -24,7 +24,7 @@ def check_writable(path: Path, field: str) -> None:
 
 
 def _check_target(path: Path, field: str) -> None:
-    folder = path.resolve().parent
+    folder = _resolved(path).parent
     if path.exists() and not path.is_file():
         raise InputError(field, str(path), "an ordinary file, no folder, pipe or device")
     if path.exists() and not os.access(path, os.W_OK):
@@ -47,8 +47,8 @@ def replaced_file(path: Path) -> Iterator[Path]:
 
     Raises InputError if the system does not let it be written.
     """
-    path = path.resolve()  # a link stays, what it leads to is replaced
     try:
+        path = _resolved(path)  # a link stays, what it leads to is replaced
         with _partial_file(path) as partial:
             yield partial
             mask = os.umask(0)

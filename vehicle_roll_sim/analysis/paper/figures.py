@@ -50,7 +50,8 @@ class PaperFigure:
 
     @property
     def title(self) -> str:
-        return f"Figure {self.number}: {IN_WORDS[self.manoeuvre]} (o lift-off, x 85° of roll)"
+        marks = "o lift-off, x 85° of roll" if PANELS in self.columns else "o lift-off"
+        return f"Figure {self.number}: {IN_WORDS[self.manoeuvre]} ({marks})"
 
 
 FIGURES = (

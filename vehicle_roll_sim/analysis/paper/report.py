@@ -16,7 +16,7 @@ CLAIMS = (*simplified_models.CLAIMS, *assumptions.CLAIMS)
 HEADER = ("#", "section, figures", "claim of the source", "measured (criterion)", "")
 THRESHOLDS = ("first lift-off", "lateral acceleration (g)")
 WIDTH = 100
-"""Characters of a line of text."""
+"""Characters of a line of numbers."""
 MARGIN = " " * 5
 NO_ENGINE = "the multibody engine is not installed: pip install mujoco"
 
