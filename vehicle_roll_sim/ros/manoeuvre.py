@@ -34,6 +34,8 @@ from vehicle_roll_sim.simulation.summary import line, summary_lines
 
 PATIENCE = 10.0
 """Wall seconds that a simulator may take to answer."""
+ASK_AGAIN = 2.0
+"""Wall seconds after which a question is repeated."""
 NO_SIMULATOR = 1
 """Exit status when none does."""
 DIVERGED = 1
@@ -74,8 +76,7 @@ class Driver(Node):
         self.rollover_angle = self._get("rollover_angle").double_value
         self._set("initial_speed", self.manoeuvre.speed)
         self._wait(self._connected, "a connection to its topics")
-        self._forget()
-        self._call(reset, Trigger.Request(), "a reset")
+        self._call(reset, Trigger.Request(), "a reset", before=self._forget)
         self._wait(lambda: self.state is not None, "its state")
 
     def _connected(self) -> bool:
@@ -94,14 +95,27 @@ class Driver(Node):
         if not result.successful:
             raise NoAnswerError(f"`{self._simulator}` refused {name} {value:g}: {result.reason}")
 
-    def _call(self, client, request, what: str):
-        self._wait(client.service_is_ready, f"its service for {what}")
-        future = client.call_async(request)
-        self._wait(future.done, what)
-        return future.result()
+    def _call(self, client, request, what: str, before: Callable[[], None] = lambda: None):
+        """Ask a service until it answers, which must not mind being asked twice.
 
-    def _wait(self, done: Callable[[], bool], what: str) -> None:
+        A server that has not found its new client yet drops the answer. `before` each request.
+        """
+        self._wait(client.service_is_ready, f"its service for {what}")
         until = time.monotonic() + PATIENCE
+        while True:
+            before()
+            future = client.call_async(request)
+            try:
+                self._wait(future.done, what, min(ASK_AGAIN, until - time.monotonic()))
+            except NoAnswerError:
+                client.remove_pending_request(future)
+                if time.monotonic() >= until:
+                    raise
+            else:
+                return future.result()
+
+    def _wait(self, done: Callable[[], bool], what: str, patience: float = PATIENCE) -> None:
+        until = time.monotonic() + patience
         while not done():
             if time.monotonic() > until:
                 raise NoAnswerError(f"no answer from `{self._simulator}` in {PATIENCE:g} s: {what}")
