@@ -21,6 +21,7 @@ from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, run
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_DEGREES,
@@ -79,6 +80,7 @@ def run_command(words: list[str], program: str) -> int:
         options,
         step=settings.step,
         rollover_angle=math.radians(settings.stop_roll),
+        road=Road(**declared_values(arguments, Road)),
     )
     simulation.reset(manoeuvre.speed)
     history = _run_with_progress(simulation, manoeuvre, settings)
@@ -109,6 +111,7 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     for declaring in [manoeuvre] if manoeuvre else map(type, STANDARD.values()):
         add_declared(parser, declaring, "manoeuvre")
     add_declared(parser, Options, "model")
+    add_declared(parser, Road, "road")
     add_vehicle_options(parser)
     add_declared(parser, RunSettings, "integration")
     group = parser.add_argument_group("results")

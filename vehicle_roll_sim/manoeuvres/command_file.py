@@ -19,7 +19,7 @@ COLUMNS = {
     **{name: (name, None) for name in ("steering", "rear_steering")},
     **{
         f"{name}_{wheel}": (name, i)
-        for name in ("wheel_torque", "normal_force")
+        for name in ("wheel_torque", "brake_torque", "normal_force")
         for i, wheel in enumerate(WHEELS)
     },
 }

@@ -7,7 +7,6 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.model.events import MINIMUM_SPEED
 from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED
 
@@ -21,9 +20,7 @@ LONGEST = 86_400.0
 class Manoeuvre(abc.ABC):
     """Speed at entry, length and speed hold: what every manoeuvre has."""
 
-    speed: float = parameter(
-        "speed at entry", "m/s", MINIMUM_SPEED, MAXIMUM_SPEED, default=DEFAULT_SPEED
-    )
+    speed: float = parameter("speed at entry", "m/s", 0.0, MAXIMUM_SPEED, default=DEFAULT_SPEED)
     duration: float = parameter("simulated time", "s", 0.0, LONGEST)
     speed_hold: float = parameter(
         "torque at each rear wheel per m/s below the entry speed",

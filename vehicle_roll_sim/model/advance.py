@@ -12,6 +12,7 @@ from vehicle_roll_sim.model.events import (
 )
 from vehicle_roll_sim.model.integrator import BEFORE, K1, rk4_step
 from vehicle_roll_sim.model.jit import kernel
+from vehicle_roll_sim.model.wheel import note_turning, stop_reversed
 
 NANOSECONDS = 1_000_000_000
 """Nanoseconds, the unit of simulated time, in a second. Dividing by them rounds correctly."""
@@ -41,6 +42,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     culprit = most_implausible(state, limits.largest)
     if culprit >= 0:
         return taken, Condition.DIVERGED, culprit
+    note_turning(state, out)
     derivatives(state, commands[0], vehicle, tire, options, out, stages[K1])
     note_lift_offs(start_ns / NANOSECONDS, 0.0, out.support, seen)
     while taken < steps and condition == Condition.RUNNING:
@@ -48,7 +50,9 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         note_peaks(time, state, tire, out, seen)
         stages[BEFORE, :] = state
         row = 2 * taken * stride
-        rk4_step(state, commands[row + stride], commands[row + 2 * stride], step, car, stages)
+        after = commands[row + 2 * stride]
+        rk4_step(state, commands[row + stride], after, step, car, stages)
+        stop_reversed(state, after, vehicle, out)
         culprit = most_implausible(state, limits.largest)
         if culprit >= 0:
             state[:] = stages[BEFORE]
@@ -57,6 +61,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
             taken += 1
             condition = condition_of(state, limits)
         last = idle if condition == Condition.DIVERGED else commands[2 * taken * stride]
+        note_turning(state, out)
         derivatives(state, last, vehicle, tire, options, out, stages[K1])
         if culprit < 0:
             note_lift_offs(time, step, out.support, seen)

@@ -5,6 +5,7 @@ from vehicle_roll_sim.model.frames import yawed_to_body
 from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire import tire_forces
+from vehicle_roll_sim.model.transient_slip import transient_slip
 from vehicle_roll_sim.model.upright_tire import upright_contact
 
 SLOWEST_ROLLING = 1e-9
@@ -28,10 +29,16 @@ def loaded_radius(tire_compression, radius, attitude):
 
 
 @kernel
+def along_and_across(ug, vg, steering):
+    """Velocity of the contact point in wheel axes (m/s)."""
+    s, c = math.sin(steering), math.cos(steering)
+    return ug * c + vg * s, vg * c - ug * s
+
+
+@kernel
 def slip(ug, vg, steering, spin, radius):
     """Slip ratio and slip angle (rad) in wheel axes (eqs 5, 6)."""
-    s, c = math.sin(steering), math.cos(steering)
-    rolling, sliding = ug * c + vg * s, vg * c - ug * s
+    rolling, sliding = along_and_across(ug, vg, steering)
     speed = max(abs(rolling), SLOWEST_ROLLING)
     return (radius * spin - rolling) / speed, math.atan2(sliding, speed)
 
@@ -80,13 +87,18 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 
 
 @kernel
-def contact_forces(state, command, vehicle, tire, outputs):
-    """Slip and contact forces of every wheel in frame 2 (eqs 3-6)."""
+def contact_forces(state, command, vehicle, tire, options, outputs):
+    """Slip and contact forces of every wheel in frame 2 (eqs 3-6), the slip transient or not."""
     spin = state[at.WHEEL_SPEED]
     for i in range(WHEEL_COUNT):
         steering = command.steering if i < LR else command.rear_steering
         ug, vg, r = outputs.contact_u[i], outputs.contact_v[i], outputs.loaded_radius[i]
-        kappa, alpha = slip(ug, vg, steering, spin[i], r)
+        if options.steady_state_slip:
+            kappa, alpha = slip(ug, vg, steering, spin[i], r)
+        else:
+            rolling, sliding = along_and_across(ug, vg, steering)
+            tread = r * spin[i]
+            kappa, alpha = transient_slip(i, state, rolling, sliding, tread, vehicle, tire, outputs)
         fx, fy = tire_forces(kappa, alpha, outputs.normal_force[i], tire.side[i], tire)
         s, c = math.sin(steering), math.cos(steering)
         outputs.steering[i] = steering

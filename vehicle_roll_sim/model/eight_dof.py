@@ -10,10 +10,10 @@ from no acceleration, until they agree.
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.contact import contact_forces, normal_force
-from vehicle_roll_sim.model.fourteen_dof import wheel_rates
-from vehicle_roll_sim.model.frames import yawed_to_ground
+from vehicle_roll_sim.model.frames import ground_to_yawed, yawed_to_ground
 from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
+from vehicle_roll_sim.model.rigid_body import drag
 from vehicle_roll_sim.model.roll_axis import (
     corner_damping,
     corner_stiffness,
@@ -22,6 +22,7 @@ from vehicle_roll_sim.model.roll_axis import (
     strut_share,
     wheel_centre_height,
 )
+from vehicle_roll_sim.model.wheel import wheel_rates
 
 MOST_ITERATIONS = 200
 AGREEMENT = 1e-12
@@ -38,7 +39,7 @@ def eight_dof_derivatives(state, command, vehicle, tire, options, outputs, rates
     q = outputs.body_acceleration
     rates[at.U], rates[at.V] = q[DU], q[DV]
     rates[at.YAW_RATE], rates[at.ROLL_RATE] = q[DWZ], q[DWX]
-    wheel_rates(state, command, vehicle, outputs, rates)
+    wheel_rates(state, command, vehicle, options, outputs, rates)
     measured_accelerations(state, vehicle, outputs)
 
 
@@ -55,20 +56,24 @@ def contact_velocities(state, vehicle, outputs):
 def accelerate(state, command, vehicle, tire, options, outputs):
     """Tire loads, tire forces and accelerations that agree with each other (eqs 77-87).
 
-    Broyden's method in ax and ay, which begins as the iteration of the three in turn. The
-    accelerations are nan where none are found.
+    Broyden's method in ax and ay, which begins as the iteration of the three in turn. On grade or
+    bank they are those relative to free sliding. The accelerations are nan where none are found.
     """
-    q, wz = outputs.body_acceleration, state[at.YAW_RATE]
+    q, wz, slope = outputs.body_acceleration, state[at.YAW_RATE], outputs.slope_gravity
+    slope[0], slope[1] = ground_to_yawed(
+        state[at.YAW], vehicle.gravity_along, vehicle.gravity_across
+    )
     q[:] = math.nan
     ax, ay, x_step, y_step = 0.0, 0.0, 0.0, 0.0
     slopes = (-1.0, 0.0, 0.0, -1.0)
     for _ in range(MOST_ITERATIONS):
         tire_loads(state, command, ax, ay, vehicle, options, outputs)
-        contact_forces(state, command, vehicle, tire, outputs)
+        contact_forces(state, command, vehicle, tire, options, outputs)
         x_gap = longitudinal_acceleration(state, vehicle, outputs) - ax
         y_gap = lateral_acceleration(state, command, vehicle, options, outputs) - ay
         if abs(x_gap) + abs(y_gap) <= AGREEMENT * (1.0 + abs(ax) + abs(ay)):
-            q[DU], q[DV] = ax + wz * state[at.V], ay - wz * state[at.U]
+            q[DU] = ax + slope[0] + wz * state[at.V]
+            q[DV] = ay + slope[1] - wz * state[at.U]
             q[DWZ] = yaw_acceleration(ay, vehicle, outputs)
             q[DWX] = roll_acceleration(state, command, ay, vehicle, options)
             break
@@ -159,6 +164,7 @@ def longitudinal_acceleration(state, vehicle, outputs):
     wx, wz = state[at.ROLL_RATE], state[at.YAW_RATE]
     force = unsprung_imbalance(vehicle) * wz**2
     force -= 2 * roll_axis_depth(vehicle) * vehicle.sprung_mass * wz * wx
+    force -= drag(state[at.U], vehicle)
     for i in range(WHEEL_COUNT):
         force += outputs.longitudinal_force[i]
     return force / total_mass(vehicle)
@@ -230,6 +236,7 @@ def measured_accelerations(state, vehicle, outputs):
     outputs.acceleration[0], outputs.acceleration[1] = ax, ay
     outputs.acceleration[2] = math.nan
     s, c, g = math.sin(roll), math.cos(roll), vehicle.gravity
-    outputs.specific_force[0] = ax
-    outputs.specific_force[1] = c * ay + s * g
-    outputs.specific_force[2] = c * g - s * ay
+    felt = ay - outputs.slope_gravity[1]
+    outputs.specific_force[0] = ax - outputs.slope_gravity[0]
+    outputs.specific_force[1] = c * felt + s * g
+    outputs.specific_force[2] = c * g - s * felt

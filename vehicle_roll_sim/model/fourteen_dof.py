@@ -12,11 +12,13 @@ from vehicle_roll_sim.model.contact import (
 from vehicle_roll_sim.model.frames import (
     body_to_yawed,
     euler_rates,
+    ground_to_yawed,
     small_angle_euler_rates,
+    yawed_to_body,
     yawed_to_ground,
 )
 from vehicle_roll_sim.model.jit import kernel, math
-from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, LR, WHEEL_COUNT
+from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
 from vehicle_roll_sim.model.suspension import (
     applied_link_forces,
@@ -26,6 +28,7 @@ from vehicle_roll_sim.model.suspension import (
     strut_kinematics,
     unsprung_rates,
 )
+from vehicle_roll_sim.model.wheel import wheel_rates
 
 
 @kernel
@@ -33,9 +36,10 @@ def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, ra
     """Rates of all states, and all that leads to them; see `derivatives`."""
     attitude = sines_and_cosines(state[at.ROLL], state[at.PITCH], options)
 
+    slope_gravity(state, vehicle, attitude, outputs)
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
-    contact_forces(state, command, vehicle, tire, outputs)
+    contact_forces(state, command, vehicle, tire, options, outputs)
     contact_forces_on_body_axes(options, attitude, outputs)
     strut_forces(state, command, vehicle, outputs)
     applied_link_forces(state, vehicle, options, attitude, outputs)
@@ -49,8 +53,8 @@ def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, ra
     body_rates(state, options, attitude, outputs, rates)
     unsprung_rates(state, vehicle, options, attitude, outputs, rates)
     compression_rates(state, options, attitude, outputs, rates)
-    wheel_rates(state, command, vehicle, outputs, rates)
-    accelerations(state, vehicle.gravity, outputs)
+    wheel_rates(state, command, vehicle, options, outputs, rates)
+    accelerations(state, vehicle, outputs)
 
 
 @kernel
@@ -59,6 +63,15 @@ def sines_and_cosines(roll, pitch, options):
     if options.small_angles:
         return roll, 1.0, pitch, 1.0
     return math.sin(roll), math.cos(roll), math.sin(pitch), math.cos(pitch)
+
+
+@kernel
+def slope_gravity(state, vehicle, attitude, outputs):
+    """Gravity along the plane of the road, on grade or bank, in frame 1 (m/s^2)."""
+    along, across = ground_to_yawed(state[at.YAW], vehicle.gravity_along, vehicle.gravity_across)
+    slope = yawed_to_body(attitude, along, across, 0.0)
+    for axis in range(len(slope)):
+        outputs.slope_gravity[axis] = slope[axis]
 
 
 @kernel
@@ -96,21 +109,7 @@ def compression_rates(state, options, attitude, outputs, rates):
 
 
 @kernel
-def wheel_rates(state, command, vehicle, outputs, rates):
-    """Spin of the wheels: Jw dw/dt = T - r Fxt, with the speed hold added at the rear."""
-    spin = state[at.WHEEL_SPEED]
-    hold = command.speed_hold_gain * (command.speed_hold_target - state[at.U])
-    for i in range(WHEEL_COUNT):
-        torque = command.wheel_torque[i]
-        if i >= LR:
-            torque += hold
-        torque -= outputs.loaded_radius[i] * outputs.tire_longitudinal[i]
-        rates[at.WHEEL_SPEED][i] = torque / vehicle.wheel_inertia
-        rates[at.WHEEL_ANGLE][i] = spin[i]
-
-
-@kernel
-def accelerations(state, gravity, outputs):
+def accelerations(state, vehicle, outputs):
     """Acceleration of the sprung c.g. in frame 2, and its specific force in frame 1.
 
     They are measurements: their axes are those of the exact attitude in every model.
@@ -122,6 +121,7 @@ def accelerations(state, gravity, outputs):
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     ax, ay, az = q[DU] + wy * w - wz * v, q[DV] + wz * u - wx * w, q[DW] + wx * v - wy * u
     yawed = body_to_yawed(attitude, ax, ay, az)
+    gravity = vehicle.gravity
     specific = (
         ax - gravity * s_pitch,
         ay + gravity * s_roll * c_pitch,
@@ -129,4 +129,4 @@ def accelerations(state, gravity, outputs):
     )
     for axis in range(len(yawed)):
         outputs.acceleration[axis] = yawed[axis]
-        outputs.specific_force[axis] = specific[axis]
+        outputs.specific_force[axis] = specific[axis] - outputs.slope_gravity[axis]

@@ -36,6 +36,13 @@ def yawed_to_ground(yaw, x, y):
 
 
 @kernel
+def ground_to_yawed(yaw, x, y):
+    """A horizontal vector of the ground along the axes of frame 2."""
+    s_yaw, c_yaw = math.sin(yaw), math.cos(yaw)
+    return c_yaw * x + s_yaw * y, -s_yaw * x + c_yaw * y
+
+
+@kernel
 def euler_rates(attitude, wx, wy, wz):
     """Roll, pitch and yaw rates (rad/s) from the body rates (eqs 37, 35, 36)."""
     s_roll, c_roll, s_pitch, c_pitch = attitude

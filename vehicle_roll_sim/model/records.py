@@ -46,11 +46,16 @@ EIGHT_DOF_STATES = (
 )
 """Those of the 8 DOF model, in the order of its equations."""
 
+SLIP_STATES = ("longitudinal_slip", "lateral_slip")
+"""Those of transient slip: of each wheel the ratio that stands for the slip ratio, and the one that
+stands for the tangent of the slip angle (-)."""
+
 STATE = record_dtype(
     *((name, MODEL_STATE[name].shape or ()) for name in MODEL_STATE.names),
-    *per_wheel("wheel_angle"),
+    *per_wheel("wheel_angle", *SLIP_STATES),
 )
-"""What is integrated: the 28 states and, after them, the spin angle of each wheel (rad)."""
+"""What is integrated: the 28 states and, after them, the spin angle of each wheel (rad) and the
+states of transient slip."""
 
 MODEL_STATE_SIZE = MODEL_STATE.itemsize // 8
 STATE_SIZE = STATE.itemsize // 8
@@ -72,18 +77,22 @@ TIRE_COMPRESSION = _place("tire_compression")
 UNSPRUNG_VELOCITY = _place("unsprung_velocity")
 WHEEL_SPEED = _place("wheel_speed")
 WHEEL_ANGLE = _place("wheel_angle")
+LONGITUDINAL_SLIP, LATERAL_SLIP = _place("longitudinal_slip"), _place("lateral_slip")
 
 COMMAND = record_dtype(
     *("steering", "rear_steering"),
-    *per_wheel("wheel_torque", "normal_force"),
+    *per_wheel("wheel_torque", "brake_torque", "normal_force"),
     *("speed_hold_gain", "speed_hold_target"),
 )
-"""What drives the model: road-wheel angles (rad), torque at each wheel (N m), active normal force
-at each corner (N), and a speed hold, a torque gain * (target - u) added at each rear wheel."""
+"""What drives the model: road-wheel angles (rad), torque at each wheel (N m), the most that its
+brake can give (N m), active normal force at each corner (N), and a speed hold, a torque
+gain * (target - u) added at each rear wheel."""
 
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
-    *("tire_radius", "wheel_inertia", "gravity"),
+    *("tire_radius", "wheel_inertia", "gravity", "gravity_along", "gravity_across"),
+    "minimum_relaxation_length",
+    *("rolling_resistance_coefficient", "drag_area"),
     *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass", "axle_load_share"),
     *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
     *per_wheel("static_strut_length", "static_suspension_compression"),
@@ -108,6 +117,7 @@ OPTION_NAMES = (
     "unsprung_moves_with_corner",
     "eight_dof",
     "rigid_tires",
+    "steady_state_slip",
 )
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 """Which form of a term the equations take; all off is model 1. Each is explained where it acts."""
@@ -115,8 +125,10 @@ OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 OUTPUTS = record_dtype(
     *per_wheel("normal_force", "longitudinal_force", "lateral_force", "support"),
     *per_wheel("slip_ratio", "slip_angle", "steering", "suspension_rate"),
+    *per_wheel("longitudinal_slip_rate", "lateral_slip_rate", "turning"),
     ("acceleration", 3),
     ("specific_force", 3),
+    ("slope_gravity", 3),
     *per_wheel("strut_length", "loaded_radius", "unsprung_u", "unsprung_v"),
     *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),

@@ -14,6 +14,9 @@ from vehicle_roll_sim.model.records import (
 )
 from vehicle_roll_sim.model.suspension import carried_mass
 
+AIR_DENSITY = 1.225
+"""kg/m^3, of the standard atmosphere at sea level."""
+
 
 @kernel
 def mass_matrix(vehicle, options, outputs):
@@ -82,6 +85,9 @@ def applied_forces(state, vehicle, options, attitude, outputs):
     f[DU] = weight * s_pitch - moved * (wy * w - wz * v)  # (29)
     f[DV] = -weight * s_roll * c_pitch - moved * (wz * u - wx * w)  # (30)
     f[DW] = -weight * c_roll * c_pitch - m * (wx * v - wy * u)  # (31)
+    f[DU] += m * outputs.slope_gravity[0] - drag(u, vehicle)
+    f[DV] += m * outputs.slope_gravity[1]
+    f[DW] += m * outputs.slope_gravity[2]
     f[DWX] = f[DWY] = f[DWZ] = 0.0
     if options.euler_terms:
         jx, jy, jz = vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia
@@ -106,6 +112,12 @@ def applied_forces(state, vehicle, options, attitude, outputs):
             moment = outputs.rolling_force[i] * r + fy * (ls - vehicle.roll_centre_depth[i])
             f[DW] -= moment / y  # (31) with the sum of Fdz
             f[DWY] += x * moment / y  # (33) with their moment
+
+
+@kernel
+def drag(u, vehicle):
+    """Aerodynamic drag at the forward speed u, acting at the c.g. (N)."""
+    return AIR_DENSITY / 2 * vehicle.drag_area * u * abs(u)
 
 
 @kernel

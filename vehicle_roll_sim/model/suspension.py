@@ -74,6 +74,9 @@ def applied_link_forces(state, vehicle, options, attitude, outputs):
         y_inertia = mu * (ls_rate * wx - wx * wu[i] + wz * uu)
         outputs.applied_x[i] = outputs.contact_x[i] + weight * s_pitch - x_inertia
         outputs.applied_y[i] = outputs.contact_y[i] - weight * s_roll * c_pitch - y_inertia
+        mass = weight / vehicle.gravity
+        outputs.applied_x[i] += mass * outputs.slope_gravity[0]
+        outputs.applied_y[i] += mass * outputs.slope_gravity[1]
 
 
 @kernel
@@ -127,6 +130,7 @@ def unsprung_rates(state, vehicle, options, attitude, outputs, rates):
         if options.unsprung_forces_not_rotated:
             force = load  # (60)
         force -= outputs.link_load_transfer[i] + outputs.strut_force[i]
+        force += mu * outputs.slope_gravity[2]
         turning = outputs.unsprung_v[i] * wx - outputs.unsprung_u[i] * wy
         if options.no_unsprung_turning:
             turning = 0.0  # (58)

@@ -12,6 +12,7 @@ from vehicle_roll_sim.model.records import per_wheel, record_dtype
 SCALING = (
     *("LFZO", "LCX", "LMUX", "LEX", "LKX", "LHX", "LVX", "LXAL"),
     *("LCY", "LMUY", "LEY", "LKY", "LHY", "LVY", "LYKA", "LVYKA"),
+    *("LSGKP", "LSGAL"),
 )
 REQUIRED = (
     *("FNOMIN", "PCX1", "PDX1", "PKX1", "RBX1", "RCX1"),
@@ -23,6 +24,7 @@ OPTIONAL = (
     *("PDY2", "PEY1", "PEY2", "PEY3", "PHY1", "PHY2", "PVY1", "PVY2"),
     *("RBY2", "RBY3", "REY1", "REY2", "RHY1", "RHY2"),
     *("RVY1", "RVY2", "RVY4", "RVY5", "RVY6"),
+    *("PTX1", "PTX2", "PTX3", "PTY1", "PTY2"),
 )
 RANGES = ("KPUMIN", "KPUMAX", "ALPMIN", "ALPMAX", "FZMIN", "FZMAX")
 

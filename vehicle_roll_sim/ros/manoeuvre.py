@@ -156,10 +156,9 @@ class Driver(Node):
         """How the run ended, as far as the last state shows it."""
         if abs(self.state["roll"]) >= self.rollover_angle:
             return Condition.ROLLED_OVER
-        if self.state["u"] < MINIMUM_SPEED:
-            return Condition.TOO_SLOW
-        stopped = self._time < self.manoeuvre.duration - ROUNDING
-        return Condition.DIVERGED if stopped else Condition.RUNNING
+        if self._time >= self.manoeuvre.duration - ROUNDING:
+            return Condition.RUNNING
+        return Condition.TOO_SLOW if self.state["u"] < MINIMUM_SPEED else Condition.DIVERGED
 
 
 def late_commands(history: History, manoeuvre: Manoeuvre) -> int:

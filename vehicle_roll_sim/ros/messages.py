@@ -21,8 +21,6 @@ COMMAND_LABELS = (
     *(f"brake_torque_{wheel}" for wheel in WHEELS),
     *(f"normal_force_{wheel}" for wheel in WHEELS),
 )
-NO_BRAKES = (0.0,) * WHEEL_COUNT
-"""The model has no brakes yet; their places in `applied_command` are kept."""
 SUSPENSION, STEERING, SPINNING = (
     tuple(f"{wheel}_{kind}_joint" for wheel in WHEELS)
     for kind in ("suspension", "steering", "wheel")
@@ -90,7 +88,7 @@ class Messages:
                 command.steering,
                 command.rear_steering,
                 *command.wheel_torque,
-                *NO_BRAKES,
+                *command.brake_torque,
                 *command.normal_force,
             ),
         )

@@ -23,6 +23,7 @@ from vehicle_roll_sim.declaration import (
 from vehicle_roll_sim.model.events import MINIMUM_SPEED
 from vehicle_roll_sim.simulation.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
     DEFAULT_SPEED,
@@ -57,7 +58,7 @@ class Settings:
     initial_speed: float = parameter(
         "forward speed after a reset",
         "m/s",
-        MINIMUM_SPEED,
+        0.0,
         MAXIMUM_SPEED,
         tunable=True,
         default=DEFAULT_SPEED,
@@ -100,6 +101,7 @@ class Declared:
 
     settings: Settings
     options: Options
+    road: Road
     vehicle: Vehicle
 
 
@@ -108,6 +110,8 @@ def declare(node: Node) -> Declared:
     _refuse_unknown(node)
     settings = Settings(**_declare_class(node, Settings))
     options = Options(**_declare_class(node, Options))
+    _check_speed(settings.initial_speed, options)
+    road = Road(**_declare_class(node, Road))
     vehicle = load_vehicle(settings.vehicle_file) if settings.vehicle_file else preset()
     tire = _declare(node, TIRE, vehicle.tire.file)
     if tire != vehicle.tire.file:
@@ -116,10 +120,17 @@ def declare(node: Node) -> Declared:
         name: _declare(node, VEHICLE_PREFIX + name, getattr(vehicle, name))
         for name in parameters_of(Vehicle)
     }
-    return Declared(settings, options, vehicle.with_values(values, VEHICLE_PREFIX))
+    return Declared(settings, options, road, vehicle.with_values(values, VEHICLE_PREFIX))
 
 
-def follow_changes(node: Node, settings: Settings) -> None:
+def _check_speed(speed: float, options: Options) -> None:
+    """Raise InputError if the model cannot start at a speed (m/s)."""
+    if options.steady_state_slip and speed < MINIMUM_SPEED:
+        allowed = f"at least {MINIMUM_SPEED:g} m/s with steady_state_slip"
+        raise InputError("initial_speed", speed, allowed)
+
+
+def follow_changes(node: Node, settings: Settings, options: Options) -> None:
     """Keep `settings` up to date with the tunable parameters; refuse values out of range."""
     known = parameters_of(Settings)
 
@@ -128,6 +139,7 @@ def follow_changes(node: Node, settings: Settings) -> None:
             checked = validated(
                 Settings, {change.name: change.value for change in changes if change.name in known}
             )
+            _check_speed(checked.get("initial_speed", settings.initial_speed), options)
         except InputError as error:
             return SetParametersResult(successful=False, reason=str(error))
         for name, value in checked.items():
@@ -155,6 +167,7 @@ def _all_parameters() -> dict[str, Parameter]:
     return {
         **parameters_of(Settings),
         **parameters_of(Options),
+        **parameters_of(Road),
         **{VEHICLE_PREFIX + name: declared for name, declared in vehicle.items()},
     }
 

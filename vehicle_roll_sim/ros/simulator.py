@@ -55,7 +55,7 @@ class Simulator(Node):
         self.pacer = Pacer(self.session.period_ns, lambda: self._steady_clock.now().nanoseconds)
         self._stamps_begin_ns = self._first_stamp()
         self._messages = Messages(self.session, self.settings.frame_prefix)
-        ros_settings.follow_changes(self, self.settings)
+        ros_settings.follow_changes(self, self.settings, declared.options)
         self._advertise(declared)
         self._subscribe()
         self._serve()
@@ -205,6 +205,7 @@ def _session(declared: ros_settings.Declared) -> Session:
         declared.options,
         step=settings.step,
         rollover_angle=settings.rollover_angle,
+        road=declared.road,
     )
     try:
         steps = whole_steps(1.0 / settings.publish_rate, simulation.step_ns, "publish_rate")

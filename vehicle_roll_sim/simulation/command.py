@@ -16,7 +16,8 @@ class Command:
     """One set of commands, wheels in the order lf, rf, lr, rr.
 
     steering, rear_steering: road-wheel angle of both wheels of an axle (rad, left positive).
-    wheel_torque: external torque at each wheel (N m, signed). normal_force: active force at each
+    wheel_torque: external torque at each wheel (N m, signed). brake_torque: the most that the brake
+    of each wheel can oppose to its spin (N m, not below 0). normal_force: active force at each
     suspension corner (N, positive pushes the body up). speed_hold_gain, speed_hold_target: at each
     rear wheel a further torque gain * (target - u), in N m per m/s and m/s. Raises InputError for a
     value that is not finite.
@@ -25,6 +26,7 @@ class Command:
     steering: float = 0.0
     rear_steering: float = 0.0
     wheel_torque: tuple[float, float, float, float] = NO_FORCE
+    brake_torque: tuple[float, float, float, float] = NO_FORCE
     normal_force: tuple[float, float, float, float] = NO_FORCE
     speed_hold_gain: float = 0.0
     speed_hold_target: float = 0.0
@@ -33,6 +35,8 @@ class Command:
         for name, value in vars(self).items():
             if not np.all(np.isfinite(value)):
                 raise InputError(name, value, "finite numbers")
+        if np.any(np.less(self.brake_torque, 0.0)):
+            raise InputError("brake_torque", self.brake_torque, "numbers that are not below 0")
 
     def records(self) -> np.ndarray:
         """The command as the equations take it: one COMMAND record in an array."""

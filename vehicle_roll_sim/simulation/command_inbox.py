@@ -19,6 +19,7 @@ class Channel:
 
     field: str
     size: int
+    smallest: float = -math.inf
     value: tuple[float, ...] = ()
     arrival_ns: int | None = None
     received: int = 0
@@ -36,6 +37,7 @@ def channels() -> dict[str, Channel]:
         "steering_cmd": Channel("steering", 1),
         "rear_steering_cmd": Channel("rear_steering", 1),
         "wheel_torque_cmd": Channel("wheel_torque", WHEEL_COUNT),
+        "brake_torque_cmd": Channel("brake_torque", WHEEL_COUNT, smallest=0.0),
         "normal_force_cmd": Channel("normal_force", WHEEL_COUNT),
     }
 
@@ -56,7 +58,7 @@ class CommandInbox:
         """Keep a message come at simulated time `now_ns`; returns why it was dropped, or ''."""
         channel = self.channels[topic]
         channel.received += 1
-        problem = _problem(values, channel.size)
+        problem = _problem(values, channel)
         if problem:
             channel.dropped += 1
             channel.last_problem = problem
@@ -90,10 +92,12 @@ class CommandInbox:
             channel.value, channel.arrival_ns = (), None
 
 
-def _problem(values: Sequence[float], size: int) -> str:
+def _problem(values: Sequence[float], channel: Channel) -> str:
     """What is wrong with the values of a message, or ''."""
-    if len(values) != size:
-        return f"{len(values)} values, {size} are expected"
+    if len(values) != channel.size:
+        return f"{len(values)} values, {channel.size} are expected"
     if not all(map(math.isfinite, values)):
         return f"{list(map(float, values))}: every value must be finite"
+    if min(values) < channel.smallest:
+        return f"{list(map(float, values))}: no value may be below {channel.smallest:g}"
     return ""

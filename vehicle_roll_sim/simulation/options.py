@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter, validated
-from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, OPTIONS
+from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, OPTIONS, SLIP_STATES
 
 _1A = ("small_angles",)
 _1B = (*_1A, "no_link_inertia", "no_unsprung_turning")
@@ -53,6 +53,10 @@ class Options:
         choices=(SYMMETRIC, ASYMMETRIC),
         default=SYMMETRIC,
     )
+    steady_state_slip: bool = parameter(
+        "the slip of equations 5 and 6 without the lag of the tires; needs 3.5 m/s",
+        default=False,
+    )
     euler_terms: bool = parameter(
         "the gyroscopic terms that the source leaves out of equations 32 to 34", default=False
     )
@@ -82,19 +86,20 @@ class Options:
     @property
     def states(self) -> tuple[str, ...]:
         """Fields of records.STATE that the model has, in the order of its equations."""
-        return EIGHT_DOF_STATES if self.has_eight_dof else MODEL_STATE.names
+        states = EIGHT_DOF_STATES if self.has_eight_dof else MODEL_STATE.names
+        return states if self.steady_state_slip else (*states, *SLIP_STATES)
 
     def record(self) -> np.ndarray:
         """The options as the equations take them: one OPTIONS record in an array."""
         options = np.zeros(1, OPTIONS)
         for name in MODELS[self.model]:
             options[name] = True
-        for name in ("no_roll_centre", "tire_normal_to_ground", "euler_terms"):
+        for name in ("no_roll_centre", "tire_normal_to_ground", "euler_terms", "steady_state_slip"):
             options[name] = getattr(self, name)
         options["asymmetric_link_load_transfer"] = self.link_load_transfer == ASYMMETRIC
         return options
 
 
-MULTIBODY = Options(no_roll_centre=True, euler_terms=True)
+MULTIBODY = Options(no_roll_centre=True, euler_terms=True, steady_state_slip=True)
 """The model that is the exact mechanics of a body and four point masses that slide along its z axis
 (docs/model.md)."""

@@ -26,6 +26,7 @@ from vehicle_roll_sim.model.records import (
     COMMAND,
     MODEL_STATE,
     OUTPUTS,
+    SLIP_STATES,
     STATE,
     STATE_SIZE,
     WHEELS,
@@ -33,7 +34,8 @@ from vehicle_roll_sim.model.records import (
 from vehicle_roll_sim.model.roll_axis import roll_axis_depth
 from vehicle_roll_sim.simulation.command import Command, Programme
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 DEFAULT_STEP, SHORTEST_STEP, LONGEST_STEP = 0.001, 1e-6, 0.1
@@ -71,7 +73,8 @@ class Simulation:
     """A model of one vehicle: that with 14 degrees of freedom, unless the options say otherwise.
 
     vehicle: what is simulated. options: variants of the equations. step: integration step (s),
-    rounded to whole nanoseconds. rollover_angle: roll angle (rad) at which a run stops.
+    rounded to whole nanoseconds. rollover_angle: roll angle (rad) at which a run stops. road: its
+    slope.
 
     It starts in static equilibrium at 50 km/h. Attributes, all of the present simulated time:
 
@@ -94,6 +97,7 @@ class Simulation:
         *,
         step: float = DEFAULT_STEP,
         rollover_angle: float = DEFAULT_ROLLOVER_ANGLE,
+        road: Road | None = None,
     ):
         if not SHORTEST_STEP <= step <= LONGEST_STEP:
             allowed = f"a number from {SHORTEST_STEP:g} to {LONGEST_STEP:g} s"
@@ -102,14 +106,20 @@ class Simulation:
             raise InputError("rollover_angle", rollover_angle, "an angle up to 1.5708 rad")
         self.vehicle, self.options = vehicle, options or Options()
         self.step_ns = round(step * NANOSECONDS)
+        self.road = road or Road()
         self._vehicle = vehicle.record()
+        self._vehicle["gravity"], along, across = self.road.gravity(GRAVITY)
+        self._vehicle["gravity_along"], self._vehicle["gravity_across"] = along, across
         self._limits = np.zeros(1, LIMITS)
         self._limits["rollover_angle"] = rollover_angle
-        self._limits["minimum_speed"] = MINIMUM_SPEED
+        self._slowest = MINIMUM_SPEED if self.options.steady_state_slip else 0.0
+        self._limits["minimum_speed"] = self._slowest or -math.inf
         self.state_names = element_names(self.options.states)
         self._places = np.array([STATE_NAMES.index(name) for name in self.state_names])
         self._axis_depth = roll_axis_depth(kernel_argument(self._vehicle)[0])
-        self._absent = [name for name in MODEL_STATE.names if name not in self.options.states]
+        self._absent = [
+            name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
+        ]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
         parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
         self._plant = tuple(kernel_argument(part) for part in (*parts, Command().records()))
@@ -163,8 +173,8 @@ class Simulation:
 
     def reset(self, speed: float = DEFAULT_SPEED) -> None:
         """Back to time 0, static equilibrium and free rolling straight ahead at `speed` (m/s)."""
-        if not MINIMUM_SPEED <= speed <= MAXIMUM_SPEED:
-            allowed = f"from {MINIMUM_SPEED:g} to {MAXIMUM_SPEED:g} m/s"
+        if not self._slowest <= speed <= MAXIMUM_SPEED:
+            allowed = f"from {self._slowest:g} to {MAXIMUM_SPEED:g} m/s"
             raise InputError("speed", speed, allowed)
         self._state[:] = self._without_absent(equilibrium(self._vehicle, speed))
         self._events[:] = no_events()

@@ -59,6 +59,15 @@ class Vehicle:
     steering_ratio: float = parameter(
         "handwheel angle over road-wheel angle", minimum=0.1, maximum=100.0
     )
+    minimum_relaxation_length: float = parameter(
+        "least distance over which a tire answers", "m", 0.01, 5.0, default=0.1
+    )
+    rolling_resistance_coefficient: float = parameter(
+        "resisting force of a wheel over its load", "", 0.0, 1.0, default=0.0
+    )
+    drag_area: float = parameter(
+        "drag coefficient times frontal area", "m^2", 0.0, 100.0, default=0.0
+    )
     tire: Tire = dataclasses.field(kw_only=True)
 
     def __post_init__(self):

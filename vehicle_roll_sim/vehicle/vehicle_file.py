@@ -1,6 +1,7 @@
 """Vehicle files: YAML with the names of `Vehicle`, and the shipped presets."""
 
 import re
+from dataclasses import MISSING
 from importlib.resources import as_file, files
 from pathlib import Path
 
@@ -45,7 +46,8 @@ def load_vehicle(path: str | Path) -> Vehicle:
     for name in values:
         if name not in expected:
             raise unknown_name(name, expected, f"{path}: name")
-    missing = [name for name in expected if name not in values]
+    optional = {n for n, p in parameters_of(Vehicle).items() if p.default is not MISSING}
+    missing = [name for name in expected if name not in values and name not in optional]
     if missing:
         raise InputError(prefix + missing[0], None, "every parameter must be given")
     tire = values.pop("tire")

@@ -24,9 +24,9 @@ ASYMMETRIC_LINKS = "asymmetric link load transfer"
 SAME_AS_ENGINE = "no roll centre, Euler terms"
 ENGINE = "multibody engine"
 OPTIONS = {
-    NO_ROLL_CENTRE: Options(no_roll_centre=True),
-    UPRIGHT_TIRES: Options(tire_normal_to_ground=True),
-    ASYMMETRIC_LINKS: Options(link_load_transfer=ASYMMETRIC),
+    NO_ROLL_CENTRE: Options(no_roll_centre=True, steady_state_slip=True),
+    UPRIGHT_TIRES: Options(tire_normal_to_ground=True, steady_state_slip=True),
+    ASYMMETRIC_LINKS: Options(link_load_transfer=ASYMMETRIC, steady_state_slip=True),
     SAME_AS_ENGINE: MULTIBODY,
 }
 """Variants of model 1; every other case but the engine bears the name of its model."""
@@ -161,4 +161,5 @@ class Study:
             from vehicle_roll_sim.analysis.multibody import Multibody  # needs mujoco
 
             return Multibody(self.vehicle)
-        return Simulation(self.vehicle, OPTIONS.get(case) or Options(model=case))
+        of_a_model = Options(model=case, steady_state_slip=True) if case not in OPTIONS else None
+        return Simulation(self.vehicle, OPTIONS.get(case, of_a_model))

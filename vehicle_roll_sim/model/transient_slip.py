@@ -1,0 +1,76 @@
+"""Transient slip: tires that answer over a distance, from standstill to any speed.
+
+The single contact point model (Pacejka, Tire and Vehicle Dynamics, 2002, chapter 7). Its states are
+the slips that the contact patch has already: one for the slip ratio and one for the tangent of the
+slip angle. With the rolling speed V and a sliding speed Vs of the wheel (rw - V along, or across),
+
+    dx/dt = (Vs - |V| x) / SIGMA - w sgn(x) max(|x| - XMAX, 0) / RELEASE,
+
+and the Magic Formula gets x + TAU w dx/dt. At speed w is 0: x goes to the steady-state slip
+Vs / |V| over the relaxation length SIGMA. Towards standstill, where rolling does not let the tire
+forget, w goes to 1: a tire that has slid gives back what is beyond XMAX, and its spring is damped.
+"""
+
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.jit import kernel, math
+
+LOW_SPEED = 1.0
+"""m/s of rolling speed below which the terms for standstill come in, w."""
+LARGEST_AT_REST = 0.06
+"""XMAX: slip that a tire keeps at standstill, a little short of its largest force."""
+DAMPING_TIME = 0.04
+"""TAU (s): damper of the tire at standstill over its spring."""
+RELEASE_TIME = 0.02
+"""RELEASE (s): time in which slip decays beyond XMAX at standstill, and off the ground."""
+
+
+@kernel
+def relaxation_lengths(fz, vehicle, tire):
+    """Longitudinal and lateral relaxation length at load fz (m; Magic Formula 5.2)."""
+    nominal = tire.LFZO * tire.FNOMIN
+    dfz = (fz - nominal) / nominal
+    radius, floor = vehicle.tire_radius, vehicle.minimum_relaxation_length
+    along = fz * (tire.PTX1 + tire.PTX2 * dfz) * math.exp(-tire.PTX3 * dfz)
+    along *= radius / tire.FNOMIN * tire.LSGKP
+    across = 0.0
+    if tire.PTY2 != 0.0:
+        across = tire.PTY1 * math.sin(2 * math.atan(fz / (tire.PTY2 * nominal)))
+    across *= radius * tire.LFZO * tire.LSGAL
+    return max(along, floor), max(across, floor)
+
+
+@kernel
+def standstill(rolling):
+    """w: 1 at standstill, 0 from LOW_SPEED on, smooth in between."""
+    speed = abs(rolling)
+    return 0.5 + 0.5 * math.cos(math.pi * speed / LOW_SPEED) if speed < LOW_SPEED else 0.0
+
+
+@kernel
+def slip_rate(slip, rolling, sliding, length, weight):
+    """dx/dt (1/s) of the equation above."""
+    excess = math.copysign(max(abs(slip) - LARGEST_AT_REST, 0.0), slip)
+    return (sliding - abs(rolling) * slip) / length - weight * excess / RELEASE_TIME
+
+
+@kernel
+def transient_slip(i, state, rolling, sliding, spinning, vehicle, tire, outputs):
+    """Slip ratio and slip angle (rad) for the tire of wheel i; their rates go into `outputs`.
+
+    rolling, sliding: velocity of the contact point along and across the wheel (m/s); spinning: of
+    the tread over the wheel (m/s). Without load slips decay.
+    """
+    along, across = state[at.LONGITUDINAL_SLIP][i], state[at.LATERAL_SLIP][i]
+    fz = outputs.normal_force[i]
+    if fz <= 0.0:
+        outputs.longitudinal_slip_rate[i] = -along / RELEASE_TIME
+        outputs.lateral_slip_rate[i] = -across / RELEASE_TIME
+        return along, math.atan(across)
+    long, lateral = relaxation_lengths(fz, vehicle, tire)
+    weight = standstill(rolling)
+    along_rate = slip_rate(along, rolling, spinning - rolling, long, weight)
+    across_rate = slip_rate(across, rolling, sliding, lateral, weight)
+    outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i] = along_rate, across_rate
+    along += DAMPING_TIME * weight * along_rate
+    across += DAMPING_TIME * weight * across_rate
+    return along, math.atan(across)

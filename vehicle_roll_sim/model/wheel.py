@@ -1,0 +1,65 @@
+"""The spin of the wheels: drive torque, brake, rolling resistance and what the tire does.
+
+A brake is dry friction: it opposes the spin, holds a wheel that stands and never turns it back.
+While a step lasts the direction of its friction stays the one at the beginning; a wheel that would
+have turned round by its brake in the step stops instead.
+"""
+
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
+
+
+@kernel
+def note_turning(state, outputs):
+    """Which way every wheel turns: 1, -1, or 0 if it stands."""
+    spin = state[at.WHEEL_SPEED]
+    for i in range(WHEEL_COUNT):
+        outputs.turning[i] = math.copysign(1.0, spin[i]) if spin[i] != 0.0 else 0.0
+
+
+@kernel
+def friction_capacity(i, command, vehicle, outputs):
+    """Most that brake and rolling resistance can oppose to the spin of wheel i (N m)."""
+    resistance = vehicle.rolling_resistance_coefficient * outputs.normal_force[i]
+    return command.brake_torque[i] + resistance * outputs.loaded_radius[i]
+
+
+@kernel
+def with_friction(torque, capacity, turning):
+    """What is left of a torque on a wheel (N m) beside dry friction of that capacity."""
+    if turning != 0.0:
+        return torque - turning * capacity
+    if abs(torque) <= capacity:
+        return 0.0
+    return torque - math.copysign(capacity, torque)
+
+
+@kernel
+def wheel_rates(state, command, vehicle, options, outputs, rates):
+    """Spin of the wheels: Jw dw/dt = T - r Fxt less friction, with the speed hold at the rear."""
+    spin = state[at.WHEEL_SPEED]
+    hold = command.speed_hold_gain * (command.speed_hold_target - state[at.U])
+    for i in range(WHEEL_COUNT):
+        torque = command.wheel_torque[i]
+        if i >= LR:
+            torque += hold
+        torque -= outputs.loaded_radius[i] * outputs.tire_longitudinal[i]
+        capacity = friction_capacity(i, command, vehicle, outputs)
+        if capacity > 0.0:
+            torque = with_friction(torque, capacity, outputs.turning[i])
+        rates[at.WHEEL_SPEED][i] = torque / vehicle.wheel_inertia
+        rates[at.WHEEL_ANGLE][i] = spin[i]
+        if not options.steady_state_slip:
+            rates[at.LONGITUDINAL_SLIP][i] = outputs.longitudinal_slip_rate[i]
+            rates[at.LATERAL_SLIP][i] = outputs.lateral_slip_rate[i]
+
+
+@kernel
+def stop_reversed(state, command, vehicle, outputs):
+    """Stand still what friction has turned round since `note_turning`."""
+    spin = state[at.WHEEL_SPEED]
+    for i in range(WHEEL_COUNT):
+        turned_round = outputs.turning[i] * spin[i] < 0.0
+        if turned_round and friction_capacity(i, command, vehicle, outputs) > 0.0:
+            spin[i] = 0.0
