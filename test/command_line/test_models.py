@@ -12,6 +12,7 @@ OPTIONS = (
     ["--link-load-transfer", "asymmetric"],
     ["--link-load-transfer", "asymmetric", "--tire-normal-to-ground"],
     ["--euler-terms"],
+    ["--steady-state-slip"],
 )
 UNDEFINED = (
     ["--model", "1a", "--tire-normal-to-ground"],

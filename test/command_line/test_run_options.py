@@ -7,6 +7,7 @@ import pytest
 
 from vehicle_roll_sim import Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.manoeuvre import manoeuvre_named
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.run import run
 from vehicle_roll_sim.vehicle.vehicle_file import PRESETS
 
@@ -87,6 +88,8 @@ NO_CENTRE = ("--no-roll-centre",)
     [
         ((), Options()),
         (("--euler-terms",), Options(euler_terms=True)),
+        (("--steady-state-slip",), Options(steady_state_slip=True)),
+        (("--model", "8dof"), Options(model="8dof")),
         (NO_CENTRE, Options(no_roll_centre=True)),
         (("--euler-terms", *NO_CENTRE), Options(no_roll_centre=True, euler_terms=True)),
     ],
@@ -94,6 +97,16 @@ NO_CENTRE = ("--no-roll-centre",)
 def test_options_of_the_model_are_those_of_the_library(rows, words, options):
     history = run(Simulation(preset(), options), manoeuvre_named("j_turn"), 2.0)
     assert rows("j_turn", "--duration", "2", *words)["roll"].tolist() == history["roll"].tolist()
+
+
+def test_grade_and_bank_are_those_of_the_road_of_the_library(rows):
+    simulation = Simulation(preset(), road=Road(grade=0.1, bank=-0.04))
+    history = run(simulation, manoeuvre_named("step_steer"), 2.0)
+    sloping = rows(*SHORT, "--grade", "0.1", "--bank", "-0.04")
+    level = rows(*SHORT)
+    for name in ("u", "v", "roll"):
+        assert sloping[name].tolist() == history[name].tolist()
+        assert sloping[name][-1] != level[name][-1]
 
 
 def test_euler_terms_make_a_difference(rows):
@@ -155,6 +168,15 @@ def test_commands_are_those_of_the_file_for_as_long_as_it_lasts(rows, folder):
     assert driven["time"][-1] == pytest.approx(0.8, rel=1e-15)
     assert at(driven, 0.25, "steering") == pytest.approx(0.025, rel=ROUNDING)
     assert driven["longitudinal_force_lf"][-1] > driven["longitudinal_force_rf"][-1] + 100.0  # N
+
+
+def test_brakes_of_a_command_file_stop_the_vehicle_for_good(rows, folder):
+    brakes = [f"brake_torque_{wheel}" for wheel in ("lf", "rf", "lr", "rr")]
+    (folder / "in.csv").write_text(f"time,{','.join(brakes)}\n0,800,800,500,500\n8,800,800,500,500")
+    stopped = rows("--commands", "in.csv", "--speed", "10")
+    assert stopped["u"][0] == 10.0
+    assert np.abs(stopped["u"][-100:]).max() < 1e-3  # m/s, for a second
+    assert (stopped["wheel_speed_lf"][-100:] == 0.0).all()
 
 
 def test_a_command_file_runs_to_the_end_of_a_step_and_takes_speed_and_duration(rows, folder):

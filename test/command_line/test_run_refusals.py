@@ -6,13 +6,15 @@ NUMBERS = {
     "--amplitude": ("-60", "60", "deg"),
     "--rate": ("0.001", "100000", "deg/s"),
     "--start": ("0", "86400", "s"),
-    "--speed": ("3.5", "100", "m/s"),
+    "--speed": ("0", "100", "m/s"),
     "--duration": ("0", "86400", "s"),
     "--speed-hold": ("0", "1e+06", "N m s/m"),
     "--step": ("1e-06", "0.1", "s"),
     "--sample": ("1e-06", "1000", "s"),
     "--command-period": ("0", "1000", "s"),
     "--stop-roll": ("1", "90", "deg"),
+    "--grade": ("-1", "1", "m/m"),
+    "--bank": ("-1", "1", "m/m"),
 }
 """Lowest and highest value, and unit."""
 NO_NUMBERS = ("nan", "inf", "-inf", "fast", "", "1,5", "0x10")
@@ -31,6 +33,11 @@ def test_a_value_that_is_no_number_in_the_range_is_refused(refused, option, valu
     words = ("run", "step_steer", f"{option}={value}", "--csv", "rows.csv")
     line = refused(words, option, f"from {float(low):g} to {float(high):g} {unit}")
     assert value.strip("-0") in line
+
+
+def test_with_steady_state_slip_a_speed_below_its_lowest_is_refused(refused):
+    words = ("run", "step_steer", "--steady-state-slip", "--speed", "3.4", "--csv", "rows.csv")
+    refused(words, "speed", "3.4", "from 3.5 to 100 m/s")
 
 
 @pytest.mark.parametrize("option", ["--duration", "--sample", "--command-period"])

@@ -22,7 +22,7 @@ ANGLE = 0.0015
     [("j_turn", J_TURN, 3.130), ("ramp_steer", RAMP_STEER, 5.217)],
 )
 def test_a_rollover_is_a_result_with_the_reference_numbers(command, manoeuvre, lift_off, rollover):
-    result = command("run", manoeuvre)
+    result = command("run", manoeuvre, "--steady-state-slip")
     assert (result.status, result.err) == (0, "")
     for wheel, time in lift_off.items():
         assert result.number(f"lift-off {wheel}") == pytest.approx(time, abs=PRINTED)
@@ -31,7 +31,7 @@ def test_a_rollover_is_a_result_with_the_reference_numbers(command, manoeuvre, l
 
 
 def test_the_step_steer_gives_the_reference_numbers(command):
-    result = command("run", "step_steer")
+    result = command("run", "step_steer", "--steady-state-slip")
     assert (result.status, result.err) == (0, "")
     assert result.number("peak roll angle") == pytest.approx(5.619, abs=ANGLE)
     assert "at 1.664 s" in result.value["peak roll angle"]
@@ -47,10 +47,19 @@ def test_a_turn_to_the_right_is_the_mirrored_one_to_the_left(command):
         assert left.value[f"lift-off {here}"] == right.value[f"lift-off {there}"]
 
 
-def test_a_run_that_becomes_too_slow_is_a_result_too(command):
-    result = command("run", "step_steer", "--speed", "4", "--speed-hold", "0", "--amplitude", "30")
+SLOWER = ("step_steer", "--speed", "4", "--speed-hold", "0", "--amplitude", "30")
+
+
+def test_with_steady_state_slip_a_run_that_becomes_too_slow_is_a_result_too(command):
+    result = command("run", *SLOWER, "--steady-state-slip")
     assert result.status == 0
     assert "too slow" in result.value["end"]
+
+
+@pytest.mark.parametrize("speed", ["4", "0"])
+def test_with_transient_slip_no_run_is_too_slow(command, speed):
+    result = command("run", *SLOWER, "--speed", speed)
+    assert (result.status, result.value["end"]) == (0, "4.000 s, complete")
 
 
 def test_a_run_that_diverges_says_which_state_did_and_fails(command):
@@ -102,7 +111,8 @@ def test_a_png_figure_shows_something(command, folder, suffix):
 
 
 def test_an_svg_figure_has_the_title_the_axes_and_the_wheels(command, folder):
-    assert command("run", "j_turn", "--plot", "figure.svg").status == 0
+    words = ("run", "j_turn", "--steady-state-slip", "--plot", "figure.svg")
+    assert command(*words).status == 0
     ElementTree.parse(folder / "figure.svg")
     text = (folder / "figure.svg").read_text()
     for word in ("j_turn", "roll angle", "tire normal force", "lr, lifts at 1.40 s"):

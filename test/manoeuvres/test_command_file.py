@@ -8,7 +8,8 @@ import pytest
 from vehicle_roll_sim import WHEELS, InputError
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
 
-OF_FOUR = [f"{name}_{wheel}" for name in ("wheel_torque", "normal_force") for wheel in WHEELS]
+FIELDS_OF_FOUR = ("wheel_torque", "brake_torque", "normal_force")
+OF_FOUR = [f"{name}_{wheel}" for name in FIELDS_OF_FOUR for wheel in WHEELS]
 COLUMNS = ["steering", "rear_steering", *OF_FOUR]
 TABLE = "time,steering,wheel_torque_lr\n0.5,0.0,100\n1.0,0.2,300\n2.0,-0.2,300\n"
 
@@ -73,6 +74,9 @@ def test_many_random_columns_are_interpolated_each_by_itself(commands_from):
     rng = np.random.default_rng(1)
     times = np.cumsum(rng.uniform(0.01, 1.0, 40))
     values = rng.normal(size=(40, len(COLUMNS)))
+    for place, name in enumerate(COLUMNS):
+        if name.startswith("brake_torque"):  # never below 0
+            values[:, place] = np.abs(values[:, place])
     rows = [",".join(map(repr, row)) for row in np.column_stack([times, values]).tolist()]
     commands = commands_from("\n".join([",".join(["time", *COLUMNS]), *rows]))
     share, gaps = rng.uniform(0.0, 1.0, 39), np.diff(times)
@@ -102,6 +106,11 @@ WRONG = {
     "decimal comma": ('time,steering\n0,0\n1,"0,5"\n', 3, ["steering", "0,5"]),
     "not a number": ("time,steering\n0,nan\n", 2, ["steering", "nan", "finite"]),
     "infinite": ("time,steering\n0,0\n1,0\n2,-inf\n", 4, ["steering", "-inf", "finite"]),
+    "a brake that drives": (
+        "time,brake_torque_lr\n0,0\n1,-1\n",
+        3,
+        ["brake_torque_lr", "-1", "below 0"],
+    ),
     "beyond doubles": ("time,steering\n0,1e999\n", 2, ["steering", "1e999", "finite"]),
     "infinite time": ("time,steering\n0,0\ninf,0\n", 3, ["time", "inf", "finite"]),
     "too few values": ("time,steering\n0,0\n1\n", 3, ["1 values", "2 values"]),

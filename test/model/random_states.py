@@ -48,6 +48,8 @@ def random_state(vehicle: Vehicle, rng: np.random.Generator) -> np.ndarray:
     state["wheel_speed"] = state["u"] / vehicle.tire_radius * rng.uniform(0.7, 1.3, 4)
     heights = wheel_centres(vehicle, state)[:, 2]
     state["tire_compression"] = vehicle.tire_radius - heights
+    state["longitudinal_slip"] = rng.uniform(-0.3, 0.3, 4)
+    state["lateral_slip"] = rng.uniform(-0.5, 0.5, 4)
     return state
 
 

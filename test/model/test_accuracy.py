@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from programmes import j_turn, record_run
+from programmes import SOURCE, j_turn, record_run
 
 from vehicle_roll_sim import Options, Simulation
 from vehicle_roll_sim.model.records import COMMAND
@@ -40,9 +40,12 @@ def samples(vehicle, options: Options, step: float) -> dict[str, np.ndarray]:
     return {name: np.array([state[name] for state in kept]) for name in SIGNALS}
 
 
+@pytest.mark.parametrize("steady_state_slip", [False, True])
 @pytest.mark.parametrize("no_roll_centre", [False, True])
-def test_halving_the_step_divides_the_error_by_sixteen(vehicle, no_roll_centre):
-    options = Options(no_roll_centre=no_roll_centre, euler_terms=True)
+def test_halving_the_step_divides_the_error_by_sixteen(vehicle, no_roll_centre, steady_state_slip):
+    options = Options(
+        no_roll_centre=no_roll_centre, euler_terms=True, steady_state_slip=steady_state_slip
+    )
     coarse, middle, fine = (samples(vehicle, options, step) for step in STEPS)
     ratios = {}
     for name in SIGNALS:  # Richardson: differences of neighbours shrink as the errors do
@@ -75,12 +78,15 @@ def test_the_tire_compression_stays_that_of_the_wheel_above_the_road(vehicle, st
     assert np.abs(state["tire_compression"] - expected).max() < GEOMETRIC
 
 
-def test_events_and_motion_are_those_of_a_much_finer_step(reference):
-    """At 1 ms even lift-off, where a force has a corner, costs less than 1e-3 degrees."""
-    until = 2.9  # s: past two lift-offs, before the fall magnifies everything
+@pytest.mark.parametrize(("options", "until"), [(Options(), 2.75), (SOURCE, 2.9)])
+def test_events_and_motion_are_those_of_a_much_finer_step(reference, options, until):
+    """At 1 ms even lift-off, where a force has a corner, costs less than 1e-3 degrees.
+
+    until: s, past two lift-offs, before the fall magnifies everything.
+    """
     runs = []
     for step in (1e-3, 0.05e-3):
-        simulation = Simulation(reference, step=step)
+        simulation = Simulation(reference, options, step=step)
         simulation.step(j_turn(), until)
         runs.append(simulation)
     coarse, fine = runs

@@ -4,23 +4,32 @@ import math
 
 import numpy as np
 import pytest
-from programmes import j_turn, record_run
+from programmes import SOURCE, j_turn, record_run
 
-from vehicle_roll_sim import Command, Condition, InputError, Simulation
+from vehicle_roll_sim import WHEELS, Command, Condition, InputError, Options, Simulation
 from vehicle_roll_sim.model.events import MINIMUM_SPEED, plausible_magnitudes
+from vehicle_roll_sim.model.records import SLIP_STATES
 from vehicle_roll_sim.simulation.simulation import STATE_NAMES
 
 STEP = 0.001
 """s"""
 BRAKES = Command(wheel_torque=(-800.0,) * 4)
-UNBOUNDED = ("x", "y", "yaw", *(f"wheel_angle_{w}" for w in ("lf", "rf", "lr", "rr")))
+UNBOUNDED = ("x", "y", "yaw", *(f"wheel_angle_{w}" for w in WHEELS))
 """States that may have any finite value: distances and angles that only add up."""
-BOUNDED = tuple(name for name in STATE_NAMES if name not in UNBOUNDED)
+SLIPS = tuple(name for name in STATE_NAMES if name.rpartition("_")[0] in SLIP_STATES)
+"""Likewise: tires that have slid far are no divergence."""
+BOUNDED = tuple(name for name in STATE_NAMES if name not in (*UNBOUNDED, *SLIPS))
 
 
 @pytest.fixture
 def simulation(reference):
     return Simulation(reference, step=STEP)
+
+
+@pytest.fixture
+def steady(reference):
+    """One with steady-state slip, which needs a lowest speed."""
+    return Simulation(reference, SOURCE, step=STEP)
 
 
 def vector(simulation) -> np.ndarray:
@@ -76,22 +85,46 @@ def mirrored(commands: np.ndarray) -> np.ndarray:
     return commands
 
 
-def test_a_run_that_slows_to_the_lowest_speed_stops_there(simulation):
-    run = record_run(simulation, BRAKES, 10.0)
-    assert simulation.condition is Condition.TOO_SLOW
+def test_with_steady_state_slip_a_run_that_slows_to_the_lowest_speed_stops_there(steady):
+    run = record_run(steady, BRAKES, 10.0)
+    assert steady.condition is Condition.TOO_SLOW
     assert run.state["u"][-1] < MINIMUM_SPEED <= run.state["u"][-2]
     assert MINIMUM_SPEED == 3.5  # m/s
-    stays_stopped(simulation, Condition.TOO_SLOW)
-    goes_on_after_a_reset(simulation)
+    stays_stopped(steady, Condition.TOO_SLOW)
+    goes_on_after_a_reset(steady)
 
 
-def test_the_lowest_speed_itself_is_allowed_for_as_long_as_it_is_kept(simulation):
-    simulation.reset(MINIMUM_SPEED)
+@pytest.mark.parametrize("model", ["1", "8dof"])
+def test_with_transient_slip_a_run_that_slows_goes_on_backwards(reference, model):
+    """Negative torques, which no brake is, turn wheels back as soon as they stand."""
+    simulation = Simulation(reference, Options(model=model), step=STEP)
+    assert simulation.step(BRAKES, 10.0) is Condition.RUNNING
+    assert simulation.state.u < -MINIMUM_SPEED
+
+
+def test_the_lowest_speed_itself_is_allowed_for_as_long_as_it_is_kept(steady):
+    steady.reset(MINIMUM_SPEED)
+    assert steady.step(Command(), 60.0) is Condition.RUNNING
+
+
+def test_with_transient_slip_a_vehicle_may_stand_for_as_long_as_it_wants(simulation):
+    simulation.reset(0.0)
     assert simulation.step(Command(), 60.0) is Condition.RUNNING
+    assert abs(simulation.state.x) < 1e-9  # m: rounding of 60,000 steps
 
 
-@pytest.mark.parametrize("speed", [3.499, 0.0, -14.0, 100.1, math.nan, math.inf])
-def test_a_reset_to_a_speed_outside_the_range_is_refused_and_changes_nothing(simulation, speed):
+@pytest.mark.parametrize(
+    ("options", "speed"),
+    [
+        *((SOURCE, speed) for speed in (3.499, 0.0)),
+        *((o, speed) for o in (SOURCE, Options()) for speed in (-14.0, 100.1, math.nan, math.inf)),
+        (Options(), -1e-9),
+    ],
+)
+def test_a_reset_to_a_speed_outside_the_range_is_refused_and_changes_nothing(
+    reference, options, speed
+):
+    simulation = Simulation(reference, options, step=STEP)
     simulation.step(j_turn(), 1.5)
     time, before = simulation.time_ns, everything(simulation)
     with pytest.raises(InputError) as refusal:
@@ -130,21 +163,29 @@ def test_a_state_that_no_vehicle_can_have_is_divergence(simulation, name, value)
     stopped_by(simulation, name, value)
 
 
+@pytest.mark.parametrize("name", SLIPS)
+def test_tires_may_have_slid_however_far(simulation, name):
+    vector(simulation)[STATE_NAMES.index(name)] = 1e3
+    assert simulation.step(Command(steering=0.02), 0.1) is Condition.RUNNING
+
+
 @pytest.mark.parametrize("name", UNBOUNDED)
 def test_distances_and_angles_may_add_up_to_anything(simulation, name):
     vector(simulation)[STATE_NAMES.index(name)] = 1e6
     assert simulation.step(Command(steering=0.02), 0.1) is Condition.RUNNING
 
 
-def test_a_run_that_diverges_by_itself_stops_at_its_last_plausible_state(reference):
+@pytest.mark.parametrize("options", [Options(), SOURCE], ids=["transient", "steady-state"])
+def test_a_run_that_diverges_by_itself_stops_at_its_last_plausible_state(reference, options):
     """At a step of 0.1 s the J-turn is beyond what the integration can follow."""
-    simulation = Simulation(reference, step=0.1)
+    simulation = Simulation(reference, options, step=0.1)
     assert simulation.step(j_turn(), 6.0) is Condition.DIVERGED
     assert 0.0 < simulation.time < 6.0
     assert simulation.implausible in BOUNDED
-    assert (np.abs(vector(simulation)) <= plausible_magnitudes().view(float)).all()
+    has = [name in simulation.state_names for name in STATE_NAMES]
+    assert (np.abs(vector(simulation)) <= plausible_magnitudes().view(float))[has].all()
     assert np.isfinite(simulation.outputs.normal_force).all()
-    again = Simulation(reference, step=0.1)
+    again = Simulation(reference, options, step=0.1)
     again.step(j_turn(), simulation.time)  # as far as the other got
     assert again.condition is Condition.RUNNING
     assert again.state.tobytes() == simulation.state.tobytes()

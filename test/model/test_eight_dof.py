@@ -10,7 +10,7 @@ from random_states import random_command, random_state
 from test_mirror import FORCE, OTHER_SIDE, REVERSED_STATES, SHARE_OF_PEAK, TORQUE, share_of_peak
 
 from vehicle_roll_sim import Command, Condition, Options, Simulation
-from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE
+from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, SLIP_STATES
 
 MODELS = ("8dof", "8dof-rigid-tires")
 G = 9.81
@@ -18,7 +18,10 @@ STATES = 100
 RELATIVE = 1e-9
 """Of the largest term: the accelerations agree to 1e-12, which the tires' longitudinal stiffness of
 some 1e5 N per unit of slip carries into the forces; seen 3e-11."""
-MIRRORED = {**dict.fromkeys(EIGHT_DOF_STATES, False), **dict.fromkeys(REVERSED_STATES, True)}
+MIRRORED = {
+    **dict.fromkeys((*EIGHT_DOF_STATES, *SLIP_STATES), False),
+    **dict.fromkeys(REVERSED_STATES, True),
+}
 FOURTH_ORDER, ORDER_TOLERANCE = 16, 4
 """Ratio of the errors of one step and half of it; the next term of the error."""
 
@@ -97,7 +100,7 @@ def residuals(p, tire, state, command, rates) -> dict[str, tuple]:
 @pytest.mark.parametrize("model", MODELS)
 def test_its_rates_solve_the_equations_written_out(vehicle, model):
     p, tire = symbols(vehicle, model), vehicle.tire.coefficients
-    evaluation = Evaluation(vehicle, Options(model=model))
+    evaluation = Evaluation(vehicle, Options(model=model, steady_state_slip=True))
     rng = np.random.default_rng(8)
     for _ in range(STATES):
         state, command = random_state(vehicle, rng), random_command(rng)
@@ -114,13 +117,15 @@ def test_its_rates_solve_the_equations_written_out(vehicle, model):
         assert rates["y"] == pytest.approx(across)
 
 
+@pytest.mark.parametrize("steady", [False, True])
 @pytest.mark.parametrize("model", MODELS)
-def test_what_it_has_no_state_for_is_nan_from_the_start_to_the_end(reference, model):
-    simulation = Simulation(reference, Options(model=model))
+def test_what_it_has_no_state_for_is_nan_from_the_start_to_the_end(reference, model, steady):
+    simulation = Simulation(reference, Options(model=model, steady_state_slip=steady))
     run = record_run(simulation, j_turn(), 1.5)
-    for name in MODEL_STATE.names:
+    has = EIGHT_DOF_STATES if steady else (*EIGHT_DOF_STATES, *SLIP_STATES)
+    for name in (*MODEL_STATE.names, *SLIP_STATES):
         values = run.state[name]
-        assert np.isfinite(values).all() if name in EIGHT_DOF_STATES else np.isnan(values).all()
+        assert np.isfinite(values).all() if name in has else np.isnan(values).all()
     for name in ("strut_length", "suspension_rate", "tire_tilt", "link_load_transfer"):
         assert np.isnan(run.outputs[name]).all(), name
     assert simulation.condition is Condition.RUNNING
@@ -128,9 +133,12 @@ def test_what_it_has_no_state_for_is_nan_from_the_start_to_the_end(reference, mo
 
 def test_its_states_come_in_the_order_of_its_equations(reference):
     simulation = Simulation(reference, Options(model="8dof"))
-    spins = tuple(f"wheel_speed_{wheel}" for wheel in ("lf", "rf", "lr", "rr"))
-    names = ("x", "y", "yaw", "roll", "u", "v", "yaw_rate", "roll_rate", *spins)
+    wheels = ("wheel_speed", "longitudinal_slip", "lateral_slip")
+    of_wheels = [f"{name}_{wheel}" for name in wheels for wheel in ("lf", "rf", "lr", "rr")]
+    names = ("x", "y", "yaw", "roll", "u", "v", "yaw_rate", "roll_rate", *of_wheels)
     assert simulation.state_names == names
+    steady = Simulation(reference, Options(model="8dof", steady_state_slip=True))
+    assert steady.state_names == names[:12]
     simulation.step(Command(steering=0.05), 0.5)
     values = dict(zip(names, simulation.model_state, strict=True))
     assert values["roll"] == simulation.state.roll > 0.0
@@ -183,7 +191,7 @@ def test_mirrored_commands_give_mirrored_motion(vehicle):
         runs.append(record_run(Simulation(vehicle, Options(model="8dof")), turn, 2.0))
     left, right = runs
     assert left.outputs["normal_force"].min() == 0.0
-    for name in EIGHT_DOF_STATES:
+    for name in MIRRORED:
         share = share_of_peak(left.state[name], right.state[name], MIRRORED[name])
         assert share < SHARE_OF_PEAK, name
 

@@ -3,7 +3,7 @@
 import magic_formula
 import numpy as np
 import pytest
-from programmes import Evaluation
+from programmes import SOURCE, Evaluation
 from random_states import attitude, random_command, random_state
 from scipy.spatial.transform import Rotation
 
@@ -70,8 +70,8 @@ def test_angle_rates_turn_the_body_as_its_rates_say():
 def cases(vehicle):
     """Random states and commands with their outputs."""
 
-    def generate():
-        evaluation, rng = Evaluation(vehicle, Options()), np.random.default_rng(4)
+    def generate(options: Options = SOURCE):
+        evaluation, rng = Evaluation(vehicle, options), np.random.default_rng(4)
         for _ in range(CASES):
             state, command = random_state(vehicle, rng), random_command(rng)
             state["u"] *= rng.choice([1.0, -1.0])  # backwards as well, as after a spin
@@ -81,9 +81,14 @@ def cases(vehicle):
     return generate
 
 
-def test_loads_and_radii_are_those_of_springs_that_cannot_pull(vehicle, cases):
+@pytest.fixture(params=[Options(), SOURCE], ids=["transient slip", "steady-state slip"])
+def options(request) -> Options:
+    return request.param
+
+
+def test_loads_and_radii_are_those_of_springs_that_cannot_pull(vehicle, cases, options):
     stiffness = vehicle.per_wheel("tire_stiffness")
-    for state, _, outputs in cases():
+    for state, _, outputs in cases(options):
         pressed = np.maximum(state["tire_compression"], 0.0)
         np.testing.assert_allclose(outputs.normal_force, stiffness * pressed, rtol=ROUNDING)
         upright = attitude(state["roll"], state["pitch"], 0.0)[2, 2]
@@ -100,7 +105,7 @@ def contact_velocities(state, outputs) -> np.ndarray:
     return (centres + np.cross(rates, down)) @ attitude(state["roll"], state["pitch"], 0.0).T
 
 
-def test_slips_are_those_of_the_contact_point_in_wheel_axes(cases):
+def test_steady_state_slips_are_those_of_the_contact_point_in_wheel_axes(cases):
     for state, command, outputs in cases():
         steering = np.repeat([command["steering"], command["rear_steering"]], 2)
         u, v, _ = contact_velocities(state, outputs).T
@@ -113,9 +118,9 @@ def test_slips_are_those_of_the_contact_point_in_wheel_axes(cases):
         np.testing.assert_allclose(outputs.slip_angle, alpha, rtol=0, atol=1e-9)
 
 
-def test_contact_forces_are_those_of_the_tire_turned_by_the_steering(vehicle, cases):
+def test_contact_forces_are_those_of_the_tire_turned_by_the_steering(vehicle, cases, options):
     coefficients = vehicle.tire.coefficients
-    for _, command, outputs in cases():
+    for _, command, outputs in cases(options):
         steering = np.repeat([command["steering"], command["rear_steering"]], 2)
         load = np.maximum(outputs.normal_force, 1e-15)  # N: the formula divides by it
         kappa, alpha = outputs.slip_ratio, outputs.slip_angle
@@ -130,7 +135,7 @@ def test_contact_forces_are_those_of_the_tire_turned_by_the_steering(vehicle, ca
 
 @pytest.mark.parametrize("spin", [0.0, 50.0, -50.0])
 def test_a_wheel_that_slides_straight_across_gets_finite_forces(vehicle, spin):
-    """Its rolling speed, which the slip ratio divides by, is 0."""
+    """Its rolling speed, which the steady-state slip ratio divides by, is 0."""
     evaluation, rng = Evaluation(vehicle), np.random.default_rng(5)
     state, command = random_state(vehicle, rng), random_command(rng)
     for name in state.dtype.names[3:]:  # no angle, no rate: only sliding

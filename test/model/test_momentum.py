@@ -74,9 +74,17 @@ def close(rate: np.ndarray, contributions: np.ndarray) -> bool:
     return bool(np.abs(rate - contributions.sum(axis=0)).max() < RELATIVE * scale)
 
 
+@pytest.fixture(params=[False, True], ids=["transient slip", "steady-state slip"])
+def steady_state_slip(request) -> bool:
+    return request.param
+
+
 @pytest.fixture(params=[False, True], ids=["roll centre", "no roll centre"])
-def evaluation(request, vehicle):
-    return Evaluation(vehicle, Options(no_roll_centre=request.param, euler_terms=True))
+def evaluation(request, vehicle, steady_state_slip):
+    options = Options(
+        no_roll_centre=request.param, euler_terms=True, steady_state_slip=steady_state_slip
+    )
+    return Evaluation(vehicle, options)
 
 
 def random_cases(vehicle, evaluation, seed: int):
@@ -100,9 +108,10 @@ def test_their_moments_are_all_that_changes_the_angular_momentum(vehicle, evalua
         assert close(slope(angular), np.cross(*external(vehicle, state, outputs)[::-1])), state
 
 
-def test_without_the_euler_terms_the_angular_momentum_lacks_just_them(vehicle):
+def test_without_the_euler_terms_the_angular_momentum_lacks_just_them(vehicle, steady_state_slip):
     """R (w x J w), and nothing else, is what the source's equations drop."""
-    evaluation = Evaluation(vehicle, Options(no_roll_centre=True))
+    options = Options(no_roll_centre=True, steady_state_slip=steady_state_slip)
+    evaluation = Evaluation(vehicle, options)
     inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
     for state, rates, outputs in random_cases(vehicle, evaluation, seed=3):
         _, angular = momenta(vehicle, along(state, rates))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from plain_run import SIMPLE, run
+from plain_run import OPTIONS, run
 from programmes import largest_difference
 
 import vehicle_roll_sim
@@ -72,9 +72,10 @@ def test_all_outputs_are_those_of_compiled_code_too(plain, compiled):
 
 
 @compiled_only
-def test_the_8_dof_model_is_one_source_too(tmp_path):
-    plain = in_another_process(tmp_path, A_FEW, "8dof", NUMBA_DISABLE_JIT="1")
-    compiled = run(A_FEW, SIMPLE)
+@pytest.mark.parametrize("name", OPTIONS)
+def test_the_8_dof_model_and_steady_state_slip_are_one_source_too(tmp_path, name):
+    plain = in_another_process(tmp_path, A_FEW, name, NUMBA_DISABLE_JIT="1")
+    compiled = run(A_FEW, OPTIONS[name])
     for part, dtype in (("state", STATE), ("outputs", OUTPUTS)):
         shares = largest_difference(plain[part], getattr(compiled, part), dtype.names)
         assert all(share < SHARE_OF_PEAK for share in shares.values()), shares

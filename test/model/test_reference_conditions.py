@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from programmes import j_turn, ramp_and_hold, record_run
+from programmes import SOURCE, j_turn, ramp_and_hold, record_run
 
 from vehicle_roll_sim import WHEELS, Condition, Simulation
 
@@ -21,20 +21,20 @@ HALF_A_SECOND = 500
 @pytest.fixture(scope="module")
 def step_steer(reference):
     """4 degrees in 0.1 s at constant speed: run, and the simulation at its end."""
-    simulation = Simulation(reference)
+    simulation = Simulation(reference, SOURCE)
     return record_run(simulation, ramp_and_hold(1.0, 40.0, 4.0, **HOLD), 4.0), simulation
 
 
 @pytest.fixture(scope="module")
 def ramp_steer(reference):
-    simulation = Simulation(reference)
+    simulation = Simulation(reference, SOURCE)
     simulation.step(ramp_and_hold(1.0, 4.0, 12.0), 9.0)
     return simulation
 
 
 @pytest.fixture(scope="module")
 def turned_j(reference):
-    simulation = Simulation(reference)
+    simulation = Simulation(reference, SOURCE)
     simulation.step(j_turn(), 6.0)
     return simulation
 

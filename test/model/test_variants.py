@@ -57,7 +57,7 @@ def accelerations(rates) -> np.ndarray:
 
 @pytest.fixture(params=VARIANTS, ids=in_words)
 def options(request) -> Options:
-    return Options(**request.param)
+    return Options(**request.param, steady_state_slip=True)
 
 
 def test_rates_are_those_of_the_equations_of_the_variant(vehicle, options):
@@ -107,12 +107,16 @@ def test_link_load_transfer_lifts_the_body_only_where_it_is_asymmetric(vehicle):
     state, command = next(states(vehicle, seed=3))
     sums = {}
     for kind in ("symmetric", "asymmetric"):
-        evaluation = Evaluation(vehicle, Options(link_load_transfer=kind))
+        evaluation = Evaluation(vehicle, Options(link_load_transfer=kind, steady_state_slip=True))
         evaluation.rates(state, command)
         axles = evaluation.outputs["link_load_transfer"].reshape(2, 2)
         sums[kind] = np.abs(axles.sum(axis=1)) / np.abs(axles).max()
     assert sums["symmetric"].max() < 1e-12  # of the larger force: rounding
     assert sums["asymmetric"].min() > 0.01
+
+
+def with_model(model: str) -> Options:
+    return Options(model=model, steady_state_slip=True)
 
 
 def second_order_difference(vehicle, state, command, share: float) -> float:
@@ -121,7 +125,7 @@ def second_order_difference(vehicle, state, command, share: float) -> float:
     for name in ("roll", "pitch", "w", "unsprung_velocity"):
         nearer[name] *= share  # the wheels' vertical velocity on a road is of the angles' order
     exact, small = (
-        accelerations(Evaluation(vehicle, Options(model=model)).rates(nearer, command))
+        accelerations(Evaluation(vehicle, with_model(model)).rates(nearer, command))
         for model in ("1", "1a")
     )
     return np.abs(exact - small).max()
@@ -142,7 +146,7 @@ def test_the_default_is_model_1_with_every_flag_off(vehicle):
     assert Options() == Options(model="1")
     record = Options().record()[0]
     assert not any(record[name] for name in record.dtype.names)
-    default, named = Evaluation(vehicle), Evaluation(vehicle, Options(model="1"))
+    default, named = Evaluation(vehicle, Options()), Evaluation(vehicle, Options(model="1"))
     for state, command in states(vehicle, seed=5):
         assert default.rates(state, command).tobytes() == named.rates(state, command).tobytes()
 
@@ -156,7 +160,10 @@ def test_every_variant_is_another_than_every_other(reference):
     )
     state, command = next(lifted)
     results = {
-        Evaluation(reference, Options(**variant)).rates(state, command).tobytes()
+        Evaluation(reference, Options(**variant, steady_state_slip=steady))
+        .rates(state, command)
+        .tobytes()
         for variant in VARIANTS
+        for steady in (False, True)
     }
-    assert len(results) == len(VARIANTS)
+    assert len(results) == 2 * len(VARIANTS)

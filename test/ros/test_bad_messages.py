@@ -12,6 +12,7 @@ FIRST_TORQUE = 3
     [
         ("steering_cmd", 0.02, math.nan, "finite"),
         ("wheel_torque_cmd", [5.0, 0.0, 0.0, 0.0], [1.0, math.inf, 0.0, 0.0], "finite"),
+        ("brake_torque_cmd", [5.0, 0.0, 0.0, 0.0], [6.0, 0.0, 0.0, -1.0], "below 0"),
         ("normal_force_cmd", [5.0, 0.0, 0.0, 0.0], [1.0, 2.0, 3.0], "3 values, 4 are expected"),
     ],
 )

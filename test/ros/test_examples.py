@@ -28,6 +28,10 @@ def gains_speed(state):
     return state[U] > 14.2
 
 
+def loses_speed(state):
+    return state[U] < 13.5
+
+
 def leans_left(state):
     return state[ROLL] < -0.01
 
@@ -36,6 +40,8 @@ EFFECTS = {
     "steering_cmd": turns_left,
     "rear_steering_cmd": yaws_left_from_behind,
     "wheel_torque_cmd": gains_speed,
+    "brake_torque_cmd": loses_speed,
+    "speed_cmd": loses_speed,
     "normal_force_cmd": leans_left,
 }
 

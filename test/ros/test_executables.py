@@ -90,7 +90,9 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
         "steering_cmd": 0.01,
         "rear_steering_cmd": 0.02,
         "wheel_torque_cmd": four,
+        "brake_torque_cmd": four,
         "normal_force_cmd": four,
+        "speed_cmd": 13.0,
     }
     for topic in (*COMMANDS, *PUBLISHED):
         peer.wait_for_listener(topic.name, "recorder")

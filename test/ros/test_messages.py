@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from vehicle_roll_sim import LF, LR, RF, RR, Command, Options, Simulation, preset
+from vehicle_roll_sim import LF, LR, RF, RR, WHEELS, Command, Options, Simulation, preset
 from vehicle_roll_sim.ros.messages import COMMAND_LABELS, Messages
 from vehicle_roll_sim.ros.urdf import robot_description
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.session import Session
 
+OF_FOUR = ("wheel_torque", "brake_torque", "normal_force")
 ROUNDING = 1e-12
 """Of a few operations in double precision on numbers of order 1."""
 
@@ -20,7 +21,12 @@ ROUNDING = 1e-12
 def session():
     """A vehicle in a hard left turn with two wheels in the air."""
     session = Session(Simulation(preset()), CommandInbox(), 10_000_000, 13.9)
-    session.applied = Command(steering=0.2, wheel_torque=(1.0, 2.0, 3.0, 4.0))
+    session.applied = Command(
+        steering=0.2,
+        wheel_torque=(1.0, 2.0, 3.0, 4.0),
+        brake_torque=(5.0, 6.0, 7.0, 8.0),
+        normal_force=(9.0, 10.0, 11.0, 12.0),
+    )
     session.simulation.step(session.applied, 0.8)
     assert session.simulation.outputs.normal_force[LR] == 0.0
     return session
@@ -121,8 +127,8 @@ def test_applied_command_names_every_element(messages):
     values = dict(zip(COMMAND_LABELS, message.data, strict=True))
     assert values["time"] == pytest.approx(0.8)
     assert values["steering"] == 0.2
-    assert values["wheel_torque_rr"] == 4.0
-    assert values["brake_torque_lf"] == 0.0
+    torques = [values[f"{name}_{w}"] for name in OF_FOUR for w in WHEELS]
+    assert torques == list(range(1, 13))
 
 
 def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session, messages):

@@ -9,15 +9,18 @@ from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
 from vehicle_roll_sim.ros.topics import STATE_SET
 
 
-@pytest.mark.parametrize("model", ["1", "1c-iii", "8dof"])
-def test_the_chosen_model_publishes_every_topic_and_its_own_states(start, peer, model):
-    start("simulator", "--ros-args", "-p", f"model:={model}", "-p", "command_timeout:=0.0")
+@pytest.mark.parametrize(
+    ("model", "steady"), [("1", False), ("1", True), ("1c-iii", True), ("8dof", False)]
+)
+def test_the_chosen_model_publishes_every_topic_and_its_own_states(start, peer, model, steady):
+    words = (f"model:={model}", f"steady_state_slip:={steady}", "command_timeout:=0.0")
+    start("simulator", "--ros-args", *(word for each in words for word in ("-p", each)))
     names = [topic.name for topic in STATE_SET]
     peer.listen(*names)
     for name in names:
         peer.newest(name)
     peer.call(Trigger, "simulator/reset")
-    rest = Simulation(preset(), Options(model=model))
+    rest = Simulation(preset(), Options(model=model, steady_state_slip=steady))
     states = peer.received["state"]
     peer.wait(
         lambda: any(list(m.data) == [0.0, *rest.model_state] for _, m in states),

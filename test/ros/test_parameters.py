@@ -24,7 +24,10 @@ WRONG = {
     "step:=fast": ("step", "number"),
     "step:=0.0003": ("publish_rate", "multiple of the step"),
     "publish_rate:=.nan": ("publish_rate", "number"),
-    "initial_speed:=2.0": ("initial_speed", "3.5"),
+    "initial_speed:=-0.1": ("initial_speed", "from 0 to 100 m/s"),
+    "initial_speed:=3.4 steady_state_slip:=true": ("initial_speed", "3.5 m/s"),
+    "grade:=1.5": ("grade", "from -1 to 1 m/m"),
+    "bank:=steep": ("bank", "number"),
     "rollover_angle:=4.0": ("rollover_angle", "1.57"),
     "euler_terms:=3": ("euler_terms", "bool"),
     "steering_timeout_policy:=let_go": ("steering_timeout_policy", "hold, centre"),
@@ -43,8 +46,9 @@ def context(domain):
 
 @pytest.mark.parametrize("assignment", WRONG)
 def test_a_wrong_parameter_is_refused_by_name_with_what_is_allowed(context, assignment):
+    words = [word for each in assignment.split() for word in ("-p", each)]
     with pytest.raises(InputError) as refusal:
-        Simulator(context=context, cli_args=["--ros-args", "-p", assignment])
+        Simulator(context=context, cli_args=["--ros-args", *words])
     for word in WRONG[assignment]:
         assert word in str(refusal.value)
 
@@ -63,7 +67,8 @@ def set_parameter(peer, name, value):
 
 def test_structure_is_read_only_and_tunable_ones_keep_their_range(start, peer):
     start("simulator")
-    for name, value in {"step": 0.002, "vehicle.sprung_mass": 1500.0, "euler_terms": True}.items():
+    structure = {"step": 0.002, "vehicle.sprung_mass": 1500.0, "euler_terms": True, "grade": 0.1}
+    for name, value in structure.items():
         assert "read-only" in set_parameter(peer, name, value).reason
     assert set_parameter(peer, "command_timeout", 1).successful  # an integer serves
     refused = set_parameter(peer, "command_timeout", -1.0)
@@ -71,6 +76,22 @@ def test_structure_is_read_only_and_tunable_ones_keep_their_range(start, peer):
     assert "command_timeout" in refused.reason
     assert set_parameter(peer, "steering_timeout_policy", "centre").successful
     assert not set_parameter(peer, "steering_timeout_policy", "let_go").successful
+
+
+def test_with_transient_slip_it_may_stand_and_start_from_standstill(start, peer):
+    start("simulator", "--ros-args", "-p", "initial_speed:=0.0")
+    peer.listen("odom")
+    assert abs(peer.newest("odom").twist.twist.linear.x) < 1e-9  # m/s
+    for speed, allowed in {20.0: True, 0.0: True, -0.1: False}.items():
+        assert set_parameter(peer, "initial_speed", speed).successful is allowed
+
+
+def test_with_steady_state_slip_no_lower_speed_than_its_lowest_is_taken(start, peer):
+    start("simulator", "--ros-args", "-p", "steady_state_slip:=true")
+    refused = set_parameter(peer, "initial_speed", 3.4)
+    assert not refused.successful
+    assert "3.5 m/s with steady_state_slip" in refused.reason
+    assert set_parameter(peer, "initial_speed", 3.5).successful
 
 
 def test_every_parameter_is_described(start, peer):

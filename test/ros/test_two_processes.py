@@ -82,9 +82,11 @@ def test_a_reset_returns_the_initial_state_to_the_bit(simulator, peer):
 
     first = peer.wait(first_after_reset, "time 0")
     fresh = Simulation(preset())
-    assert list(first.data) == [0.0, *fresh.state_vector[:28]]
+    assert list(first.data) == [0.0, *fresh.model_state]
+    assert len(first.data) == 1 + 28 + 8
     names = [dimension.label for dimension in first.layout.dim]
-    assert (names[0], names[ROLL], names[U], names[-1]) == ("time", "roll", "u", "wheel_speed_rr")
+    assert (names[0], names[ROLL], names[U]) == ("time", "roll", "u")
+    assert (names[28], names[-1]) == ("wheel_speed_rr", "lateral_slip_rr")
 
 
 def test_initial_speed_is_applied_by_a_reset(simulator, peer):

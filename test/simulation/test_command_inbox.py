@@ -12,12 +12,18 @@ GOOD = {
     "steering_cmd": (0.02,),
     "rear_steering_cmd": (-0.01,),
     "wheel_torque_cmd": (10.0, -20.0, 30.0, -40.0),
+    "brake_torque_cmd": (500.0, 0.0, 300.0, 200.0),
     "normal_force_cmd": (100.0, 200.0, -300.0, -400.0),
 }
 OTHER = {topic: tuple(value / 2 for value in values) for topic, values in GOOD.items()}
-DRIVEN = Command(0.02, -0.01, GOOD["wheel_torque_cmd"], GOOD["normal_force_cmd"])
+DRIVEN = Command(
+    *(0.02, -0.01),
+    wheel_torque=GOOD["wheel_torque_cmd"],
+    brake_torque=GOOD["brake_torque_cmd"],
+    normal_force=GOOD["normal_force_cmd"],
+)
 STEERING = {"steering_cmd": "steering", "rear_steering_cmd": "rear_steering"}
-FORCES = {"wheel_torque_cmd": "wheel_torque", "normal_force_cmd": "normal_force"}
+FORCES = {f"{name}_cmd": name for name in ("wheel_torque", "brake_torque", "normal_force")}
 FIELDS = STEERING | FORCES
 NOT_FINITE = (math.nan, math.inf, -math.inf)
 LENGTHS = (0, 1, 3, 4, 5, 1_000_000)
@@ -37,7 +43,21 @@ def filled(timeout: float = 0.5, policy: str = "hold") -> CommandInbox:
 
 
 def test_it_knows_the_topics_of_the_interface():
-    assert set(CommandInbox().channels) == set(GOOD)
+    assert set(CommandInbox().channels) == {*GOOD, "speed_cmd"}
+
+
+def test_a_speed_is_no_part_of_a_command_and_gives_way_to_wheel_torques():
+    inbox = CommandInbox(timeout=0.5)
+    assert inbox.speed(0) is None
+    assert inbox.receive("speed_cmd", (12.0,), 0) == ""
+    assert inbox.command(0) == Command()
+    assert inbox.speed(TIMEOUT) == 12.0
+    assert inbox.speed(TIMEOUT + 1) is None  # silent
+    inbox.receive("speed_cmd", (3.0,), SECOND)
+    inbox.receive("wheel_torque_cmd", GOOD["wheel_torque_cmd"], SECOND)
+    assert inbox.speed(SECOND) is None
+    inbox.receive("speed_cmd", (4.0,), 2 * SECOND)  # by now the torques are silent
+    assert inbox.speed(2 * SECOND) == 4.0
 
 
 def test_before_any_message_nothing_is_commanded_and_nothing_counts_as_silent():
@@ -83,6 +103,15 @@ def test_a_message_with_a_value_that_is_not_finite_is_dropped(topic, element, va
     reason = dropped(topic, values)
     assert "finite" in reason
     assert str(value) in reason
+
+
+@pytest.mark.parametrize("element", range(4))
+def test_a_brake_that_would_drive_is_dropped(element):
+    values = array("d", OTHER["brake_torque_cmd"])
+    values[element] = -1e-9
+    reason = dropped("brake_torque_cmd", values)
+    assert "-1e-09" in reason
+    assert "below 0" in reason
 
 
 def test_the_reason_shows_the_values_as_numbers():

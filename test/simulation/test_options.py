@@ -23,6 +23,7 @@ CHOICES = {
     "tire_normal_to_ground": (False, True),
     "link_load_transfer": ("symmetric", "asymmetric"),
     "euler_terms": (False, True),
+    "steady_state_slip": (False, True),
 }
 COMBINATIONS = [
     dict(zip(CHOICES, values, strict=True)) for values in itertools.product(*CHOICES.values())
@@ -36,8 +37,13 @@ def has_a_link_to_split(combination: dict) -> bool:
 
 DEFINED = [
     *({"model": "1", **values} for values in COMBINATIONS if has_a_link_to_split(values)),
-    *({"model": model, "no_roll_centre": none} for model in SIMPLIFIED for none in (False, True)),
-    *({"model": model} for model in EIGHT_DOF),
+    *(
+        {"model": model, "no_roll_centre": none, "steady_state_slip": steady}
+        for model in SIMPLIFIED
+        for none in (False, True)
+        for steady in (False, True)
+    ),
+    *({"model": m, "steady_state_slip": steady} for m in EIGHT_DOF for steady in (False, True)),
 ]
 
 
@@ -78,6 +84,7 @@ def test_without_a_roll_centre_there_is_no_asymmetric_link_load_transfer(combina
         ("no_roll_centre", "yes"),
         ("tire_normal_to_ground", 1),
         ("euler_terms", None),
+        ("steady_state_slip", "no"),
     ],
 )
 def test_a_value_that_is_none_of_the_choices_is_refused_by_name(name, value):
@@ -95,7 +102,7 @@ def test_every_defined_combination_runs(values):
     assert simulation.options == Options(**values)
 
 
-def test_the_default_is_model_1_as_the_source_has_it():
+def test_the_default_is_model_1_of_the_source_on_tires_with_transient_slip():
     options = Options()
     assert dataclasses.asdict(options) == {
         "model": "1",
@@ -103,6 +110,7 @@ def test_the_default_is_model_1_as_the_source_has_it():
         "tire_normal_to_ground": False,
         "link_load_transfer": "symmetric",
         "euler_terms": False,
+        "steady_state_slip": False,
     }
     assert flags(options) == set()
     named, unnamed = Simulation(preset(), options), Simulation(preset())
@@ -126,6 +134,13 @@ def test_the_record_has_just_the_flags_of_the_model(model):
 @pytest.mark.parametrize("model", ["1", *SIMPLIFIED])
 def test_no_roll_centre_is_one_more_flag(model):
     assert flags(Options(model=model, no_roll_centre=True)) == {*MODELS[model], "no_roll_centre"}
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_steady_state_slip_is_one_more_flag_of_every_model_and_its_slips_are_no_states(model):
+    transient, steady = Options(model=model), Options(model=model, steady_state_slip=True)
+    assert flags(steady) == {*MODELS[model], "steady_state_slip"}
+    assert transient.states == (*steady.states, "longitudinal_slip", "lateral_slip")
 
 
 def test_model_1_given_as_a_number_is_the_model_of_that_name():

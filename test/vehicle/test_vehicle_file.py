@@ -1,5 +1,7 @@
 """Vehicle files: every wrong value of every parameter is refused in one line that names it."""
 
+from dataclasses import MISSING
+
 import numpy as np
 import pytest
 from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, refused, write
@@ -33,6 +35,14 @@ SOURCE = {
 }
 """The table of Shim and Ghike (2007)."""
 PARAMETERS = parameters_of(Vehicle)
+OPTIONAL = {
+    "minimum_relaxation_length": 0.1,
+    "rolling_resistance_coefficient": 0.0,
+    "drag_area": 0.0,
+}
+"""What a vehicle file may leave out, and what counts then: the source has none of them."""
+WHOLE_YAML = REFERENCE_YAML + "".join(f"{name}: {value}\n" for name, value in OPTIONAL.items())
+"""A file that leaves nothing out."""
 
 
 def beyond(limit: float, direction: float) -> float:
@@ -66,13 +76,22 @@ def path(tmp_path):
 def test_the_reference_vehicle_is_that_of_the_source():
     vehicle = preset("reference")
     assert {name: getattr(vehicle, name) for name in SOURCE} == SOURCE
-    assert {*PARAMETERS} - {*SOURCE} == {"steering_ratio"}
+    assert {*PARAMETERS} - {*SOURCE} == {"steering_ratio", *OPTIONAL}
+
+
+def test_what_the_source_does_not_have_is_optional_and_nothing_else_is(vehicle_from):
+    optional = {name: p.default for name, p in PARAMETERS.items() if p.default is not MISSING}
+    assert optional == OPTIONAL
+    named, unnamed = vehicle_from(WHOLE_YAML), vehicle_from(REFERENCE_YAML)
+    for name, value in OPTIONAL.items():
+        assert name not in REFERENCE_YAML
+        assert getattr(named, name) == getattr(unnamed, name) == value
 
 
 @pytest.mark.parametrize("name", PARAMETERS)
 def test_every_value_of_the_file_arrives_under_its_name(vehicle_from, name):
-    value = getattr(preset("reference"), name) * 1.01
-    loaded = vehicle_from(edited(REFERENCE_YAML, name, f"{name}: {value!r}"))
+    value = getattr(preset("reference"), name) * 1.01 or 0.5
+    loaded = vehicle_from(edited(WHOLE_YAML, name, f"{name}: {value!r}"))
     assert getattr(loaded, name) == value
     assert type(getattr(loaded, name)) is float
 
@@ -80,16 +99,16 @@ def test_every_value_of_the_file_arrives_under_its_name(vehicle_from, name):
 @pytest.mark.parametrize(("name", "value"), WRONG)
 def test_a_value_that_is_not_allowed_is_refused(vehicle_from, path, name, value):
     with refused(path, name):
-        vehicle_from(edited(REFERENCE_YAML, name, f"{name}: {value}"))
+        vehicle_from(edited(WHOLE_YAML, name, f"{name}: {value}"))
 
 
 @pytest.mark.parametrize("name", [n for n, p in PARAMETERS.items() if p.minimum > 0])
 def test_zero_is_refused_where_nothing_is_not_allowed(vehicle_from, path, name):
     with refused(path, name):
-        vehicle_from(edited(REFERENCE_YAML, name, f"{name}: 0"))
+        vehicle_from(edited(WHOLE_YAML, name, f"{name}: 0"))
 
 
-@pytest.mark.parametrize("name", [*PARAMETERS, "tire"])
+@pytest.mark.parametrize("name", [*(n for n in PARAMETERS if n not in OPTIONAL), "tire"])
 def test_a_missing_key_is_named(vehicle_from, path, name):
     with refused(path, name):
         vehicle_from(edited(REFERENCE_YAML, name, ""))
@@ -98,7 +117,7 @@ def test_a_missing_key_is_named(vehicle_from, path, name):
 @pytest.mark.parametrize("name", [*PARAMETERS, "tire"])
 def test_a_key_that_stands_twice_is_named(vehicle_from, path, name):
     with refused(path, name):
-        vehicle_from(REFERENCE_YAML + f"{name}: 1.0\n")
+        vehicle_from(WHOLE_YAML + f"{name}: 1.0\n")
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ One free body and four point masses that slide along the body's z axis. The engi
 and joints and does all of the mechanics; from here come the forces only, evaluated at every stage
 of the integration from the engine's own state: springs and dampers along the struts, and at the
 contact points the loads of the tires and the forces of the Magic Formula. The spins of the wheels
-are variables beside the engine's.
+are variables beside the engine's, without brakes or rolling resistance; there is no drag.
 """
 
 import math

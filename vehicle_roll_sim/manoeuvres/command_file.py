@@ -88,4 +88,6 @@ def _number(path: Path, line: int, name: str, text: str) -> float:
         value = math.nan
     if not math.isfinite(value):
         raise InputError(f"{path}: line {line}: {name}", text, "a finite number")
+    if value < 0.0 and name.startswith("brake_torque"):
+        raise InputError(f"{path}: line {line}: {name}", text, "a number that is not below 0")
     return value

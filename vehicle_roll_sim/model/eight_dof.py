@@ -113,7 +113,8 @@ def tire_loads(state, command, ax, ay, vehicle, options, outputs):
         carried = vehicle.sprung_mass * vehicle.axle_load_share[i]
         overturning = carried * (vehicle.cg_height - vehicle.roll_centre_depth[i])
         overturning += vehicle.unsprung_mass[i] * wheel_centre_height(i, vehicle)
-        load = stiffness * vehicle.static_tire_compression[i] - overturning * ay / y
+        load = (carried + vehicle.unsprung_mass[i]) * vehicle.gravity  # sf, sr
+        load -= overturning * ay / y
         load += active_load(i, command, vehicle, options) - strut_reaction(
             i, state, vehicle, options
         )

@@ -96,7 +96,8 @@ def by_name(message) -> dict[str, float]:
 def _row(state: dict, command, imu, loads) -> np.ndarray:
     row = np.full(len(COLUMNS), np.nan)
     for name, value in state.items():
-        row[COLUMNS.index(name)] = value
+        if name in COLUMNS:
+            row[COLUMNS.index(name)] = value
     first = COLUMNS.index(f"normal_force_{WHEELS[0]}")
     row[first : first + len(WHEELS)] = loads.data
     row[COLUMNS.index("steering")] = command.data[COMMAND_LABELS.index("steering")]

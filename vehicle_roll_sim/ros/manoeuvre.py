@@ -2,6 +2,7 @@
 
 import argparse
 import dataclasses
+import math
 import sys
 import time
 from collections.abc import Callable
@@ -74,6 +75,8 @@ class Driver(Node):
         """Set the speed, wait until every topic is connected, reset; raises NoAnswerError."""
         reset = self.create_client(Trigger, f"{self._simulator}/reset")
         self.rollover_angle = self._get("rollover_angle").double_value
+        steady = self._get("steady_state_slip").bool_value
+        self._slowest = MINIMUM_SPEED if steady else -math.inf
         self._set("initial_speed", self.manoeuvre.speed)
         self._wait(self._connected, "a connection to its topics")
         self._call(reset, Trigger.Request(), "a reset", before=self._forget)
@@ -158,7 +161,7 @@ class Driver(Node):
             return Condition.ROLLED_OVER
         if self._time >= self.manoeuvre.duration - ROUNDING:
             return Condition.RUNNING
-        return Condition.TOO_SLOW if self.state["u"] < MINIMUM_SPEED else Condition.DIVERGED
+        return Condition.TOO_SLOW if self.state["u"] < self._slowest else Condition.DIVERGED
 
 
 def late_commands(history: History, manoeuvre: Manoeuvre) -> int:

@@ -32,6 +32,7 @@ from vehicle_roll_sim.simulation.simulation import (
     MAXIMUM_SPEED,
     SHORTEST_STEP,
 )
+from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DEFAULT_DRIVE_LIMIT
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import load_tire
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
@@ -80,6 +81,20 @@ class Settings:
     )
     steering_timeout_policy: str = parameter(
         "what a given-up steering command does", choices=(HOLD, CENTRE), tunable=True, default=HOLD
+    )
+    speed_drive_limit: float = parameter(
+        "largest torque of each wheel's drive that speed_cmd may use",
+        "N m",
+        0.0,
+        1e5,
+        default=DEFAULT_DRIVE_LIMIT,
+    )
+    speed_brake_limit: float = parameter(
+        "largest torque of each wheel's brake that speed_cmd may use",
+        "N m",
+        0.0,
+        1e5,
+        default=DEFAULT_BRAKE_LIMIT,
     )
     publish_clock: bool = parameter(
         "publish /clock, and stamp messages with simulated time from 0", default=False

@@ -35,6 +35,7 @@ from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.pacing import Pacer
 from vehicle_roll_sim.simulation.session import Session
 from vehicle_roll_sim.simulation.simulation import Simulation, compile_model, whole_steps
+from vehicle_roll_sim.simulation.speed_controller import SpeedController
 
 DIAGNOSTICS_PERIOD = 1.0
 """s"""
@@ -213,7 +214,11 @@ def _session(declared: ros_settings.Declared) -> Session:
         limit = f"a rate whose period is a multiple of the step, {settings.step:g} s"
         raise InputError("publish_rate", settings.publish_rate, limit) from None
     inbox = CommandInbox(settings.command_timeout, settings.steering_timeout_policy)
-    return Session(simulation, inbox, steps * simulation.step_ns, settings.initial_speed)
+    controller = SpeedController(
+        declared.vehicle, settings.speed_drive_limit, settings.speed_brake_limit
+    )
+    period_ns = steps * simulation.step_ns
+    return Session(simulation, inbox, period_ns, settings.initial_speed, controller)
 
 
 def main() -> int:

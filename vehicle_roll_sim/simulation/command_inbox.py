@@ -9,6 +9,8 @@ from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import NO_FORCE, Command
 
 HOLD, CENTRE = "hold", "centre"
+SPEED = "speed"
+"""The one channel that is no field of a Command: what it asks for is left to a controller."""
 DEFAULT_TIMEOUT = 0.5
 """s, simulated"""
 
@@ -28,7 +30,7 @@ class Channel:
 
     @property
     def is_steering(self) -> bool:
-        return self.size == 1
+        return self.field in ("steering", "rear_steering")
 
 
 def channels() -> dict[str, Channel]:
@@ -39,6 +41,7 @@ def channels() -> dict[str, Channel]:
         "wheel_torque_cmd": Channel("wheel_torque", WHEEL_COUNT),
         "brake_torque_cmd": Channel("brake_torque", WHEEL_COUNT, smallest=0.0),
         "normal_force_cmd": Channel("normal_force", WHEEL_COUNT),
+        "speed_cmd": Channel(SPEED, 1),
     }
 
 
@@ -46,8 +49,8 @@ class CommandInbox:
     """The newest good command of every topic.
 
     timeout: simulated time (s) after which a topic that has brought a message counts as silent, 0
-    for never. Torques and active forces are 0 from then on; steering follows `steering_policy`,
-    `hold` or `centre`.
+    for never. Torques and active forces are 0 from then on, a speed is given up; steering follows
+    `steering_policy`, `hold` or `centre`.
     """
 
     def __init__(self, timeout: float = DEFAULT_TIMEOUT, steering_policy: str = HOLD):
@@ -70,7 +73,7 @@ class CommandInbox:
         """What to drive with in the period that begins at simulated time `now_ns`."""
         values = {}
         for channel in self.channels.values():
-            if channel.arrival_ns is None:
+            if channel.arrival_ns is None or channel.field == SPEED:
                 continue
             silent = self.is_silent(channel, now_ns)
             if channel.is_steering:
@@ -79,6 +82,14 @@ class CommandInbox:
             else:
                 values[channel.field] = NO_FORCE if silent else channel.value
         return Command(**values)
+
+    def speed(self, now_ns: int) -> float | None:
+        """The commanded speed (m/s); None where there is none or wheel torques are commanded."""
+        speed, torque = self.channels["speed_cmd"], self.channels["wheel_torque_cmd"]
+        driven = torque.arrival_ns is not None and not self.is_silent(torque, now_ns)
+        if speed.arrival_ns is None or self.is_silent(speed, now_ns) or driven:
+            return None
+        return speed.value[0]
 
     def is_silent(self, channel: Channel, now_ns: int) -> bool:
         """Whether a topic has brought messages once, but none within the timeout."""

@@ -5,18 +5,26 @@ from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.simulation import Simulation
+from vehicle_roll_sim.simulation.speed_controller import SpeedController
 
 
 class Session:
     """A simulation, the commands that come in for it, and whether it is paused.
 
-    period_ns: publish period, a multiple of the step. `applied` is the command of the last period.
+    period_ns: publish period, a multiple of the step. controller: of the commanded speed; one with
+    the usual limits if there is none. `applied` is the command of the last period.
     """
 
     def __init__(
-        self, simulation: Simulation, inbox: CommandInbox, period_ns: int, initial_speed: float
+        self,
+        simulation: Simulation,
+        inbox: CommandInbox,
+        period_ns: int,
+        initial_speed: float,
+        controller: SpeedController | None = None,
     ):
         self.simulation, self.inbox, self.period_ns = simulation, inbox, period_ns
+        self.controller = controller or SpeedController(simulation.vehicle)
         self.paused = False
         self.reset(initial_speed)
 
@@ -24,14 +32,22 @@ class Session:
         """Static equilibrium at `speed` (m/s), time 0, no commands; a pause goes on."""
         self.simulation.reset(speed)
         self.inbox.clear()
+        self.controller.reset()
         self.applied = Command()
 
     def run_period(self) -> None:
         """One publish period on, with the commands that hold now; nothing once it has stopped."""
         if self.stopped:
             return
-        self.applied = self.inbox.command(self.simulation.time_ns)
-        self.simulation.step(self.applied, self.period_ns / NANOSECONDS)
+        now, period = self.simulation.time_ns, self.period_ns / NANOSECONDS
+        self.applied = self.inbox.command(now)
+        target = self.inbox.speed(now)
+        if target is None:
+            self.controller.reset()
+        else:
+            speed = float(self.simulation.state["u"])
+            self.applied = self.controller.drive(self.applied, target, speed, period)
+        self.simulation.step(self.applied, period)
 
     @property
     def stopped(self) -> bool:
