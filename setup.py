@@ -28,6 +28,7 @@ setup(
         "validation": ["mujoco>=3.2"],
         "test": [
             "pytest>=7,<9",
+            "pytest-xdist>=3.5",
             "scipy>=1.11",
             "hypothesis>=6",
             "mujoco>=3.2",
