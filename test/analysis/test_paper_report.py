@@ -104,7 +104,8 @@ def test_the_runs_are_those_that_claims_figures_and_thresholds_ask_for(study, tm
     check_claims(asked)
     lift_off_thresholds(asked)
     figures.draw_roll_plane(asked, tmp_path)
-    drawn = {(figure.manoeuvre, case) for figure in figures.FIGURES for case in figure.cases}
+    shown = (*figures.FIGURES, figures.LAG)
+    drawn = {(figure.manoeuvre, case) for figure in shown for case in figure.cases}
     assert (asked.asked | drawn) - {("j_turn", ENGINE)} == set(RUNS) - {("j_turn", ENGINE)}
     assert asked.asked <= set(study.runs)
     assert len(RUNS) == len(set(RUNS))

@@ -30,15 +30,17 @@ NUMBERS = ("06", "07", "08", "09", "10", "11", "12", "13", "14", "15", "17", "18
 TABLES = ("claims.md", "claims.txt")
 ROLL_PLANE = "roll_plane"
 SUFFIXES = ("csv", "png")
+BEYOND = (ROLL_PLANE, "transient_slip")
+"""Figures that the source does not have."""
 RESULTS = {
     *(f"figure_{number}.{suffix}" for number in NUMBERS for suffix in SUFFIXES),
-    *(f"{ROLL_PLANE}.{suffix}" for suffix in SUFFIXES),
+    *(f"{figure}.{suffix}" for figure in BEYOND for suffix in SUFFIXES),
     *TABLES,
 }
 QUICK = 11
 """The figure that has a run which no claim is about."""
 QUICK_RESULTS = {
-    *(f"{figure}.{suffix}" for figure in (f"figure_{QUICK}", ROLL_PLANE) for suffix in SUFFIXES),
+    *(f"{figure}.{suffix}" for figure in (f"figure_{QUICK}", *BEYOND) for suffix in SUFFIXES),
     *TABLES,
 }
 """Of a command that draws only this one of the figures with curves over time."""

@@ -65,6 +65,7 @@ def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
         for figure in figures.FIGURES:
             figures.draw(figure, study, partial)
             bar.update()
+        figures.draw(figures.LAG, study, partial)
         figures.draw_roll_plane(study, partial)
         text = f"{as_text(findings)}\n\n{numbers_as_text(study)}\n"
         table = f"{as_markdown(findings)}\n\n{numbers_as_markdown(study)}\n"

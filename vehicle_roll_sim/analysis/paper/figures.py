@@ -15,6 +15,7 @@ from vehicle_roll_sim.analysis.paper.study import (
     RAMP_STEER,
     SAME_AS_ENGINE,
     STEP_STEER,
+    TRANSIENT,
     UPRIGHT_TIRES,
     Response,
     Study,
@@ -37,7 +38,10 @@ STYLES = ("-", "-", "--")
 
 @dataclasses.dataclass(frozen=True)
 class PaperFigure:
-    """A figure of the source: its number, one manoeuvre, several models, two columns of panels."""
+    """A figure of the source: its number, one manoeuvre, several models, two columns of panels.
+
+    Number 0 is the one figure that the source does not have: the lag of the tires.
+    """
 
     number: int
     manoeuvre: str
@@ -46,12 +50,13 @@ class PaperFigure:
 
     @property
     def name(self) -> str:
-        return f"figure_{self.number:02}"
+        return f"figure_{self.number:02}" if self.number else "transient_slip"
 
     @property
     def title(self) -> str:
         marks = "o lift-off, x 85° of roll" if PANELS in self.columns else "o lift-off"
-        return f"Figure {self.number}: {IN_WORDS[self.manoeuvre]} ({marks})"
+        figure = f"Figure {self.number}" if self.number else "Lag of the tires"
+        return f"{figure}: {IN_WORDS[self.manoeuvre]} ({marks})"
 
 
 FIGURES = (
@@ -69,6 +74,7 @@ FIGURES = (
     PaperFigure(18, RAMP_STEER, ("1", "8dof")),
 )
 """All but 1 to 5 and 16, which are drawings."""
+LAG = PaperFigure(0, STEP_STEER, ("1", TRANSIENT))
 ROLL_PLANE = "roll_plane"
 
 

@@ -23,11 +23,13 @@ UPRIGHT_TIRES = "tire normal to the ground"
 ASYMMETRIC_LINKS = "asymmetric link load transfer"
 SAME_AS_ENGINE = "no roll centre, Euler terms"
 ENGINE = "multibody engine"
+TRANSIENT = "model 1 with transient slip"
 OPTIONS = {
     NO_ROLL_CENTRE: Options(no_roll_centre=True, steady_state_slip=True),
     UPRIGHT_TIRES: Options(tire_normal_to_ground=True, steady_state_slip=True),
     ASYMMETRIC_LINKS: Options(link_load_transfer=ASYMMETRIC, steady_state_slip=True),
     SAME_AS_ENGINE: MULTIBODY,
+    TRANSIENT: Options(),
 }
 """Variants of model 1; every other case but the engine bears the name of its model."""
 VARIANTS = (NO_ROLL_CENTRE, UPRIGHT_TIRES, ASYMMETRIC_LINKS, "8dof")
@@ -39,6 +41,7 @@ RUNS = (
     *((STEP_STEER, case) for case in ("1b-mass-lumped", "1b-no-strut", "8dof-rigid-tires")),
     *((STEP_STEER, case) for case in VARIANTS),
     *((RAMP_STEER, case) for case in VARIANTS),
+    (STEP_STEER, TRANSIENT),
     *((J_TURN, case) for case in ("1", SAME_AS_ENGINE, ENGINE)),
 )
 """(manoeuvre, case) of every run."""
