@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from programmes import Evaluation, record_run
+from programmes import Evaluation, record_run, with_tire
 
 from vehicle_roll_sim import Command, Condition, Options, Simulation
 from vehicle_roll_sim.model.records import COMMAND, MODEL_STATE, STATE
@@ -190,3 +190,28 @@ def test_every_model_starts_stops_and_stays(vehicle, model):
     assert math.hypot(simulation.state.x - x, simulation.state.y - y) < 1e-4  # m
     assert abs(simulation.state.u) < 1e-9
     assert (simulation.state.wheel_speed == 0).all()
+
+
+NO_LAG = {"PTX1": 0.0, "PTX2": 0.0, "PTY1": 0.0}
+ODD = {
+    "short lags": (NO_LAG, {}),
+    "short lags, light wheels": (NO_LAG, {"wheel_inertia": 0.5}),
+    "very light wheels": ({}, {"wheel_inertia": 0.1}),
+    "short lags, heavy": (NO_LAG, {"sprung_mass": 3000.0}),
+}
+"""Coefficients of the tire and values of the vehicle for which the spring of a tire is stiff."""
+
+
+@pytest.mark.parametrize("odd", ODD)
+def test_a_vehicle_of_stiff_tires_or_light_wheels_calms_down_too(reference, odd):
+    coefficients, values = ODD[odd]
+    vehicle = with_tire(reference.with_values(values), **coefficients)
+    simulation = Simulation(vehicle)
+    simulation.reset(0.0)
+    for torque in (50.0, -50.0, 0.0):
+        simulation.step(Command(wheel_torque=(torque,) * 4), 0.5)
+    simulation.step(Command(brake_torque=(300.0,) * 4), 20.0)
+    assert np.abs(simulation.state.wheel_speed).max() == 0.0
+    assert np.abs([simulation.state.u, simulation.state.v, simulation.state.w]).max() < 1e-6
+    simulation.step(Command(), 10.0)
+    assert np.abs(simulation.outputs.longitudinal_force).max() < 1.0  # N

@@ -123,7 +123,8 @@ def test_a_dead_controller_is_noticed(simulator, peer):
         return lambda: peer.newest("applied_command").data[first_torque] == torque
 
     commands = {"wheel_torque_cmd": [10.0, 0.0, 0.0, 0.0], "steering_cmd": 0.01}
-    peer.command(commands, drives(10.0), "the torque to be applied")
+    steered = lambda: peer.newest("applied_command").data[1] == 0.01  # noqa: E731
+    peer.command(commands, lambda: drives(10.0)() and steered(), "both to be applied")
     peer.wait(drives(0.0), "the torque to be given up after command_timeout")
     assert peer.newest("applied_command").data[1] == 0.01  # steering holds by default
     peer.wait(lambda: "no commands" in peer.newest("/diagnostics").status[0].message, "a warning")

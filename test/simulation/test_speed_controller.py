@@ -87,3 +87,29 @@ def test_the_brakes_hold_only_a_vehicle_that_stands_and_shall_stand():
     held = controller.drive(Command(), 0.0, STANDING / 2, 0.01)
     assert (held.brake_torque[0], held.wheel_torque[0]) == (1234.0, 0.0)
     assert controller.drive(Command(), 1.0, STANDING / 2, 0.01).brake_torque[0] == 0.0
+
+
+@pytest.mark.parametrize("speed", [1.0, 2.0, 3.0, 5.0, 8.0, 10.0])
+@pytest.mark.parametrize("grade", [0.2, -0.2])
+def test_from_any_speed_a_vehicle_stops_on_a_slope_and_does_not_roll_away(speed, grade):
+    inbox = CommandInbox(timeout=0.0)
+    simulation = Simulation(preset(), road=Road(grade=grade))
+    session = Session(simulation, inbox, PERIOD_NS, speed)
+    inbox.receive("speed_cmd", [0.0], 0)
+    places = []
+    for _ in range(1500):
+        session.run_period()
+        places.append(simulation.state.x)
+    assert max(places) - places[-1] < 0.3  # m: it springs back on its tires and suspension
+    assert abs(places[-1] - places[-500]) < 1e-2
+
+
+def test_a_commanded_brake_is_stronger_than_a_commanded_speed():
+    controller = SpeedController(preset())
+    braked = Command(brake_torque=(900.0, 0.0, 0.0, 0.0))
+    applied = controller.drive(braked, 20.0, 10.0, 0.01)
+    assert applied.brake_torque == (900.0, 0.0, 0.0, 0.0)
+    assert applied.wheel_torque == (0.0,) * 4
+    slowing = controller.drive(braked, 9.0, 10.0, 0.01)
+    assert slowing.brake_torque[0] == 900.0
+    assert 0.0 < slowing.brake_torque[1] < 900.0

@@ -60,6 +60,7 @@ def plausible_magnitudes() -> np.ndarray:
     bound.suspension_compression = bound.tire_compression = 1e2
     bound.unsprung_velocity = 1e3
     bound.wheel_speed = 1e6
+    bound.longitudinal_slip = bound.lateral_slip = 1e3
     return largest
 
 

@@ -74,9 +74,8 @@ def applied_link_forces(state, vehicle, options, attitude, outputs):
         y_inertia = mu * (ls_rate * wx - wx * wu[i] + wz * uu)
         outputs.applied_x[i] = outputs.contact_x[i] + weight * s_pitch - x_inertia
         outputs.applied_y[i] = outputs.contact_y[i] - weight * s_roll * c_pitch - y_inertia
-        mass = weight / vehicle.gravity
-        outputs.applied_x[i] += mass * outputs.slope_gravity[0]
-        outputs.applied_y[i] += mass * outputs.slope_gravity[1]
+        outputs.applied_x[i] += vehicle.unsprung_mass[i] * outputs.slope_gravity[0]
+        outputs.applied_y[i] += vehicle.unsprung_mass[i] * outputs.slope_gravity[1]
 
 
 @kernel

@@ -8,7 +8,8 @@ slip angle. With the rolling speed V and a sliding speed Vs of the wheel (rw - V
 
 and the Magic Formula gets x + TAU w dx/dt. At speed w is 0: x goes to the steady-state slip
 Vs / |V| over the relaxation length SIGMA. Towards standstill, where rolling does not let the tire
-forget, w goes to 1: a tire that has slid gives back what is beyond XMAX, and its spring is damped.
+forget, w goes to 1: a tire that has slid gives back what is beyond XMAX, and its spring is damped,
+with TAU = SIGMA / 15 m/s, along the wheel less where that would stop a light wheel within 1 ms.
 """
 
 from vehicle_roll_sim.model import records as at
@@ -17,9 +18,11 @@ from vehicle_roll_sim.model.jit import kernel, math
 LOW_SPEED = 1.0
 """m/s of rolling speed below which the terms for standstill come in, w."""
 LARGEST_AT_REST = 0.06
-"""XMAX: slip that a tire keeps at standstill, a little short of its largest force."""
-DAMPING_TIME = 0.04
-"""TAU (s): damper of the tire at standstill over its spring."""
+"""XMAX: slip that a tire keeps at standstill, a little short of the largest force of most."""
+DAMPING_SPEED = 15.0
+"""m/s: relaxation length over TAU, the damper of the tire at standstill over its spring (s)."""
+QUICKEST_DAMPING = 1000.0
+"""1/s: largest rate at which that damper may slow a wheel down."""
 RELEASE_TIME = 0.02
 """RELEASE (s): time in which slip decays beyond XMAX at standstill, and off the ground."""
 
@@ -71,6 +74,8 @@ def transient_slip(i, state, rolling, sliding, spinning, vehicle, tire, outputs)
     along_rate = slip_rate(along, rolling, spinning - rolling, long, weight)
     across_rate = slip_rate(across, rolling, sliding, lateral, weight)
     outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i] = along_rate, across_rate
-    along += DAMPING_TIME * weight * along_rate
-    across += DAMPING_TIME * weight * across_rate
+    slope = fz * tire.PKX1 * tire.LKX * vehicle.tire_radius**2  # about Kx r^2
+    firm = max(DAMPING_SPEED, slope / (vehicle.wheel_inertia * QUICKEST_DAMPING))
+    along += long / firm * weight * along_rate
+    across += lateral / DAMPING_SPEED * weight * across_rate
     return along, math.atan(across)
