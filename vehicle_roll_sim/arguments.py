@@ -83,6 +83,8 @@ def add_declared(parser: argparse.ArgumentParser, declaring, title: str) -> None
         if parameter.kind is bool:
             group.add_argument(option_name(parameter), action="store_true", help=about)
             continue
+        if parameter.choices:
+            about += ": " + ", ".join(parameter.choices)
         default = getattr(declaring, parameter.name, None)
         if isinstance(default, float):
             about += f" (default {default:.6g})"

@@ -115,9 +115,8 @@ def tire_loads(state, command, ax, ay, vehicle, options, outputs):
         overturning += vehicle.unsprung_mass[i] * wheel_centre_height(i, vehicle)
         load = (carried + vehicle.unsprung_mass[i]) * vehicle.gravity  # sf, sr
         load -= overturning * ay / y
-        load += active_load(i, command, vehicle, options) - strut_reaction(
-            i, state, vehicle, options
-        )
+        load += active_load(i, command, vehicle, options)
+        load -= strut_reaction(i, state, vehicle, options)
         load += -pitching if i < LR else pitching
         outputs.support[i] = load
         outputs.normal_force[i] = normal_force(load)
