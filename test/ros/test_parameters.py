@@ -10,7 +10,7 @@ from rclpy.parameter import Parameter
 from std_srvs.srv import Trigger
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.ros.settings import PARAMETERS
+from vehicle_roll_sim.ros.parameters import PARAMETERS
 from vehicle_roll_sim.ros.simulator import Simulator
 
 PLAUSIBLE_RUN = 1000

@@ -15,7 +15,7 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model import jit
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.ros import settings as ros_settings
+from vehicle_roll_sim.ros import parameters
 from vehicle_roll_sim.ros.diagnostics import diagnostics
 from vehicle_roll_sim.ros.messages import Messages
 from vehicle_roll_sim.ros.process import node_main
@@ -48,7 +48,7 @@ class Simulator(Node):
 
     def __init__(self, **node_options):
         super().__init__("simulator", **node_options)
-        declared = ros_settings.declare(self)
+        declared = parameters.declare(self)
         self.settings = declared.settings
         self.session = _session(declared)
         self.get_logger().info(jit.describe())
@@ -56,7 +56,7 @@ class Simulator(Node):
         self.pacer = Pacer(self.session.period_ns, lambda: self._steady_clock.now().nanoseconds)
         self._stamps_begin_ns = self._first_stamp()
         self._messages = Messages(self.session, self.settings.frame_prefix)
-        ros_settings.follow_changes(self, self.settings, declared.options)
+        parameters.follow_changes(self, self.settings, declared.options)
         self._advertise(declared)
         self._subscribe()
         self._serve()
@@ -67,7 +67,7 @@ class Simulator(Node):
         self.create_timer(period, self._tick, clock=self._steady_clock)
         self.create_timer(DIAGNOSTICS_PERIOD, self._report, clock=self._steady_clock)
 
-    def _advertise(self, declared: ros_settings.Declared) -> None:
+    def _advertise(self, declared: parameters.Declared) -> None:
         self._set_publishers = [(self._publisher(t), self._builder(t)) for t in STATE_SET]
         self._transform_publishers = [(self._publisher(t), t.type) for t in TRANSFORMS]
         self._rollover_publisher = self._publisher(ROLLOVER)
@@ -198,7 +198,7 @@ class Simulator(Node):
         return response
 
 
-def _session(declared: ros_settings.Declared) -> Session:
+def _session(declared: parameters.Declared) -> Session:
     """The simulation that the parameters describe."""
     settings = declared.settings
     simulation = Simulation(
@@ -227,7 +227,7 @@ def main() -> int:
         prog="simulator",
         description="Simulate a vehicle's roll in real time on ROS 2.",
         usage="simulator [--ros-args -p NAME:=VALUE -r __ns:=/NAMESPACE ...]",
-        epilog="parameters: " + ", ".join(ros_settings.PARAMETERS),
+        epilog="parameters: " + ", ".join(parameters.PARAMETERS),
     )
 
     def body(_) -> int:
