@@ -4,10 +4,13 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from geometry_msgs.msg import WrenchStamped
+from rclpy.serialization import deserialize_message
 from scipy.spatial.transform import Rotation
 
 from vehicle_roll_sim import LF, LR, RF, RR, WHEELS, Command, Options, Simulation, preset
 from vehicle_roll_sim.ros.messages import COMMAND_LABELS, Messages
+from vehicle_roll_sim.ros.topics import STATE_SET
 from vehicle_roll_sim.ros.urdf import robot_description
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.session import Session
@@ -32,11 +35,27 @@ def session():
     return session
 
 
+TYPES = {topic.name: topic.type for topic in STATE_SET} | {"tire_force": WrenchStamped}
+
+
+class Decoded:
+    """The messages of a session, each by the name of its method, as ROS's own decoder has them."""
+
+    def __init__(self, session, frame_prefix=""):
+        self._messages = Messages(session, frame_prefix)
+        self._messages.set_time(12_345_678_901)
+
+    def __getattr__(self, name):
+        method = getattr(self._messages, name)
+        return lambda *arguments: deserialize_message(method(*arguments), TYPES[name])
+
+    def transforms(self):
+        return self._messages.transforms()
+
+
 @pytest.fixture
 def messages(session):
-    messages = Messages(session, "car/")
-    messages.set_time(12_345_678_901)
-    return messages
+    return Decoded(session, "car/")
 
 
 def body_in_ground(state):
@@ -68,7 +87,7 @@ def test_odometry_is_the_pose_and_twist_of_the_sprung_cg(session, messages):
 
 def test_imu_reads_g_upwards_at_rest():
     at_rest = Session(Simulation(preset()), CommandInbox(), 10_000_000, 13.9)
-    imu = Messages(at_rest, "").imu()
+    imu = Decoded(at_rest).imu()
     assert vector(imu.linear_acceleration) == pytest.approx([0, 0, 9.81], abs=ROUNDING)
 
 
@@ -147,7 +166,7 @@ def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session, message
 def test_without_heave_and_pitch_odom_still_has_the_sprung_cg():
     """Where the 8 DOF model has its c.g. is known from the acceleration that it measures there."""
     simulation = Simulation(preset(), Options(model="8dof"))
-    messages = Messages(Session(simulation, CommandInbox(), 1_000_000, 13.9), "")
+    messages = Decoded(Session(simulation, CommandInbox(), 1_000_000, 13.9))
     step, course, places = 0.001, [], []  # s
     for _ in range(300):
         simulation.step(Command(steering=0.1), step)
@@ -175,7 +194,7 @@ def test_the_description_has_the_joints_that_joint_states_moves(model, kind, lim
     description = robot_description(preset(), not options.has_eight_dof)
     joints = ElementTree.fromstring(description.encode()).findall("joint")
     moving = [joint.get("name") for joint in joints if joint.get("type") != "fixed"]
-    assert sorted(moving) == sorted(Messages(session, "").joint_states().name)
+    assert sorted(moving) == sorted(Decoded(session).joint_states().name)
     struts = [joint for joint in joints if "suspension" in joint.get("name")]
     assert {joint.get("type") for joint in struts} == {kind}
     assert all((joint.find("limit") is not None) == limited for joint in struts)

@@ -1,6 +1,4 @@
-"""From a session to messages: one object per topic, filled anew for every set."""
-
-from array import array
+"""From a session to messages: the bytes of one per topic, brought up to date for every set."""
 
 import numpy as np
 from builtin_interfaces.msg import Time
@@ -10,9 +8,11 @@ from sensor_msgs.msg import Imu, JointState
 from std_msgs.msg import Float64, Float64MultiArray, MultiArrayDimension, UInt8MultiArray
 
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
+from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
+from vehicle_roll_sim.ros.encoded import MARK, Encoded
 from vehicle_roll_sim.simulation.session import Session
 
 COMMAND_LABELS = (
@@ -26,6 +26,19 @@ SUSPENSION, STEERING, SPINNING = (
     for kind in ("suspension", "steering", "wheel")
 )
 """Names of the joints."""
+RATES = slice(at.ROLL_RATE, at.YAW_RATE + 1)
+"""Where the state has the body rates."""
+OF_ODOMETRY = 85
+POSITION, ATTITUDE, VELOCITY, TURNING = slice(3), slice(3, 7), slice(43, 46), slice(46, 49)
+"""Numbers of an Odometry: a pose and a twist, 7 and 6, with a covariance of 36 behind each."""
+OF_IMU = 37
+IMU_ATTITUDE, IMU_RATES, SPECIFIC_FORCE = slice(4), slice(13, 16), slice(25, 28)
+"""Numbers of an Imu: 4, 3 and 3, with a covariance of 9 behind each."""
+OF_WRENCH = 6
+FORCE = slice(3)
+"""Numbers of a Wrench: force and torque."""
+FLAGS_MARK = (250, 251, 252, 253)
+"""Flags that no lift-off has."""
 
 
 def labelled(kind: type, labels: tuple[str, ...]):
@@ -36,10 +49,9 @@ def labelled(kind: type, labels: tuple[str, ...]):
 
 
 class Messages:
-    """The messages of a set; each method fills its own message and returns it.
+    """The messages of a set, encoded; each method brings its own up to date and returns it.
 
-    The messages are reused: what a method returned last changes with its next call. All stamped
-    messages share `stamp`, set by `set_time`.
+    All stamped messages of a set share the time that `set_time` is told.
     """
 
     def __init__(self, session: Session, frame_prefix: str):
@@ -48,20 +60,33 @@ class Messages:
         body, odom = f"{frame_prefix}base_link", f"{frame_prefix}odom"
         footprint = f"{frame_prefix}base_footprint"
         self._whole_body = not session.simulation.options.has_eight_dof
-        self._state = labelled(Float64MultiArray, ("time", *session.simulation.state_names))
-        self._command = labelled(Float64MultiArray, COMMAND_LABELS)
-        self._loads = labelled(Float64MultiArray, WHEELS)
-        self._lift_off = labelled(UInt8MultiArray, WHEELS)
-        self._odom = self._stamped(Odometry, odom)
-        self._odom.child_frame_id = body
-        self._imu = self._stamped(Imu, body)
-        self._joints = self._stamped(JointState, "")
-        self._joints.name = [*(SUSPENSION if self._whole_body else ()), *STEERING, *SPINNING]
-        self._forces = [self._stamped(WrenchStamped, footprint) for _ in WHEELS]
+        self._state = self._labelled("time", *session.simulation.state_names)
+        self._command = self._labelled(*COMMAND_LABELS)
+        self._loads = self._labelled(*WHEELS)
+        flags = labelled(UInt8MultiArray, WHEELS)
+        flags.data = bytes(FLAGS_MARK)
+        self._lift_off = Encoded(flags, WHEEL_COUNT, FLAGS_MARK, kind="u1")
+        self._ratio = Encoded(Float64(data=MARK), 1)
+        odometry = self._stamped(Odometry, odom)
+        odometry.child_frame_id = body
+        odometry.pose.pose.position.x = MARK
+        self._odom = Encoded(odometry, OF_ODOMETRY)
+        imu = self._stamped(Imu, body)
+        imu.orientation.x = MARK
+        self._imu = Encoded(imu, OF_IMU)
+        self._joints = self._joint_states()
+        force = self._stamped(WrenchStamped, footprint)
+        force.wrench.force.x = MARK
+        self._forces = [Encoded(force, OF_WRENCH) for _ in WHEELS]
         self._transforms = [self._stamped(TransformStamped, odom) for _ in range(2)]
         self._transforms[0].child_frame_id = footprint
         self._transforms[1].child_frame_id = body
-        self._ratio = Float64()
+
+    @staticmethod
+    def _labelled(*labels: str) -> Encoded:
+        message = labelled(Float64MultiArray, labels)
+        message.data = [MARK] * len(labels)
+        return Encoded(message, len(labels))
 
     def _stamped(self, kind: type, frame: str):
         message = kind()
@@ -69,48 +94,54 @@ class Messages:
         message.header.stamp = self.stamp
         return message
 
+    def _joint_states(self) -> Encoded:
+        """Positions and velocities lie one behind the other, but for the count of the latter."""
+        message = self._stamped(JointState, "")
+        message.name = [*(SUSPENSION if self._whole_body else ()), *STEERING, *SPINNING]
+        count = len(message.name)
+        message.position = message.velocity = [MARK] * count
+        return Encoded(message, count + 1 + count)
+
     def set_time(self, nanoseconds: int) -> None:
         """The stamp of the set (ns since the epoch of the stamps)."""
         self.stamp.sec, self.stamp.nanosec = divmod(nanoseconds, NANOSECONDS)
 
-    def state(self) -> Float64MultiArray:
-        simulation = self.simulation
-        self._state.data = array("d", [simulation.time])
-        self._state.data.frombytes(simulation.model_state.tobytes())
-        return self._state
+    def _dated(self, message: Encoded) -> bytes:
+        message.stamp(self.stamp.sec, self.stamp.nanosec)
+        return bytes(message)
 
-    def applied_command(self) -> Float64MultiArray:
+    def state(self) -> bytes:
+        self._state.numbers[0] = self.simulation.time
+        self._state.numbers[1:] = self.simulation.model_state
+        return bytes(self._state)
+
+    def applied_command(self) -> bytes:
         command = self.session.applied
-        self._command.data = array(
-            "d",
-            (
-                self.simulation.time,
-                command.steering,
-                command.rear_steering,
-                *command.wheel_torque,
-                *command.brake_torque,
-                *command.normal_force,
-            ),
+        self._command.numbers[:] = (
+            self.simulation.time,
+            command.steering,
+            command.rear_steering,
+            *command.wheel_torque,
+            *command.brake_torque,
+            *command.normal_force,
         )
-        return self._command
+        return bytes(self._command)
 
-    def odom(self) -> Odometry:
-        state, pose, twist = self.simulation.state, self._odom.pose.pose, self._odom.twist.twist
-        motion = self.simulation.cg_motion
-        _set_vector(pose.position, *motion[:3])
-        _set_attitude(pose.orientation, state)
-        _set_vector(twist.linear, *motion[3:])
-        _set_rates(twist.angular, state)
-        return self._odom
+    def odom(self) -> bytes:
+        numbers, motion = self._odom.numbers, self.simulation.cg_motion
+        numbers[POSITION], numbers[VELOCITY] = motion[:3], motion[3:]
+        numbers[ATTITUDE] = self._attitude()
+        numbers[TURNING] = self.simulation.state_vector[RATES]
+        return self._dated(self._odom)
 
-    def imu(self) -> Imu:
-        state = self.simulation.state
-        _set_attitude(self._imu.orientation, state)
-        _set_rates(self._imu.angular_velocity, state)
-        _set_vector(self._imu.linear_acceleration, *self.simulation.outputs["specific_force"])
-        return self._imu
+    def imu(self) -> bytes:
+        numbers = self._imu.numbers
+        numbers[IMU_ATTITUDE] = self._attitude()
+        numbers[IMU_RATES] = self.simulation.state_vector[RATES]
+        numbers[SPECIFIC_FORCE] = self.simulation.outputs["specific_force"]
+        return self._dated(self._imu)
 
-    def joint_states(self) -> JointState:
+    def joint_states(self) -> bytes:
         state, outputs = self.simulation.state, self.simulation.outputs
         position = [outputs["steering"], state["wheel_angle"]]
         velocity = [np.zeros(WHEEL_COUNT), state["wheel_speed"]]
@@ -118,29 +149,35 @@ class Messages:
             at_rest = self.simulation.static_suspension_compression
             position.insert(0, state["suspension_compression"] - at_rest)
             velocity.insert(0, outputs["suspension_rate"])
-        self._joints.position = array("d", np.concatenate(position).tobytes())
-        self._joints.velocity = array("d", np.concatenate(velocity).tobytes())
-        return self._joints
+        count = len(position) * WHEEL_COUNT
+        self._joints.numbers[:count] = np.concatenate(position)
+        self._joints.numbers[-count:] = np.concatenate(velocity)
+        return self._dated(self._joints)
 
-    def tire_normal_forces(self) -> Float64MultiArray:
-        self._loads.data = array("d", self.simulation.outputs["normal_force"].tobytes())
-        return self._loads
+    def tire_normal_forces(self) -> bytes:
+        self._loads.numbers[:] = self.simulation.outputs["normal_force"]
+        return bytes(self._loads)
 
-    def tire_force(self, wheel: int) -> WrenchStamped:
+    def tire_force(self, wheel: int) -> bytes:
         outputs, message = self.simulation.outputs, self._forces[wheel]
         quantities = ("longitudinal_force", "lateral_force", "normal_force")
-        _set_vector(message.wrench.force, *(outputs[name][wheel] for name in quantities))
-        return message
+        message.numbers[FORCE] = [outputs[name][wheel] for name in quantities]
+        return self._dated(message)
 
-    def lift_off(self) -> UInt8MultiArray:
-        flags = self.simulation.outputs["normal_force"] == 0.0
-        self._lift_off.data = array("B", flags.tobytes())
-        return self._lift_off
+    def lift_off(self) -> bytes:
+        self._lift_off.numbers[:] = self.simulation.outputs["normal_force"] == 0.0
+        return bytes(self._lift_off)
 
-    def load_transfer_ratio(self) -> Float64:
+    def load_transfer_ratio(self) -> bytes:
         loads = self.simulation.outputs["normal_force"]
-        self._ratio.data = float(load_transfer_ratio(loads))
-        return self._ratio
+        self._ratio.numbers[0] = load_transfer_ratio(loads)
+        return bytes(self._ratio)
+
+    def _attitude(self) -> tuple[float, ...]:
+        """As a quaternion (x, y, z, w); of a model that does not pitch, roll and yaw."""
+        state = self.simulation.state
+        pitch = 0.0 if np.isnan(state["pitch"]) else float(state["pitch"])
+        return quaternion(float(state["roll"]), pitch, float(state["yaw"]))
 
     def transforms(self) -> list[TransformStamped]:
         """odom to base_footprint: on the ground, yaw only; and to base_link, if it has a height."""
@@ -151,22 +188,12 @@ class Messages:
         if not self._whole_body:
             return self._transforms[:1]
         _set_vector(body.translation, state["x"], state["y"], state["z"])
-        _set_attitude(body.rotation, state)
+        _set_quaternion(body.rotation, *self._attitude())
         return self._transforms
 
 
 def _set_vector(vector, x: float, y: float, z: float) -> None:
     vector.x, vector.y, vector.z = float(x), float(y), float(z)
-
-
-def _set_rates(vector, state: np.record) -> None:
-    _set_vector(vector, state["roll_rate"], state["pitch_rate"], state["yaw_rate"])
-
-
-def _set_attitude(orientation, state: np.record) -> None:
-    """Roll, pitch and yaw; of a model that does not pitch, roll and yaw."""
-    pitch = 0.0 if np.isnan(state["pitch"]) else float(state["pitch"])
-    _set_quaternion(orientation, *quaternion(float(state["roll"]), pitch, float(state["yaw"])))
 
 
 def _set_quaternion(orientation, x: float, y: float, z: float, w: float) -> None:

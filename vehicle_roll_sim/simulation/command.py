@@ -1,7 +1,9 @@
 """What drives the vehicle: a command that is held, or one that varies with time."""
 
 import dataclasses
-from collections.abc import Callable
+import math
+import numbers
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -33,9 +35,9 @@ class Command:
 
     def __post_init__(self):
         for name, value in vars(self).items():
-            if not np.all(np.isfinite(value)):
+            if not all(map(math.isfinite, _numbers(value))):
                 raise InputError(name, value, "finite numbers")
-        if np.any(np.less(self.brake_torque, 0.0)):
+        if min(self.brake_torque) < 0.0:
             raise InputError("brake_torque", self.brake_torque, "numbers that are not below 0")
 
     def records(self) -> np.ndarray:
@@ -44,6 +46,10 @@ class Command:
         for name in COMMAND.names:
             record[name] = getattr(self, name)
         return record
+
+
+def _numbers(value) -> Sequence[float]:
+    return (value,) if isinstance(value, numbers.Real) else value
 
 
 Programme = Callable[[np.ndarray], np.ndarray]
