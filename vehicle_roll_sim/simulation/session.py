@@ -46,7 +46,8 @@ class Session:
             self.controller.reset()
         else:
             speed = float(self.simulation.state["u"])
-            self.applied = self.controller.drive(self.applied, target, speed, period)
+            slope = float(self.simulation.outputs["slope_gravity"][0])
+            self.applied = self.controller.drive(self.applied, target, speed, period, slope)
         self.simulation.step(self.applied, period)
 
     @property

@@ -6,14 +6,19 @@ import numpy as np
 
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import Command
-from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 
 PROPORTIONAL = 2.0
 """1/s: acceleration asked for per speed that is missing."""
-INTEGRAL = 1.0
-"""1/s^2: its growth, which takes care of slope and resistance."""
+SHARE_OF_A_PERIOD = 0.5
+"""The most of the missing speed that is asked for within one period: torques are held over it."""
+INTEGRAL = 0.25
+"""Growth of what is asked for (1/s^2), over the square of that gain: critical damping."""
+HARDEST, EASIEST = 4.0, 1.0
+"""m/s^2: the most that is asked of the tires, slope included, but at least this beside a slope.
+Equal torques much beyond lock or spin the wheels of the axle that is unloaded."""
 STANDING = 0.2
-"""m/s: a vehicle that shall stand and is slower than this is held by its brakes from then on."""
+"""m/s: a vehicle slower than this hardly moves; if it shall stand, its brakes hold it from then."""
 RUNAWAY = 1.0
 """m/s: a vehicle that is held and is faster than this is driven again; a stop springs back less."""
 DEFAULT_DRIVE_LIMIT, DEFAULT_BRAKE_LIMIT = 800.0, 2000.0
@@ -21,9 +26,10 @@ DEFAULT_DRIVE_LIMIT, DEFAULT_BRAKE_LIMIT = 800.0, 2000.0
 
 
 class SpeedController:
-    """Proportional-integral control of the forward speed, the same torque at every wheel.
+    """Carries the slope and the rolling resistance; proportional-integral control does the rest.
 
-    drive_limit, brake_limit: the largest torque of a wheel's drive and of its brake (N m).
+    drive_limit, brake_limit: the largest torque of a wheel's drive and of its brake (N m), which
+    are the same at every wheel.
     """
 
     def __init__(
@@ -35,40 +41,79 @@ class SpeedController:
         self.drive_limit, self.brake_limit = drive_limit, brake_limit
         radius = vehicle.tire_radius - float(np.mean(vehicle.static_tire_compression))
         mass = vehicle.sprung_mass + float(vehicle.per_wheel("unsprung_mass").sum())
-        mass += WHEEL_COUNT * vehicle.wheel_inertia / radius**2
-        self._torque_of = mass * radius / WHEEL_COUNT
+        inertia = mass + WHEEL_COUNT * vehicle.wheel_inertia / radius**2
+        self._torque_of_gravity = mass * radius / WHEEL_COUNT
+        self._torque_of_acceleration = inertia * radius / WHEEL_COUNT
         """N m at each wheel for 1 m/s^2."""
+        resistance = vehicle.rolling_resistance_coefficient * GRAVITY
+        self._torque_of_resistance = resistance * self._torque_of_gravity
         self.reset()
 
     def reset(self) -> None:
-        """Forget what slope and resistance took."""
+        """Forget what the integral part has learnt."""
         self._kept, self._held = 0.0, False
 
-    def drive(self, command: Command, target: float, speed: float, period: float) -> Command:
+    def drive(
+        self, command: Command, target: float, speed: float, period: float, slope: float = 0.0
+    ) -> Command:
         """`command` with the torques for a period (s) that bring `speed` to `target` (m/s).
 
-        A commanded brake counts where it is the stronger one, and then nothing drives against it.
+        slope: gravity along the vehicle (m/s^2), positive downhill ahead. A commanded brake counts
+        where it is the stronger one, and then nothing drives against it.
         """
-        self._held = target == 0.0 and abs(speed) < (RUNAWAY if self._held else STANDING)
-        if self._held:
+        climb = -self._torque_of_gravity * slope
+        if self._is_to_be_held(target, speed, climb):
             self._kept = 0.0
             return self._with(command, 0.0, self.brake_limit)
-        missing = target - speed
-        torque = self._torque_of * (PROPORTIONAL * missing + self._kept)
-        braking = torque * speed < 0.0 and abs(speed) > STANDING
-        limit = self.brake_limit if braking else self.drive_limit
         is_braked = any(command.brake_torque)
-        winds_up = is_braked or (abs(torque) >= limit and torque * missing >= 0.0)
+        drive_limit = 0.0 if is_braked else self.drive_limit
+        missing, gain = target - speed, min(PROPORTIONAL, SHARE_OF_A_PERIOD / period)
+        wanted = gain * missing + self._kept
+        asked = _bearable(wanted, slope)
+        torque = self._torque_of_acceleration * asked + climb
+        torque += float(np.sign(target)) * self._torque_of_resistance
+        most = drive_limit if torque * target > 0.0 else drive_limit + self.brake_limit
+        beyond = torque - _within(most, torque)
+        winds_up = is_braked or (wanted - asked) * missing > 0.0 or beyond * missing > 0.0
         if not winds_up:
-            self._kept += INTEGRAL * missing * period
-        torque = float(np.clip(torque, -limit, limit))
-        if braking or is_braked:
-            return self._with(command, 0.0, abs(torque) if braking else 0.0)
-        return self._with(command, torque, 0.0)
+            self._kept += INTEGRAL * gain**2 * missing * period
+        return self._with(command, *self._shared(torque, speed, climb, drive_limit))
+
+    def _is_to_be_held(self, target: float, speed: float, climb: float) -> bool:
+        """Whether the brakes hold the vehicle, which they go on with while it springs back."""
+        slow = abs(speed) < (RUNAWAY if self._held else STANDING)
+        self._held = target == 0.0 and slow and abs(climb) < self.brake_limit
+        return self._held
+
+    def _shared(
+        self, torque: float, speed: float, climb: float, drive_limit: float
+    ) -> tuple[float, float]:
+        """A torque as those of drive and brake (N m); climb: the part that carries the slope.
+
+        A brake opposes the motion, alone as far as it can. While the vehicle hardly moves it has
+        only what is beyond the drive, and then holds a vehicle that the drive cannot carry.
+        """
+        is_too_steep = abs(climb) > drive_limit and torque * climb > 0.0
+        if torque * speed >= 0.0 and not (is_too_steep and abs(speed) < STANDING):
+            return _within(drive_limit, torque), 0.0
+        if abs(speed) < STANDING:
+            drive = _within(drive_limit, torque)
+            return drive, min(abs(torque - drive), self.brake_limit)
+        brake = _within(self.brake_limit, torque)
+        return _within(drive_limit, torque - brake), abs(brake)
 
     @staticmethod
     def _with(command: Command, drive: float, brake: float) -> Command:
         brakes = tuple(max(brake, commanded) for commanded in command.brake_torque)
-        return dataclasses.replace(
-            command, wheel_torque=(drive,) * WHEEL_COUNT, brake_torque=brakes
-        )
+        drives = (drive,) * WHEEL_COUNT
+        return dataclasses.replace(command, wheel_torque=drives, brake_torque=brakes)
+
+
+def _within(limit: float, value: float) -> float:
+    return max(-limit, min(limit, value))
+
+
+def _bearable(acceleration: float, slope: float) -> float:
+    """An acceleration (m/s^2) no harder than the tires bear on this slope."""
+    ahead, back = max(EASIEST, HARDEST + slope), max(EASIEST, HARDEST - slope)
+    return max(-back, min(ahead, acceleration))
