@@ -35,7 +35,8 @@ def _shown(value) -> str:
 
 @dataclasses.dataclass(frozen=True)
 class Parameter:
-    """What is known of one parameter."""
+    """What is known of one parameter. Its kind is float, bool, str or, for a list of some of the
+    choices, tuple."""
 
     name: str
     kind: type
@@ -53,6 +54,8 @@ class Parameter:
         field = field or self.name
         if self.kind is float:
             return self._validate_number(value, field)
+        if self.kind is tuple:
+            return self._validate_names(value, field)
         if self.choices and str(value) in self.choices:
             return str(value)  # ROS reads `1` as a number
         if not isinstance(value, self.kind):
@@ -68,9 +71,17 @@ class Parameter:
             raise InputError(field, value, self.allowed)
         return float(value)
 
+    def _validate_names(self, value, field: str) -> tuple[str, ...]:
+        is_list = isinstance(value, (list, tuple)) and len(value) > 0
+        if not is_list or any(name not in self.choices for name in value):
+            raise InputError(field, value, self.allowed)
+        return tuple(value)
+
     @property
     def allowed(self) -> str:
         """The allowed values in words."""
+        if self.kind is tuple:
+            return "a list of one or more of " + ", ".join(self.choices)
         if self.kind is bool:
             return "true or false"
         if self.choices:

@@ -32,7 +32,10 @@ WRONG = {
     "euler_terms:=3": ("euler_terms", "bool"),
     "steering_timeout_policy:=let_go": ("steering_timeout_policy", "hold, centre"),
     "model:=1d": ("model", "1c-iii"),
-    "mode:=lockstep": ("mode", "unknown", "model"),
+    "mode:=walk": ("mode", "real_time, lockstep"),
+    "real_time_factor:=0.01": ("real_time_factor", "0, or from 0.1 to 100"),
+    "lockstep_topics:=[steering]": ("lockstep_topics", "steering_cmd, rear"),
+    "lockstep_wait:=odom": ("lockstep_wait", "a list of one or more of state"),
 }
 
 

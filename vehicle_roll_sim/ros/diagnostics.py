@@ -1,38 +1,75 @@
-"""What the simulator says of itself on /diagnostics."""
+"""What the simulator says of itself: on /diagnostics, and of misfits in the log."""
+
+import threading
+import time
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+from rclpy.node import Node
 
 from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.simulation.pacing import Pacer
+from vehicle_roll_sim.ros.compatibility import incompatible_partners
+from vehicle_roll_sim.ros.lockstep import Lockstep
+from vehicle_roll_sim.ros.publications import Publications
+from vehicle_roll_sim.ros.real_time import RealTime
+from vehicle_roll_sim.ros.topics import DIAGNOSTICS
 from vehicle_roll_sim.simulation.session import Session
 
-MILLISECOND = 1e6
-"""ns"""
 
+class Reporter:
+    """Publishes diagnostics, and warns once of each partner that can never be connected.
 
-def diagnostics(
-    name: str, session: Session, pacer: Pacer, measured_rate: float, new_overruns: int
-) -> DiagnosticArray:
-    """One status: condition of the model, timing, and the counts of every command topic.
-
-    measured_rate, new_overruns: sets published a second and periods given up since the last
-    report. The stamp is left to the caller.
+    lock: to be held while the session is looked at.
     """
-    level, message = _verdict(session, new_overruns)
-    values = {
-        "condition": session.simulation.condition.name.lower(),
-        "simulated time (s)": f"{session.simulation.time:.3f}",
-        "publish rate (Hz)": f"{measured_rate:.1f}",
-        "largest lateness (ms)": f"{pacer.largest_late_ns / MILLISECOND:.3f}",
-        "overruns": str(pacer.overruns),
-        **_command_counts(session),
-    }
-    status = DiagnosticStatus(level=level, name=name, message=message, hardware_id="simulation")
-    status.values = [KeyValue(key=key, value=value) for key, value in values.items()]
-    return DiagnosticArray(status=[status])
+
+    def __init__(
+        self,
+        node: Node,
+        session: Session,
+        driver: RealTime | Lockstep,
+        publications: Publications,
+        lock: threading.Lock,
+    ):
+        self._node, self._session, self._driver = node, session, driver
+        self._publications, self._lock = publications, lock
+        self._publisher = publications.publisher(DIAGNOSTICS)
+        self._told: set[str] = set()
+        self._sets, self._time = 0, time.monotonic()
+
+    def report(self) -> None:
+        with self._lock:
+            message = self._diagnostics()
+        self._publisher.publish(message)
+        misfits = set(incompatible_partners(self._node))
+        for misfit in sorted(misfits - self._told):
+            self._node.get_logger().warning(misfit)
+        self._told = misfits
+
+    def _diagnostics(self) -> DiagnosticArray:
+        """One status: condition of the model, timing, and the counts of every command topic."""
+        level, message = _verdict(self._session, self._driver.trouble())
+        status = DiagnosticStatus(level=level, message=message, hardware_id="simulation")
+        status.name = f"{self._node.get_fully_qualified_name()}: model"
+        values = {
+            "condition": self._session.simulation.condition.name.lower(),
+            "simulated time (s)": f"{self._session.simulation.time:.3f}",
+            "publish rate (Hz)": f"{self._rate():.1f}",
+            **self._driver.timing(),
+            **_command_counts(self._session),
+        }
+        status.values = [KeyValue(key=key, value=value) for key, value in values.items()]
+        diagnostics = DiagnosticArray(status=[status])
+        diagnostics.header.stamp = self._publications.present_stamp()
+        return diagnostics
+
+    def _rate(self) -> float:
+        """Sets published a second since the last call (Hz)."""
+        sets, now = self._publications.sets, time.monotonic()
+        rate = (sets - self._sets) / (now - self._time)
+        self._sets, self._time = sets, now
+        return rate
 
 
-def _verdict(session: Session, new_overruns: int) -> tuple[bytes, str]:
+def _verdict(session: Session, trouble: str) -> tuple[bytes, str]:
     condition = session.simulation.condition
     if condition is not Condition.RUNNING:
         cause = condition.name.lower().replace("_", " ")
@@ -46,8 +83,8 @@ def _verdict(session: Session, new_overruns: int) -> tuple[bytes, str]:
     ]
     if silent:
         return DiagnosticStatus.WARN, "no commands any more on " + ", ".join(silent)
-    if new_overruns:
-        return DiagnosticStatus.WARN, f"too slow a machine: {new_overruns} periods given up"
+    if trouble:
+        return DiagnosticStatus.WARN, trouble
     return DiagnosticStatus.OK, "paused" if session.paused else "running"
 
 

@@ -1,5 +1,7 @@
 """From a session to messages: the bytes of one per topic, brought up to date for every set."""
 
+import math
+
 import numpy as np
 from builtin_interfaces.msg import Time
 from geometry_msgs.msg import TransformStamped, WrenchStamped
@@ -26,8 +28,8 @@ SUSPENSION, STEERING, SPINNING = (
     for kind in ("suspension", "steering", "wheel")
 )
 """Names of the joints."""
-RATES = slice(at.ROLL_RATE, at.YAW_RATE + 1)
-"""Where the state has the body rates."""
+ANGLES, RATES = slice(at.ROLL, at.YAW + 1), slice(at.ROLL_RATE, at.YAW_RATE + 1)
+"""Where the state has the Euler angles and the body rates."""
 OF_ODOMETRY = 85
 POSITION, ATTITUDE, VELOCITY, TURNING = slice(3), slice(3, 7), slice(43, 46), slice(46, 49)
 """Numbers of an Odometry: a pose and a twist, 7 and 6, with a covariance of 36 behind each."""
@@ -175,9 +177,8 @@ class Messages:
 
     def _attitude(self) -> tuple[float, ...]:
         """As a quaternion (x, y, z, w); of a model that does not pitch, roll and yaw."""
-        state = self.simulation.state
-        pitch = 0.0 if np.isnan(state["pitch"]) else float(state["pitch"])
-        return quaternion(float(state["roll"]), pitch, float(state["yaw"]))
+        roll, pitch, yaw = self.simulation.state_vector[ANGLES].tolist()
+        return quaternion(roll, 0.0 if math.isnan(pitch) else pitch, yaw)
 
     def transforms(self) -> list[TransformStamped]:
         """odom to base_footprint: on the ground, yaw only; and to base_link, if it has a height."""

@@ -35,6 +35,7 @@ ROS_TYPES = {
     float: ParameterType.PARAMETER_DOUBLE,
     bool: ParameterType.PARAMETER_BOOL,
     str: ParameterType.PARAMETER_STRING,
+    tuple: ParameterType.PARAMETER_STRING_ARRAY,
 }
 
 
@@ -60,6 +61,7 @@ def declare(node: Node) -> Declared:
     _refuse_unknown(node)
     settings = Settings(**_declare_class(node, Settings))
     options = Options(**_declare_class(node, Options))
+    settings.check()
     _check_speed(settings.initial_speed, options)
     road = Road(**_declare_class(node, Road))
     vehicle = load_vehicle(settings.vehicle_file) if settings.vehicle_file else preset()
@@ -147,7 +149,7 @@ def _descriptor(declared: Parameter) -> ParameterDescriptor:
     Typed dynamically, so that an integer serves for a number; the type is checked here.
     """
     unit = f" ({declared.unit})" if declared.unit else ""
-    choices = f": {' or '.join(declared.choices)}" if declared.choices else ""
+    choices = f": {declared.allowed}" if declared.choices else ""
     descriptor = ParameterDescriptor(
         type=ROS_TYPES[declared.kind],
         description=declared.description + choices + unit,

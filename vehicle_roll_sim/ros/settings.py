@@ -3,8 +3,15 @@
 import dataclasses
 import math
 
-from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.ros.lockstep import STOP
+from vehicle_roll_sim.ros.topics import COMMANDS, STATE_SET
 from vehicle_roll_sim.simulation.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
+from vehicle_roll_sim.simulation.pacing import (
+    AS_FAST_AS_POSSIBLE,
+    FASTEST_FACTOR,
+    SLOWEST_FACTOR,
+)
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
     DEFAULT_SPEED,
@@ -14,6 +21,10 @@ from vehicle_roll_sim.simulation.simulation import (
     SHORTEST_STEP,
 )
 from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DEFAULT_DRIVE_LIMIT
+
+REAL_TIME, LOCKSTEP = "real_time", "lockstep"
+COMMANDED = tuple(topic.name for topic in COMMANDS)
+PUBLISHED_IN_SETS = tuple(topic.name for topic in STATE_SET)
 
 
 @dataclasses.dataclass
@@ -64,8 +75,53 @@ class Settings:
         1e5,
         default=DEFAULT_BRAKE_LIMIT,
     )
+    mode: str = parameter(
+        "what a period waits for: its time, or an answer on every topic of lockstep_topics",
+        choices=(REAL_TIME, LOCKSTEP),
+        default=REAL_TIME,
+    )
+    real_time_factor: float = parameter(
+        "simulated over real time, 0 for as fast as possible, else at least 0.1",
+        "",
+        AS_FAST_AS_POSSIBLE,
+        FASTEST_FACTOR,
+        default=1.0,
+    )
+    lockstep_topics: tuple = parameter(
+        "commands that lockstep waits for, each period",
+        choices=COMMANDED,
+        default=("steering_cmd",),
+    )
+    lockstep_wait: tuple = parameter(
+        "topics that must have a listener before lockstep begins",
+        choices=PUBLISHED_IN_SETS,
+        default=("state",),
+    )
+    lockstep_timeout: float = parameter(
+        "wall time that lockstep waits for an answer, 0: for ever", "s", 0.0, 3600.0, default=0.0
+    )
+    lockstep_timeout_policy: str = parameter(
+        "what lockstep does then", choices=(HOLD, STOP), default=HOLD
+    )
     publish_clock: bool = parameter(
-        "publish /clock, and stamp messages with simulated time from 0", default=False
+        "publish /clock, and stamp messages with simulated time from 0, as is always done in "
+        "lockstep and with a real_time_factor other than 1",
+        default=False,
     )
     frame_prefix: str = parameter("put before the frames in all messages", default="")
     vehicle_file: str = parameter("vehicle file (YAML); empty: the reference vehicle", default="")
+
+    def check(self) -> None:
+        """Raise InputError for what no single value shows."""
+        if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
+            allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
+            raise InputError("real_time_factor", self.real_time_factor, allowed)
+
+    @property
+    def is_lockstep(self) -> bool:
+        return self.mode == LOCKSTEP
+
+    @property
+    def has_own_clock(self) -> bool:
+        """Whether time is the simulation's own, from 0, and published on /clock."""
+        return self.publish_clock or self.is_lockstep or self.real_time_factor != 1.0

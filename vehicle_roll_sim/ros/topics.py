@@ -19,6 +19,8 @@ SENT = QoSProfile(depth=10)
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 NEWEST_ONLY = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
 """Of the command subscriptions: any publisher connects, and only its newest message counts."""
+EVERY_ANSWER = QoSProfile(depth=1)
+"""Of the command subscriptions in lockstep: reliable, so that no answer is lost."""
 COMMANDING = QoSProfile(depth=1)
 """Of what publishes commands."""
 

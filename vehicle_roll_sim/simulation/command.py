@@ -1,6 +1,7 @@
 """What drives the vehicle: a command that is held, or one that varies with time."""
 
 import dataclasses
+import functools
 import math
 import numbers
 from collections.abc import Callable, Sequence
@@ -41,7 +42,11 @@ class Command:
             raise InputError("brake_torque", self.brake_torque, "numbers that are not below 0")
 
     def records(self) -> np.ndarray:
-        """The command as the equations take it: one COMMAND record in an array."""
+        """The command as the equations take it: a COMMAND record in an array, not to be changed."""
+        return self._records
+
+    @functools.cached_property
+    def _records(self) -> np.ndarray:
         record = np.zeros(1, COMMAND)
         for name in COMMAND.names:
             record[name] = getattr(self, name)

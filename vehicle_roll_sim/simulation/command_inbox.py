@@ -17,7 +17,10 @@ DEFAULT_TIMEOUT = 0.5
 
 @dataclasses.dataclass
 class Channel:
-    """One command topic: what it sets, how many values it wants, what has come in."""
+    """One command topic: what it sets, how many values it wants, what has come in.
+
+    answered: whether anything has since commands were last read.
+    """
 
     field: str
     size: int
@@ -27,6 +30,7 @@ class Channel:
     received: int = 0
     dropped: int = 0
     last_problem: str = ""
+    answered: bool = False
 
     @property
     def is_steering(self) -> bool:
@@ -56,11 +60,13 @@ class CommandInbox:
     def __init__(self, timeout: float = DEFAULT_TIMEOUT, steering_policy: str = HOLD):
         self.timeout, self.steering_policy = timeout, steering_policy
         self.channels = channels()
+        self._values, self._command = {}, Command()
 
     def receive(self, topic: str, values: Sequence[float], now_ns: int) -> str:
         """Keep a message come at simulated time `now_ns`; returns why it was dropped, or ''."""
         channel = self.channels[topic]
         channel.received += 1
+        channel.answered = True
         problem = _problem(values, channel)
         if problem:
             channel.dropped += 1
@@ -70,9 +76,13 @@ class CommandInbox:
         return problem
 
     def command(self, now_ns: int) -> Command:
-        """What to drive with in the period that begins at simulated time `now_ns`."""
+        """What to drive with in the period that begins at simulated time `now_ns`.
+
+        The same object as before, if it still says the same.
+        """
         values = {}
         for channel in self.channels.values():
+            channel.answered = False
             if channel.arrival_ns is None or channel.field == SPEED:
                 continue
             silent = self.is_silent(channel, now_ns)
@@ -81,7 +91,9 @@ class CommandInbox:
                 values[channel.field] = 0.0 if centred else channel.value[0]
             else:
                 values[channel.field] = NO_FORCE if silent else channel.value
-        return Command(**values)
+        if values != self._values:
+            self._values, self._command = values, Command(**values)
+        return self._command
 
     def speed(self, now_ns: int) -> float | None:
         """The commanded speed (m/s); None where there is none or wheel torques are commanded."""
@@ -90,6 +102,10 @@ class CommandInbox:
         if speed.arrival_ns is None or self.is_silent(speed, now_ns) or driven:
             return None
         return speed.value[0]
+
+    def unanswered(self, topics: Sequence[str]) -> list[str]:
+        """Those of `topics` that have brought no message, not even a wrong one, since `command`."""
+        return [topic for topic in topics if not self.channels[topic].answered]
 
     def is_silent(self, channel: Channel, now_ns: int) -> bool:
         """Whether a topic has brought messages once, but none within the timeout."""
@@ -100,7 +116,7 @@ class CommandInbox:
     def clear(self) -> None:
         """Forget all commands; the counts go on."""
         for channel in self.channels.values():
-            channel.value, channel.arrival_ns = (), None
+            channel.value, channel.arrival_ns, channel.answered = (), None, False
 
 
 def _problem(values: Sequence[float], channel: Channel) -> str:

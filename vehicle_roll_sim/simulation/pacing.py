@@ -1,46 +1,89 @@
-"""Keeping simulated time in step with a steady clock."""
+"""Keeping simulated time in step with a steady clock, or ahead of it."""
 
+import math
 import time
+from collections import deque
 from collections.abc import Callable
+
+import numpy as np
+
+from vehicle_roll_sim.model.advance import NANOSECONDS
 
 LARGEST_CATCH_UP_NS = 100_000_000
 """More than this behind (ns) is given up and counted, so that simulated time never jumps."""
-EARLY = 0.5
-"""Share of a period by which a wake-up may come before its deadline and still count for it."""
+LONGEST_NAP_NS = 100_000_000
+"""Sleep at a time (ns), so that a sleeper notices when it is to end."""
+LONGEST_BUSY_NS = 5_000_000
+"""Time without a sleep (ns) after which a rest lets other threads have their turn."""
+REST = 1e-4
+"""s"""
+KEPT = 10_000
+"""Periods whose lateness is remembered at most."""
+SLOWEST_FACTOR, FASTEST_FACTOR = 0.1, 100.0
+AS_FAST_AS_POSSIBLE = 0.0
+PERCENTILES = (50, 99, 100)
 
 
 class Pacer:
-    """When the periods of `period_ns` are due, by absolute deadlines.
+    """When the periods of `period_ns` of simulated time are due, by absolute deadlines.
 
-    clock: returns ns and never goes back. largest_late_ns: the most that a period came late since
-    this was last set to 0; overruns: periods given up.
+    factor: simulated over real time, AS_FAST_AS_POSSIBLE for no deadlines. clock: returns ns and
+    never goes back; sleep: takes s. overruns: periods given up.
     """
 
-    def __init__(self, period_ns: int, clock: Callable[[], int] = time.monotonic_ns):
-        self.period_ns, self.clock = period_ns, clock
+    def __init__(
+        self,
+        period_ns: int,
+        factor: float = 1.0,
+        clock: Callable[[], int] = time.monotonic_ns,
+        sleep: Callable[[float], None] = time.sleep,
+    ):
+        self.clock, self.sleep = clock, sleep
+        self._period_ns = period_ns / factor if factor else 0.0
         self.overruns = 0
+        self._late_ns: deque[int] = deque(maxlen=KEPT)
+        self._rested_ns = clock()
         self.restart()
 
     def restart(self) -> None:
-        """The first period is due one period after the next call of `due`."""
-        self.deadline_ns: int | None = None
-        self.largest_late_ns = 0
+        """The first period is due one period from now."""
+        self._origin_ns, self._count = self.clock(), 1
+        self._late_ns.clear()
+
+    @property
+    def deadline_ns(self) -> int:
+        """When the next period is due; each is reckoned from the origin, so none drifts."""
+        return self._origin_ns + round(self._count * self._period_ns)
 
     def due(self) -> bool:
         """Whether to run a period now; it then counts as run."""
-        now = self.clock()
-        if self.deadline_ns is None:
-            self.deadline_ns = now + self.period_ns
-        late = now - self.deadline_ns
-        if late < -self.period_ns * EARLY:
+        if not self._period_ns:
+            return True
+        late = self.clock() - self.deadline_ns
+        if late < 0:
             return False
-        self.largest_late_ns = max(self.largest_late_ns, late)
-        given_up = max(late - LARGEST_CATCH_UP_NS, 0) // self.period_ns
+        self._late_ns.append(late)
+        given_up = int(max(late - LARGEST_CATCH_UP_NS, 0) / self._period_ns)
         self.overruns += given_up
-        self.deadline_ns += (given_up + 1) * self.period_ns
+        self._count += 1 + given_up
         return True
 
-    @property
-    def behind(self) -> bool:
-        """Whether the deadline of the next period has passed already."""
-        return self.deadline_ns is not None and self.clock() >= self.deadline_ns
+    def wait(self) -> None:
+        """Sleep until the next deadline, or a nap towards it; when busy, rest now and then."""
+        now = self.clock()
+        ahead = self.deadline_ns - now if self._period_ns else 0
+        if ahead > 0:
+            self.sleep(min(ahead, LONGEST_NAP_NS) / NANOSECONDS)
+        elif now - self._rested_ns > LONGEST_BUSY_NS:
+            self.sleep(REST)
+        else:
+            return
+        self._rested_ns = self.clock()
+
+    def lateness(self) -> tuple[float, float, float]:
+        """Median, 99th percentile and maximum (s) since the last call; nan if nothing was run."""
+        if not self._late_ns:
+            return (math.nan,) * len(PERCENTILES)
+        median, most, maximum = np.percentile(self._late_ns, PERCENTILES) / NANOSECONDS
+        self._late_ns.clear()
+        return float(median), float(most), float(maximum)

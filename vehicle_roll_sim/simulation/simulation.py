@@ -124,6 +124,7 @@ class Simulation:
         parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
         self._plant = tuple(kernel_argument(part) for part in (*parts, Command().records()))
         self._state = np.zeros(1, STATE)
+        self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
         self._events = no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
@@ -137,7 +138,7 @@ class Simulation:
     @property
     def state_vector(self) -> np.ndarray:
         """The state as a flat vector of the elements STATE_NAMES (a view)."""
-        return self._state.view(np.float64)
+        return self._vector
 
     @property
     def model_state(self) -> np.ndarray:

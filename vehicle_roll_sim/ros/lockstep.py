@@ -1,0 +1,90 @@
+"""Runs a simulator in step with its controllers: a period for every answer, never by the clock."""
+
+import time
+from collections.abc import Sequence
+
+from rclpy.executors import Executor
+
+STOP = "stop"
+"""The other policy beside command_inbox.HOLD, when no answer comes in time."""
+SETTLING = 0.2
+"""s to go on listening when all partners are found: they may find us a little later."""
+COMPLAINT_INTERVAL = 5.0
+"""s between two lines on what is waited for."""
+LONGEST_WAIT = 0.1
+"""s until a wait looks about again."""
+
+
+class UnansweredError(Exception):
+    """A controller did not answer in time; the text names the topic."""
+
+
+class Lockstep:
+    """Publishes a set, waits for one message on each of `topics`, runs a period, and so on.
+
+    It begins when every topic has a publisher and each of `listened` a listener. timeout: wall
+    seconds to wait for an answer, 0 for ever; then the policy `hold` goes on with the last command,
+    so that a late answer counts for the next period, and `stop` raises UnansweredError.
+    """
+
+    def __init__(self, topics: Sequence[str], listened: Sequence[str], timeout: float, policy: str):
+        self.topics, self.listened = tuple(topics), tuple(listened)
+        self.timeout, self.policy = timeout, policy
+        self._timeouts = self._timeouts_told = 0
+        self.restart()
+
+    def run(self, simulator, executor: Executor) -> None:
+        """Until the context is shut down, which raises ExternalShutdownException."""
+        self._await_partners(simulator, executor)
+        simulator.begin()
+        while True:
+            self._await_answers(simulator, executor)
+            simulator.run_period()
+
+    def _await_partners(self, simulator, executor: Executor) -> None:
+        while missing := simulator.missing_partners(self.topics, self.listened):
+            simulator.get_logger().info(
+                f"lockstep: waiting for {' and '.join(missing)}",
+                throttle_duration_sec=COMPLAINT_INTERVAL,
+            )
+            executor.spin_once(timeout_sec=LONGEST_WAIT)
+        settled = time.monotonic() + SETTLING
+        while time.monotonic() < settled:
+            executor.spin_once(timeout_sec=LONGEST_WAIT)
+
+    def _await_answers(self, simulator, executor: Executor) -> None:
+        """Until all answers are there and nobody has paused, or the time for them is over."""
+        session = simulator.session
+        self.restart()
+        while (missing := session.inbox.unanswered(self.topics)) or session.paused:
+            waited = time.monotonic() - self._asked
+            if self.timeout and waited > self.timeout and not session.paused:
+                return self._give_up(missing)
+            if waited > COMPLAINT_INTERVAL and not session.paused:
+                simulator.get_logger().warning(
+                    f"lockstep: waiting for a message on {', '.join(missing)}",
+                    throttle_duration_sec=COMPLAINT_INTERVAL,
+                )
+            left = self.timeout - waited if self.timeout else LONGEST_WAIT
+            executor.spin_once(timeout_sec=min(max(left, 0.0), LONGEST_WAIT))
+        return None
+
+    def _give_up(self, missing: Sequence[str]) -> None:
+        self._timeouts += 1
+        if self.policy == STOP:
+            topics = ", ".join(missing)
+            raise UnansweredError(f"{topics}: no message within {self.timeout:g} s of lockstep")
+
+    def restart(self) -> None:
+        """The time for an answer begins anew."""
+        self._asked = time.monotonic()
+
+    def timing(self) -> dict[str, str]:
+        """Periods run without an answer so far."""
+        return {"lockstep timeouts": str(self._timeouts)}
+
+    def trouble(self) -> str:
+        """What went wrong since the last call, or ''."""
+        timeouts = self._timeouts - self._timeouts_told
+        self._timeouts_told = self._timeouts
+        return f"no answer in time: {timeouts} periods with the last command" if timeouts else ""
