@@ -37,10 +37,11 @@ class Session:
 
     def run_period(self) -> None:
         """One publish period on, with the commands that hold now; nothing once it has stopped."""
+        now, period = self.simulation.time_ns, self.period_ns / NANOSECONDS
+        command = self.inbox.command(now)
         if self.stopped:
             return
-        now, period = self.simulation.time_ns, self.period_ns / NANOSECONDS
-        self.applied = self.inbox.command(now)
+        self.applied = command
         target = self.inbox.speed(now)
         if target is None:
             self.controller.reset()

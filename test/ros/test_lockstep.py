@@ -1,0 +1,177 @@
+"""In lockstep results depend on the commands alone, and nobody waits for ever unawares."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from lockstep_controller import answers
+from rcl_interfaces.srv import GetParameters
+from std_srvs.srv import SetBool, Trigger
+
+from vehicle_roll_sim import Command, Simulation, preset
+
+CONTROLLER = str(Path(__file__).with_name("lockstep_controller.py"))
+PERIODS, PERIOD = 300, 0.01
+"""And s: the vehicle rolls over on the way."""
+BOTH = "lockstep_topics:=[steering_cmd, normal_force_cmd]"
+LOCKSTEP = ("simulator", "--ros-args", "-p", "mode:=lockstep")
+
+
+@pytest.fixture
+def hog():
+    """Two processes that want a core each."""
+    busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(2)]
+    yield
+    for process in busy:
+        process.kill()
+        process.wait()
+
+
+def heard_in_a_run(start, *words):
+    """What a controller in a process of its own hears from a fresh simulator."""
+    simulator = start(*LOCKSTEP, "-p", BOTH, *words)
+    status, out, err = start("controller", str(PERIODS), program=CONTROLLER).finish()
+    simulator.close()
+    assert status == 0, err
+    return json.loads(out)
+
+
+@pytest.fixture
+def heard(start):
+    return heard_in_a_run(start)
+
+
+def test_two_runs_send_the_same_messages_one_of_them_beside_cpu_hogs(start, heard, request):
+    request.getfixturevalue("hog")
+    assert heard_in_a_run(start) == heard
+
+
+def test_a_set_comes_for_every_answer_and_none_besides(heard):
+    counts = {name: count for name, count in heard["counts"].items() if name != "rollover"}
+    assert set(counts.values()) == {PERIODS + 1}
+    assert heard["counts"]["rollover"] == 2  # false at the start, then true
+
+
+def test_the_states_are_those_of_the_simulation_without_middleware(heard):
+    simulation = Simulation(preset())
+    for _ in range(PERIODS):
+        commands = answers([simulation.time, *simulation.model_state])
+        command = Command(
+            steering=commands["steering_cmd"], normal_force=tuple(commands["normal_force_cmd"])
+        )
+        simulation.step(command, PERIOD)
+    assert simulation.condition.name == "ROLLED_OVER"
+    assert heard["state"] == [simulation.time, *simulation.model_state]  # to the bit
+
+
+def test_nothing_is_sent_before_the_partners_are_there(start, peer):
+    simulator = start(*LOCKSTEP, "-p", "lockstep_wait:=[imu]")
+    peer.listen("state")
+    peer.publisher("steering_cmd")
+    # it answers services while it waits, and a reset then must not begin the run
+    assert peer.call(Trigger, "simulator/reset").success
+    assert peer.received["state"] == []
+    peer.listen("imu")
+    assert peer.newest("state").data[0] == 0.0
+    _, _, err = simulator.finish(2)
+    assert "lockstep: waiting for" in err
+    assert "a listener of imu" in err
+
+
+def answered(peer, value=0.01):
+    """The next state after an answer."""
+    before = len(peer.received["state"])
+    peer.publish("steering_cmd", value)
+    peer.wait(lambda: len(peer.received["state"]) > before, "the next state")
+    return peer.received["state"][-1][1]
+
+
+def begin(start, peer, *words):
+    """A simulator in lockstep that has published its first set."""
+    simulator = start(*LOCKSTEP, *words)
+    peer.listen("state", "imu")
+    peer.publisher("steering_cmd")
+    peer.wait(lambda: peer.received["state"], "the first set")
+    return simulator
+
+
+def test_stamps_and_the_clock_are_simulated_time(start, peer):
+    begin(start, peer)
+    peer.listen("/clock")
+    times = [answered(peer).data[0] for _ in range(3)]
+    assert times == [0.01, 0.02, 0.03]
+    peer.wait(lambda: len(peer.received["imu"]) > 3, "imu")
+    peer.wait(lambda: peer.received["/clock"], "/clock")
+    stamp = peer.received["imu"][3][1].header.stamp
+    assert (stamp.sec, stamp.nanosec) == (0, 30_000_000)
+    clock = peer.received["/clock"][-1][1].clock
+    assert (clock.sec, clock.nanosec) == (0, 30_000_000)
+
+
+def test_a_wrong_answer_counts_as_one_and_leaves_the_last_command(start, peer):
+    begin(start, peer)
+    peer.listen("applied_command")
+    answered(peer, 0.02)
+    assert answered(peer, float("nan")).data[0] == 0.02
+    assert peer.received["applied_command"][-1][1].data[1] == 0.02
+
+
+def test_a_command_that_pauses_longer_than_its_timeout_holds(start, peer):
+    begin(start, peer, "-p", "command_timeout:=0.02", "-p", "steering_timeout_policy:=centre")
+    peer.listen("applied_command")
+    peer.publish("rear_steering_cmd", 0.01)
+    for _ in range(10):
+        answered(peer)
+    peer.wait(lambda: len(peer.received["applied_command"]) >= 10, "what was applied")
+    assert peer.received["applied_command"][-1][1].data[2] == 0.01
+
+
+def test_a_reset_begins_again_and_the_run_is_the_same(start, peer):
+    begin(start, peer)
+    first = [list(answered(peer, 0.05).data) for _ in range(5)]
+    before = len(peer.received["state"])
+    assert peer.call(Trigger, "simulator/reset").success
+    peer.wait(lambda: len(peer.received["state"]) > before, "the first set")
+    assert peer.received["state"][-1][1].data[0] == 0.0
+    assert [list(answered(peer, 0.05).data) for _ in range(5)] == first
+
+
+def test_a_pause_holds_the_answer_back(start, peer):
+    begin(start, peer)
+    assert peer.call(SetBool, "simulator/pause", SetBool.Request(data=True)).success
+    peer.publish("steering_cmd", 0.01)
+    assert peer.call(Trigger, "simulator/step").success
+    peer.wait(lambda: peer.received["state"][-1][1].data[0] == 0.01, "one period")
+    assert peer.call(SetBool, "simulator/pause", SetBool.Request(data=False)).success
+    assert answered(peer).data[0] == 0.02
+
+
+def test_without_an_answer_in_time_it_stops_and_names_the_topic(start, peer):
+    words = ("-p", "lockstep_timeout:=0.5", "-p", "lockstep_timeout_policy:=stop")
+    simulator = begin(start, peer, *words)
+    status, _, err = simulator.finish()
+    assert status == 1
+    assert err.splitlines()[-1].startswith("simulator: error: steering_cmd: no message within 0.5")
+
+
+def test_without_an_answer_in_time_it_goes_on_with_the_last_command(start, peer):
+    begin(start, peer, "-p", "lockstep_timeout:=0.1")
+    peer.listen("applied_command", "/diagnostics")
+    answered(peer, 0.03)
+    peer.wait(lambda: peer.newest("state").data[0] > 0.03, "periods without answers")
+    assert peer.newest("applied_command").data[1] == 0.03
+
+    def complains():
+        return "no answer in time" in peer.newest("/diagnostics").status[0].message
+
+    peer.wait(complains, "a warning")
+
+
+def test_it_is_real_time_unless_asked_otherwise(start, peer):
+    start("simulator")
+    request = GetParameters.Request(names=["mode", "real_time_factor"])
+    answer = peer.call(GetParameters, "simulator/get_parameters", request)
+    assert answer.values[0].string_value == "real_time"
+    assert answer.values[1].double_value == 1.0
