@@ -3,38 +3,35 @@
 The middleware would tell, by events that every wait of the node had to watch.
 """
 
-from collections.abc import Iterator
-
 from rclpy.node import Node
-from rclpy.qos import QoSCompatibility, QoSProfile, qos_check_compatible
+from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 
 def incompatible_partners(node: Node) -> list[str]:
-    """One line for each subscription and publisher elsewhere that does not fit one of the node."""
-    return [*_listeners(node), *_publishers(node)]
+    """One line for each publisher and subscription elsewhere that does not fit one of the node."""
+    topics = {own.topic_name for own in (*node.publishers, *node.subscriptions)}
+    misfits = []
+    for topic in sorted(topics):
+        listeners = node.get_subscriptions_info_by_topic(topic)
+        for publisher in node.get_publishers_info_by_topic(topic):
+            for listener in listeners:
+                reason = _mismatch(publisher, listener)
+                if reason and _is_of(node, publisher):
+                    misfits.append(f"{topic}: the subscription of {listener.node_name}: {reason}")
+                elif reason and _is_of(node, listener):
+                    misfits.append(f"{topic}: the publisher of {publisher.node_name}: {reason}")
+    return misfits
 
 
-def _listeners(node: Node) -> Iterator[str]:
-    for own in node.publishers:
-        for other in node.get_subscriptions_info_by_topic(own.topic_name):
-            reason = _mismatch(own.msg_type, other, own.qos_profile, other.qos_profile)
-            if reason:
-                yield f"{own.topic_name}: the subscription of {other.node_name}: {reason}"
+def _is_of(node: Node, endpoint: TopicEndpointInfo) -> bool:
+    name, namespace = endpoint.node_name, endpoint.node_namespace
+    return (name, namespace) == (node.get_name(), node.get_namespace())
 
 
-def _publishers(node: Node) -> Iterator[str]:
-    for own in node.subscriptions:
-        for other in node.get_publishers_info_by_topic(own.topic_name):
-            reason = _mismatch(own.msg_type, other, other.qos_profile, own.qos_profile)
-            if reason:
-                yield f"{own.topic_name}: the publisher of {other.node_name}: {reason}"
-
-
-def _mismatch(kind: type, other: TopicEndpointInfo, offered: QoSProfile, wanted: QoSProfile) -> str:
+def _mismatch(publisher: TopicEndpointInfo, listener: TopicEndpointInfo) -> str:
     """Why two endpoints cannot be connected, or ''."""
-    own_type = f"{kind.__module__.partition('.')[0]}/msg/{kind.__name__}"
-    if other.topic_type != own_type:
-        return f"{other.topic_type} is not {own_type}"
-    verdict, reason = qos_check_compatible(offered, wanted)
-    return reason if verdict == QoSCompatibility.ERROR else ""
+    if publisher.topic_type != listener.topic_type:
+        return f"{publisher.topic_type} is published, {listener.topic_type} listened to"
+    verdict, reason = qos_check_compatible(publisher.qos_profile, listener.qos_profile)
+    return reason.rstrip(";") if verdict == QoSCompatibility.ERROR else ""

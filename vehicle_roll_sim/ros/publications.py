@@ -42,11 +42,17 @@ class Publications:
         self._last_stamp_ns = self._stamps_begin_ns
         self.sets = 0
         self._set = [(self.publisher(topic), self._builder(topic)) for topic in STATE_SET]
+        self._prepare()
         self._transforms = [(self.publisher(topic), topic.type) for topic in TRANSFORMS]
         self._rollover = self.publisher(ROLLOVER)
         self._clock = self.publisher(CLOCK) if own_clock else None
         self._description = self.publisher(ROBOT_DESCRIPTION)
         self._description.publish(String(data=robot_description))
+
+    def _prepare(self) -> None:
+        """Build everything once, so that nothing has to be compiled when time matters."""
+        for _, build in self._set:
+            build()
 
     def publisher(self, topic: Topic):
         """One without event handlers: each would be one more thing for every wait to watch."""

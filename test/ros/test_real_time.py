@@ -1,0 +1,114 @@
+"""Paced by the clock: faster, slower or as fast as possible; lateness told; misfits told."""
+
+import pytest
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from sensor_msgs.msg import Imu
+from std_msgs.msg import Float64, String
+from std_srvs.srv import SetBool, Trigger
+
+CHANGES_NO_MIND = """
+import sys
+
+import rclpy
+
+from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.ros.simulator import Simulator
+
+rclpy.init()
+simulator = Simulator()
+kernels = [
+    kernel
+    for name, module in list(sys.modules.items())
+    if name.startswith("vehicle_roll_sim.model.") and jit.COMPILED
+    for kernel in vars(module).values()
+    if hasattr(kernel, "signatures")
+]
+compiled = lambda: sum(len(kernel.signatures) for kernel in kernels)
+before = compiled()
+simulator.begin()
+for topic in simulator._publications._set:
+    topic[1]()
+for _ in range(3):
+    simulator.run_period()
+print(len(kernels), before, compiled())
+"""
+
+
+def diagnostics_of(peer) -> dict[str, str]:
+    return {value.key: value.value for value in peer.newest("/diagnostics").status[0].values}
+
+
+def seconds(stamp) -> float:
+    return stamp.sec + 1e-9 * stamp.nanosec
+
+
+@pytest.mark.parametrize("factor", [0.0, 0.5, 20.0])
+def test_with_another_time_factor_stamps_are_simulated_time_and_the_clock_is_there(
+    start, peer, factor
+):
+    start("simulator", "--ros-args", "-p", f"real_time_factor:={factor}")
+    peer.listen("state", "imu", "/clock")
+    peer.wait(lambda: peer.newest("state").data[0] > 0.2, "time to go on")
+    simulated = peer.newest("state").data[0]
+    clock = seconds(peer.newest("/clock").clock)
+    assert simulated <= clock < simulated + 100.0  # s, not those since 1970
+    stamp = seconds(peer.newest("imu").header.stamp)
+    assert stamp == pytest.approx(round(stamp, 2), abs=1e-9)  # a whole number of periods
+
+
+def test_in_real_time_there_is_no_clock_and_stamps_are_of_today(start, peer):
+    start("simulator")
+    peer.listen("imu")
+    assert seconds(peer.newest("imu").header.stamp) > 1e9
+    assert peer.node.count_publishers("/clock") == 0
+
+
+def test_as_fast_as_possible_still_answers_and_pauses(start, peer):
+    start("simulator", "--ros-args", "-p", "real_time_factor:=0.0")
+    peer.listen("state")
+    peer.wait(lambda: peer.newest("state").data[0] > 1.0, "time to go on")
+    assert peer.call(Trigger, "simulator/reset").success
+    assert peer.call(SetBool, "simulator/pause", SetBool.Request(data=True)).success
+    stopped_at = float(peer.call(Trigger, "simulator/step").message.split()[0])
+    assert float(peer.call(Trigger, "simulator/step").message.split()[0]) == pytest.approx(
+        stopped_at + 0.01
+    )
+
+
+def test_lateness_and_rate_are_in_the_diagnostics(start, peer):
+    start("simulator", "--ros-args", "-p", "publish_rate:=200.0")
+    peer.listen("/diagnostics")
+    peer.newest("/diagnostics")
+    told = diagnostics_of(peer)
+    late = [
+        float(told[key])
+        for key in ("lateness p50 (ms)", "lateness p99 (ms)", "largest lateness (ms)")
+    ]
+    assert 0.0 <= late[0] <= late[1] <= late[2]
+    assert float(told["publish rate (Hz)"]) > 0.0
+
+
+def test_partners_that_can_never_be_connected_are_told(start, peer):
+    simulator = start("simulator")
+    latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    peer.node.create_subscription(Imu, "imu", lambda _: None, latched)
+    peer.node.create_publisher(String, "steering_cmd", 1)
+    peer.node.create_publisher(Float64, "rear_steering_cmd", 1)  # this one fits
+    peer.listen("/diagnostics")
+    for _ in range(3):
+        peer.newest("/diagnostics")
+    _, _, err = simulator.finish(2)
+    warnings = [line for line in err.splitlines() if "WARN" in line]
+    assert any("/imu: the subscription of peer" in line for line in warnings)
+    assert any("/steering_cmd: the publisher of peer: std_msgs/msg/String" in w for w in warnings)
+    assert len(warnings) == 2  # once each
+
+
+def test_nothing_is_compiled_once_the_simulator_is_there(start, tmp_path):
+    program = tmp_path / "program.py"
+    program.write_text(CHANGES_NO_MIND)
+    status, out, err = start("program", program=str(program)).finish()
+    assert status == 0, err
+    kernels, before, after = map(int, out.split())
+    assert kernels > 0
+    assert before == after
