@@ -21,6 +21,7 @@ GRAVITY = 9.81
 
 _LENGTH = {"unit": "m", "minimum": 0.01, "maximum": 50.0}
 _INERTIA = {"unit": "kg m^2", "minimum": 1e-3, "maximum": 1e7}
+_WHEEL_INERTIA = _INERTIA | {"minimum": 0.01}  # less is quicker than a step of 1 ms can follow
 _STIFFNESS = {"unit": "N/m", "minimum": 1.0, "maximum": 1e8}
 _DAMPING = {"unit": "N s/m", "minimum": 0.0, "maximum": 1e7}
 _MASS = {"unit": "kg", "minimum": 0.01, "maximum": 1e6}
@@ -49,7 +50,7 @@ class Vehicle:
     front_tire_stiffness: float = parameter("vertical, of one tire", **_STIFFNESS, symbol="ktf")
     rear_tire_stiffness: float = parameter("vertical, of one tire", **_STIFFNESS, symbol="ktr")
     tire_radius: float = parameter("unloaded", **_LENGTH, symbol="r0")
-    wheel_inertia: float = parameter("of one wheel about its axle", **_INERTIA, symbol="Jw")
+    wheel_inertia: float = parameter("of one wheel about its axle", **_WHEEL_INERTIA, symbol="Jw")
     front_roll_centre_depth: float = parameter(
         "roll centre below the sprung c.g.", **_DEPTH, symbol="hrcf"
     )
