@@ -12,7 +12,7 @@ SETTLING = 0.2
 COMPLAINT_INTERVAL = 5.0
 """s between two lines on what is waited for."""
 LONGEST_WAIT = 0.1
-"""s until a wait looks about again."""
+"""s until a wait for partners looks about again; one for answers does with every report."""
 
 
 class UnansweredError(Exception):
@@ -57,16 +57,15 @@ class Lockstep:
         session = simulator.session
         self.restart()
         while (missing := session.inbox.unanswered(self.topics)) or session.paused:
-            waited = time.monotonic() - self._asked
-            if self.timeout and waited > self.timeout and not session.paused:
+            waited = 0.0 if session.paused else time.monotonic() - self._asked
+            if self.timeout and waited > self.timeout:
                 return self._give_up(missing)
-            if waited > COMPLAINT_INTERVAL and not session.paused:
+            if waited > COMPLAINT_INTERVAL:
                 simulator.get_logger().warning(
                     f"lockstep: waiting for a message on {', '.join(missing)}",
                     throttle_duration_sec=COMPLAINT_INTERVAL,
                 )
-            left = self.timeout - waited if self.timeout else LONGEST_WAIT
-            executor.spin_once(timeout_sec=min(max(left, 0.0), LONGEST_WAIT))
+            executor.spin_once(timeout_sec=self.timeout - waited if self.timeout else None)
         return None
 
     def _give_up(self, missing: Sequence[str]) -> None:
