@@ -207,3 +207,20 @@ def test_clear_forgets_the_commands_and_goes_on_counting():
     assert not any(inbox.is_silent(c, SECOND) for c in inbox.channels.values())
     assert inbox.channels["steering_cmd"].received == 2
     assert inbox.channels["steering_cmd"].dropped == 1
+
+
+def test_a_wrong_message_is_an_answer_too():
+    inbox = filled()
+    inbox.command(0)
+    assert inbox.unanswered(tuple(GOOD)) == list(GOOD)
+    assert inbox.receive("steering_cmd", (math.nan,), 0)
+    assert inbox.receive("rear_steering_cmd", OTHER["rear_steering_cmd"], 0) == ""
+    left = [topic for topic in GOOD if topic not in STEERING]
+    assert inbox.unanswered(tuple(GOOD)) == left
+
+
+def test_the_command_is_the_same_object_until_something_changes():
+    inbox = filled()
+    first = inbox.command(0)
+    assert inbox.command(TIMEOUT) is first
+    assert inbox.command(TIMEOUT + 1) != first  # given up

@@ -128,3 +128,17 @@ def test_after_a_hundred_resets_a_run_is_bit_by_bit_that_of_a_fresh_start(sessio
     for each in (session, fresh):
         drive_somewhere(each, np.random.default_rng(2))
     assert everything(session.simulation) == everything(fresh.simulation)
+
+
+def test_a_message_answers_one_period_even_when_the_model_has_stopped(session):
+    topics = ["steering_cmd"]
+    assert session.inbox.unanswered(topics) == topics
+    for _ in range(300):
+        session.inbox.receive("steering_cmd", OVERTURNING, session.simulation.time_ns)
+        assert session.inbox.unanswered(topics) == []
+        session.run_period()
+        assert session.inbox.unanswered(topics) == topics
+    assert session.rolled_over
+    session.inbox.receive("steering_cmd", OVERTURNING, session.simulation.time_ns)
+    session.reset(SPEED)
+    assert session.inbox.unanswered(topics) == topics
