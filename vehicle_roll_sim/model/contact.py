@@ -1,10 +1,11 @@
 """A wheel on the road: load, radius, slip and the forces of the contact patch."""
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.elementary import arctan, cosine, sine
 from vehicle_roll_sim.model.frames import yawed_to_body
 from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
-from vehicle_roll_sim.model.tire import tire_forces
+from vehicle_roll_sim.model.tire import forces_of_tires
 from vehicle_roll_sim.model.transient_slip import transient_slip
 from vehicle_roll_sim.model.upright_tire import upright_contact
 
@@ -29,18 +30,30 @@ def loaded_radius(tire_compression, radius, attitude):
 
 
 @kernel
-def along_and_across(ug, vg, steering):
-    """Velocity of the contact point in wheel axes (m/s)."""
-    s, c = math.sin(steering), math.cos(steering)
-    return ug * c + vg * s, vg * c - ug * s
+def wheel_motion(state, command, tire, outputs):
+    """Steering of every wheel; velocity of its contact point along and across it, and of its tread
+    (m/s)."""
+    spin = state[at.WHEEL_SPEED]
+    front = sine(command.steering), cosine(command.steering)
+    rear = sine(command.rear_steering), cosine(command.rear_steering)
+    for i in range(WHEEL_COUNT):
+        ug, vg = outputs.contact_u[i], outputs.contact_v[i]
+        s, c = front if i < LR else rear
+        outputs.steering[i] = command.steering if i < LR else command.rear_steering
+        outputs.steering_sine[i], outputs.steering_cosine[i] = s, c
+        outputs.rolling[i], outputs.sliding[i] = ug * c + vg * s, vg * c - ug * s
+        outputs.tread[i] = outputs.loaded_radius[i] * spin[i]
+        outputs.side[i] = tire.side[i]
 
 
 @kernel
-def slip(ug, vg, steering, spin, radius):
-    """Slip ratio and slip angle (rad) in wheel axes (eqs 5, 6)."""
-    rolling, sliding = along_and_across(ug, vg, steering)
-    speed = max(abs(rolling), SLOWEST_ROLLING)
-    return (radius * spin - rolling) / speed, math.atan2(sliding, speed)
+def steady_state_slip(outputs):
+    """Slip ratio and slip angle (rad) of every wheel (eqs 5, 6)."""
+    for i in range(WHEEL_COUNT):
+        rolling, sliding = outputs.rolling[i], outputs.sliding[i]
+        speed = max(abs(rolling), SLOWEST_ROLLING)
+        outputs.slip_ratio[i] = (outputs.tread[i] - rolling) / speed
+        outputs.slip_angle[i] = arctan(sliding / speed)
 
 
 @kernel
@@ -89,21 +102,15 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 @kernel
 def contact_forces(state, command, vehicle, tire, options, outputs):
     """Slip and contact forces of every wheel in frame 2 (eqs 3-6), the slip transient or not."""
-    spin = state[at.WHEEL_SPEED]
+    wheel_motion(state, command, tire, outputs)
+    if options.steady_state_slip:
+        steady_state_slip(outputs)
+    else:
+        transient_slip(state, vehicle, tire, outputs)
+    forces_of_tires(tire, outputs)
     for i in range(WHEEL_COUNT):
-        steering = command.steering if i < LR else command.rear_steering
-        ug, vg, r = outputs.contact_u[i], outputs.contact_v[i], outputs.loaded_radius[i]
-        if options.steady_state_slip:
-            kappa, alpha = slip(ug, vg, steering, spin[i], r)
-        else:
-            rolling, sliding = along_and_across(ug, vg, steering)
-            tread = r * spin[i]
-            kappa, alpha = transient_slip(i, state, rolling, sliding, tread, vehicle, tire, outputs)
-        fx, fy = tire_forces(kappa, alpha, outputs.normal_force[i], tire.side[i], tire)
-        s, c = math.sin(steering), math.cos(steering)
-        outputs.steering[i] = steering
-        outputs.slip_ratio[i], outputs.slip_angle[i] = kappa, alpha
-        outputs.tire_longitudinal[i], outputs.tire_lateral[i] = fx, fy
+        fx, fy = outputs.tire_longitudinal[i], outputs.tire_lateral[i]
+        s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         outputs.longitudinal_force[i] = fx * c - fy * s  # (3)
         outputs.lateral_force[i] = fy * c + fx * s  # (4)
 

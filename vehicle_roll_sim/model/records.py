@@ -3,7 +3,11 @@
 Wheels come in the order lf, rf, lr, rr everywhere. SI units and radians.
 """
 
+from collections import namedtuple
+
 import numpy as np
+
+from vehicle_roll_sim.model.jit import constants
 
 WHEELS = ("lf", "rf", "lr", "rr")
 WHEEL_COUNT = len(WHEELS)
@@ -100,6 +104,12 @@ VEHICLE = record_dtype(
 )
 """The vehicle as the equations want it: front and rear values laid out per wheel."""
 
+VehicleConstants = namedtuple(
+    "VehicleConstants", [name for name in VEHICLE.names if not VEHICLE[name].shape]
+)
+vehicle_constants = constants(VehicleConstants)
+"""The values of a VEHICLE record that are the same for every wheel."""
+
 OPTION_NAMES = (
     "euler_terms",
     "no_roll_centre",
@@ -132,6 +142,8 @@ OUTPUTS = record_dtype(
     *per_wheel("strut_length", "loaded_radius", "unsprung_u", "unsprung_v"),
     *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
+    *per_wheel("steering_sine", "steering_cosine", "rolling", "sliding", "tread", "side"),
+    *per_wheel("patch_slip_ratio", "patch_slip_tangent"),
     *per_wheel("contact_x", "contact_y", "strut_force", "link_load_transfer"),
     *per_wheel("applied_x", "applied_y", "link_x", "link_y"),
     ("body_acceleration", DEGREES_OF_ACCELERATION),

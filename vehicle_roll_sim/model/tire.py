@@ -6,8 +6,17 @@ A shift counts only where its scaling factor is not 0, which is a product with t
 RHX1, RHY1 and RHY2 have none and always count.
 """
 
-from vehicle_roll_sim.model.jit import kernel, math
-from vehicle_roll_sim.model.records import per_wheel, record_dtype
+from collections import namedtuple
+
+from vehicle_roll_sim.model.elementary import (
+    arctan,
+    cosine,
+    cosine_of_arctan,
+    sine,
+    sine_of_twice_arctan,
+)
+from vehicle_roll_sim.model.jit import constants, kernel, term, math
+from vehicle_roll_sim.model.records import WHEEL_COUNT, per_wheel, record_dtype
 
 SCALING = (
     *("LFZO", "LCX", "LMUX", "LEX", "LKX", "LHX", "LVX", "LXAL"),
@@ -31,40 +40,44 @@ RANGES = ("KPUMIN", "KPUMAX", "ALPMIN", "ALPMAX", "FZMIN", "FZMAX")
 TIRE = record_dtype(*SCALING, *REQUIRED, *OPTIONAL, *RANGES, *per_wheel("side"))
 """Coefficients of the tire; side is -1 at the wheels where it runs mirrored, else +1."""
 
+TireConstants = namedtuple("TireConstants", (*SCALING, *REQUIRED, *OPTIONAL))
+tire_constants = constants(TireConstants)
+"""The coefficients of a TIRE record as values."""
 
-@kernel
+
+@term
 def sign(value):
     return math.copysign(1.0, value) if value != 0.0 else 0.0
 
 
-@kernel
+@term
 def bent(slip, stiffness, curvature):
     """The argument of the arc tangent that shapes every curve: B x - E (B x - atan B x)."""
     stretched = stiffness * slip
-    return stretched - curvature * (stretched - math.atan(stretched))
+    return stretched - curvature * (stretched - arctan(stretched))
 
 
-@kernel
+@term
 def sine_curve(slip, stiffness, shape, peak, curvature):
     """The Magic Formula, D sin[C atan{B x - E (B x - atan B x)}]."""
-    return peak * math.sin(shape * math.atan(bent(slip, stiffness, curvature)))
+    return peak * sine(shape * arctan(bent(slip, stiffness, curvature)))
 
 
-@kernel
+@term
 def cosine_weight(slip, shift, stiffness, shape, curvature):
     """Loss of one force by the other slip, G: 1 where that slip is 0."""
-    at_shift = math.cos(shape * math.atan(bent(shift, stiffness, curvature)))
-    return math.cos(shape * math.atan(bent(slip + shift, stiffness, curvature))) / at_shift
+    at_shift = cosine(shape * arctan(bent(shift, stiffness, curvature)))
+    return cosine(shape * arctan(bent(slip + shift, stiffness, curvature))) / at_shift
 
 
-@kernel
+@term
 def friction(coefficient, load_slope, dfz):
     """Friction coefficient at a load; it keeps the sign of the file's and never passes 0."""
     value = coefficient + load_slope * dfz
     return value if value * coefficient > 0 else 0.0
 
 
-@kernel
+@term
 def longitudinal_force(kappa, fz, dfz, tire):
     """Fx0 of pure longitudinal slip (N)."""
     slip = kappa + (tire.PHX1 + tire.PHX2 * dfz) * tire.LHX
@@ -79,7 +92,7 @@ def longitudinal_force(kappa, fz, dfz, tire):
     return sine_curve(slip, slope / (shape * peak), shape, peak, curvature) + shift
 
 
-@kernel
+@term
 def lateral_force(alpha, fz, dfz, tire):
     """Fy0 of pure lateral slip (N)."""
     nominal = tire.LFZO * tire.FNOMIN
@@ -89,38 +102,37 @@ def lateral_force(alpha, fz, dfz, tire):
     if peak == 0.0:
         return shift
     shape = tire.PCY1 * tire.LCY
-    load_angle = 2 * math.atan(fz / (tire.PKY2 * nominal))
-    slope = tire.PKY1 * nominal * tire.LKY * math.sin(load_angle)
+    slope = tire.PKY1 * nominal * tire.LKY * sine_of_twice_arctan(fz / (tire.PKY2 * nominal))
     curvature = (tire.PEY1 + tire.PEY2 * dfz) * tire.LEY
     curvature = min(curvature * (1 - tire.PEY3 * sign(slip)), 1.0)
     return sine_curve(slip, slope / (shape * peak), shape, peak, curvature) + shift
 
 
-@kernel
+@term
 def longitudinal_weight(alpha, kappa, dfz, tire):
     """Gx alpha: what lateral slip leaves of the longitudinal force."""
-    stiffness = tire.RBX1 * math.cos(math.atan(tire.RBX2 * kappa)) * tire.LXAL
+    stiffness = tire.RBX1 * cosine_of_arctan(tire.RBX2 * kappa) * tire.LXAL
     curvature = min(tire.REX1 + tire.REX2 * dfz, 1.0)
     return cosine_weight(alpha, tire.RHX1, stiffness, tire.RCX1, curvature)
 
 
-@kernel
+@term
 def lateral_weight(alpha, kappa, dfz, tire):
     """Gy kappa: what longitudinal slip leaves of the lateral force."""
-    stiffness = tire.RBY1 * math.cos(math.atan(tire.RBY2 * (alpha - tire.RBY3))) * tire.LYKA
+    stiffness = tire.RBY1 * cosine_of_arctan(tire.RBY2 * (alpha - tire.RBY3)) * tire.LYKA
     curvature = min(tire.REY1 + tire.REY2 * dfz, 1.0)
     return cosine_weight(kappa, tire.RHY1 + tire.RHY2 * dfz, stiffness, tire.RCY1, curvature)
 
 
-@kernel
+@term
 def slip_ply_steer(alpha, kappa, fz, dfz, tire):
     """SVy kappa: the lateral force that longitudinal slip brings along (N), LVYKA permitting."""
     reach = friction(tire.PDY1, tire.PDY2, dfz) * tire.LMUY * fz
-    reach *= (tire.RVY1 + tire.RVY2 * dfz) * math.cos(math.atan(tire.RVY4 * alpha))
-    return reach * math.sin(tire.RVY5 * math.atan(tire.RVY6 * kappa)) * tire.LVYKA
+    reach *= (tire.RVY1 + tire.RVY2 * dfz) * cosine_of_arctan(tire.RVY4 * alpha)
+    return reach * sine(tire.RVY5 * arctan(tire.RVY6 * kappa)) * tire.LVYKA
 
 
-@kernel
+@term
 def tire_forces(kappa, alpha, fz, side, tire):
     """Longitudinal and lateral force (N) at slip kappa, slip angle alpha (rad) and load fz (N).
 
@@ -134,3 +146,17 @@ def tire_forces(kappa, alpha, fz, side, tire):
     fx = longitudinal_weight(mirrored, kappa, dfz, tire) * longitudinal_force(kappa, fz, dfz, tire)
     fy = lateral_weight(mirrored, kappa, dfz, tire) * lateral_force(mirrored, fz, dfz, tire)
     return fx, side * (fy + slip_ply_steer(mirrored, kappa, fz, dfz, tire))
+
+
+@kernel
+def forces_of_tires(tire, outputs):
+    """Longitudinal and lateral force (N) of every tire along and across its wheel."""
+    tire = tire_constants(tire)
+    for i in range(WHEEL_COUNT):
+        outputs.tire_longitudinal[i], outputs.tire_lateral[i] = tire_forces(
+            outputs.slip_ratio[i],
+            outputs.slip_angle[i],
+            outputs.normal_force[i],
+            outputs.side[i],
+            tire,
+        )
