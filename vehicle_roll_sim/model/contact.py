@@ -1,11 +1,10 @@
 """A wheel on the road: load, radius, slip and the forces of the contact patch."""
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.elementary import arctan, cosine, sine
 from vehicle_roll_sim.model.frames import yawed_to_body
 from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
-from vehicle_roll_sim.model.tire import forces_of_tires
+from vehicle_roll_sim.model.tire import tire_forces
 from vehicle_roll_sim.model.transient_slip import transient_slip
 from vehicle_roll_sim.model.upright_tire import upright_contact
 
@@ -30,17 +29,22 @@ def loaded_radius(tire_compression, radius, attitude):
 
 
 @kernel
-def wheel_motion(state, command, tire, outputs):
-    """Steering of every wheel; velocity of its contact point along and across it, and of its tread
-    (m/s)."""
+def steer(command, outputs):
+    """Steering angle of every wheel (rad), its sine and cosine."""
+    front, rear = command.steering, command.rear_steering
+    at_front, at_rear = (math.sin(front), math.cos(front)), (math.sin(rear), math.cos(rear))
+    for i in range(WHEEL_COUNT):
+        outputs.steering[i] = front if i < LR else rear
+        outputs.steering_sine[i], outputs.steering_cosine[i] = at_front if i < LR else at_rear
+
+
+@kernel
+def wheel_motion(state, tire, outputs):
+    """Velocity of every contact point along and across its wheel, and of the tread (m/s)."""
     spin = state[at.WHEEL_SPEED]
-    front = sine(command.steering), cosine(command.steering)
-    rear = sine(command.rear_steering), cosine(command.rear_steering)
     for i in range(WHEEL_COUNT):
         ug, vg = outputs.contact_u[i], outputs.contact_v[i]
-        s, c = front if i < LR else rear
-        outputs.steering[i] = command.steering if i < LR else command.rear_steering
-        outputs.steering_sine[i], outputs.steering_cosine[i] = s, c
+        s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         outputs.rolling[i], outputs.sliding[i] = ug * c + vg * s, vg * c - ug * s
         outputs.tread[i] = outputs.loaded_radius[i] * spin[i]
         outputs.side[i] = tire.side[i]
@@ -48,12 +52,12 @@ def wheel_motion(state, command, tire, outputs):
 
 @kernel
 def steady_state_slip(outputs):
-    """Slip ratio and slip angle (rad) of every wheel (eqs 5, 6)."""
+    """Slip ratio and tangent of the slip angle of every wheel (eqs 5, 6)."""
     for i in range(WHEEL_COUNT):
         rolling, sliding = outputs.rolling[i], outputs.sliding[i]
         speed = max(abs(rolling), SLOWEST_ROLLING)
         outputs.slip_ratio[i] = (outputs.tread[i] - rolling) / speed
-        outputs.slip_angle[i] = arctan(sliding / speed)
+        outputs.slip_tangent[i] = sliding / speed
 
 
 @kernel
@@ -100,14 +104,14 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 
 
 @kernel
-def contact_forces(state, command, vehicle, tire, options, outputs):
+def contact_forces(state, vehicle, tire, options, outputs):
     """Slip and contact forces of every wheel in frame 2 (eqs 3-6), the slip transient or not."""
-    wheel_motion(state, command, tire, outputs)
+    wheel_motion(state, tire, outputs)
     if options.steady_state_slip:
         steady_state_slip(outputs)
     else:
         transient_slip(state, vehicle, tire, outputs)
-    forces_of_tires(tire, outputs)
+    tire_forces(tire, outputs)
     for i in range(WHEEL_COUNT):
         fx, fy = outputs.tire_longitudinal[i], outputs.tire_lateral[i]
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]

@@ -1,86 +1,96 @@
-"""Arc tangent, sine and cosine of arithmetic alone, to about the last digit.
+"""Arc tangent, sine and cosine of arithmetic alone, right to about the last digit.
 
-Without calls and with selections in place of branches, a loop over the wheels becomes one pass in
-which the processor works on all four at once. The results are the same bits in plain Python.
+Without calls, and with a choice of values where others branch, a loop over wheels becomes a few
+instructions that work on all of them at once. The same operations give plain Python the same bits.
 """
 
-from vehicle_roll_sim.model.jit import term, math, square_root
+from vehicle_roll_sim.model.jit import math, square_root, term
 
-TAN_THREE_EIGHTHS = 2.414213562373095
-"""tan(3 pi / 8), from where the arc tangent is that of -1 / x, turned by pi / 2."""
-ONE_EIGHTH = 0.66
-"""About tan(pi / 8) to 1, from where it is that of (x - 1) / (x + 1), turned by pi / 4."""
-BEYOND_PI_HALVES = 6.123233995736766e-17
-"""pi / 2 less its double."""
-
-PI_PARTS = (3.1415926534682512, 1.2154201013012384e-10)
+TAN_PI_8, TAN_3_PI_8 = math.sqrt(2) - 1, math.sqrt(2) + 1
+"""Beyond the first the arc tangent is pi / 4 + atan[(x - 1) / (x + 1)]; beyond the second it is
+pi / 2 - atan(1 / x)."""
+PI_HALVES_REST = 6.123233995736766e-17
+"""pi / 2 less the number that stands for it."""
+PI, PI_REST = 3.1415926534682512, 1.2154201013012384e-10
+"""pi in two parts, the first of 33 bits: its product with a number of up to 20 bits is exact."""
 HALF_TURNS = 1 / math.pi
+"""In a radian."""
 ROUNDING = 1.5 * 2**52
-"""Added and taken away again, it leaves the nearest whole number of anything below 2^51."""
+"""Added and taken away again it leaves the nearest whole number, up to 2^51."""
 
 
 @term
 def cubic(x, a, b, c, d):
+    """a + b x + c x^2 + d x^3, both halves at the same time."""
     return (a + b * x) + (x * x) * (c + d * x)
 
 
 @term
-def arctan(x):
-    """rad: a rational approximation on |x| <= 0.66, after Cephes (Moshier), atan.c."""
-    size = abs(x)
-    steep, middle = size > TAN_THREE_EIGHTHS, size > ONE_EIGHTH
-    above = -1.0 if steep else (size - 1.0 if middle else size)
-    below = size if steep else (size + 1.0 if middle else 1.0)
-    turned = math.pi / 2 if steep else (math.pi / 4 if middle else 0.0)
-    rest = BEYOND_PI_HALVES if steep else (BEYOND_PI_HALVES / 2 if middle else 0.0)
-    z = above / below
+def arctan_of_small(z):
+    """atan z - z for |z| up to tan(pi / 8): interpolated at Chebyshev's points, to 7e-18."""
     q = z * z
-    p = cubic(q, -6.485021904942025371773e1, -1.228866684490136173410e2, -7.500855792314704667340e1, -1.615753718733365076637e1)
-    p = p + (q * q) * (q * q) * -8.750608600031904122785e-1
-    d = cubic(q, 1.945506571482613964425e2, 4.853903996359136964868e2, 4.328810604912902668951e2, 1.650270098316988542046e2)
-    d = d + (q * q) * (q * q) * (2.485846490142306297962e1 + q)
-    return math.copysign(turned + (z * (q * p / d) + z + rest), x)
+    q4 = (q * q) * (q * q)
+    low = cubic(
+        q, -0.3333333333333333, 0.1999999999999552, -0.14285714284666542, 0.11111111015256361
+    )
+    middle = cubic(
+        q, -0.09090904578123903, 0.07692183190826087, -0.06664511447381948, 0.0585814891280221
+    )
+    high = cubic(q, -0.0508544973794026, 0.03923165829558719, -0.019176887119062257, 0.0)
+    return z * q * (low + q4 * (middle + q4 * high))
 
 
 @term
-def sine_of_half_turn(r):
-    """Of |r| <= pi / 2: r - r^3 / 3! + r^5 / 5! ... to r^21."""
-    q = r * r
-    low = cubic(q, -1 / 6.0, 1 / 120.0, -1 / 5040.0, 1 / 362880.0)
-    middle = cubic(q, -1 / 39916800.0, 1 / 6227020800.0, -1 / 1307674368000.0, 1 / 355687428096000.0)
-    high = -1 / 121645100408832000.0 + q * (1 / 51090942171709440000.0)
-    q4 = (q * q) * (q * q)
-    return r + (r * q) * (low + q4 * (middle + q4 * high))
+def arctan(x):
+    """atan x (rad), from -pi / 2 to pi / 2."""
+    size = abs(x)
+    steep, middle = size > TAN_3_PI_8, size > TAN_PI_8
+    above = -1.0 if steep else (size - 1.0 if middle else size)
+    below = size if steep else (size + 1.0 if middle else 1.0)
+    turned = math.pi / 2 if steep else (math.pi / 4 if middle else 0.0)
+    rest = PI_HALVES_REST if steep else (PI_HALVES_REST / 2 if middle else 0.0)
+    z = above / below
+    return math.copysign(turned + (arctan_of_small(z) + rest + z), x)
 
 
 @term
 def nearest(x):
+    """The nearest whole number."""
     return (x + ROUNDING) - ROUNDING
 
 
 @term
-def reduced(x, half_turns):
-    most, rest = PI_PARTS
-    return (x - half_turns * most) - half_turns * rest
+def sine_within_half_turn(r):
+    """sin r for |r| up to pi / 2: r - r^3 / 3! + r^5 / 5! ... + r^21 / 21!."""
+    q = r * r
+    q4 = (q * q) * (q * q)
+    low = cubic(q, -1 / 6, 1 / 120, -1 / 5040, 1 / 362880)
+    middle = cubic(q, -1 / 39916800, 1 / 6227020800, -1 / 1307674368000, 1 / 355687428096000)
+    high = -1 / 121645100408832000 + q * (1 / 51090942171709440000)
+    return r + r * q * (low + q4 * (middle + q4 * high))
 
 
 @term
 def alternating(half_turns, value):
-    pairs = half_turns / 2
-    return value if nearest(pairs) == pairs else -value
+    """Value after a whole number of half turns, each of which changes its sign."""
+    return value if nearest(half_turns / 2) == half_turns / 2 else -value
 
 
 @term
 def sine(x):
-    turns = nearest(x * HALF_TURNS)
-    return alternating(turns, sine_of_half_turn(reduced(x, turns)))
+    """sin x; from some 10^6 rad on as exact as x itself is."""
+    half_turns = nearest(x * HALF_TURNS)
+    rest = (x - half_turns * PI) - half_turns * PI_REST
+    return alternating(half_turns, sine_within_half_turn(rest))
 
 
 @term
 def cosine(x):
+    """cos x = -sin(x - pi / 2); from some 10^6 rad on as exact as x itself is."""
     size = abs(x)
-    turns = nearest(size * HALF_TURNS - 0.5)
-    return alternating(turns, -sine_of_half_turn(reduced(size, turns + 0.5)))
+    half_turns = nearest(size * HALF_TURNS - 0.5)
+    rest = (size - (half_turns + 0.5) * PI) - (half_turns + 0.5) * PI_REST
+    return alternating(half_turns, -sine_within_half_turn(rest))
 
 
 @term

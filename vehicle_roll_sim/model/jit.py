@@ -171,9 +171,9 @@ def discard_compiled_code() -> None:
 def describe() -> str:
     """One line on how the model runs here, for start-up messages."""
     if numba is None:
-        return "numba is not installed: the model runs in plain Python, 150 to 200 times slower"
+        return "numba is not installed: the model runs in plain Python, some 700 times slower"
     if not COMPILED:
-        return "NUMBA_DISABLE_JIT is set: the model runs in plain Python, 150 to 200 times slower"
+        return "NUMBA_DISABLE_JIT is set: the model runs in plain Python, some 700 times slower"
     if CACHE is None:
         return "no folder for compiled code can be written: the model is compiled at every start"
     return f"compiled model, cached in {CACHE}"

@@ -13,8 +13,8 @@ with TAU = SIGMA / 15 m/s, along the wheel less where that would stop a light wh
 """
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.elementary import arctan, cosine, sine_of_twice_arctan
-from vehicle_roll_sim.model.jit import kernel, term, math
+from vehicle_roll_sim.model.elementary import cosine, sine_of_twice_arctan
+from vehicle_roll_sim.model.jit import kernel, math, term
 from vehicle_roll_sim.model.records import WHEEL_COUNT, vehicle_constants
 from vehicle_roll_sim.model.tire import tire_constants
 
@@ -79,7 +79,7 @@ def transient_slip(state, vehicle, tire, outputs):
                 tire,
             )
         )
-        outputs.slip_ratio[i], outputs.slip_angle[i] = kappa, arctan(tangent)
+        outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
 
 
 @term
