@@ -93,7 +93,7 @@ def longitudinal_curve(kappa, fz, dfz, stiffening, peak, tire):
     slip = kappa + (tire.PHX1 + tire.PHX2 * dfz) * tire.LHX
     shape = tire.PCX1 * tire.LCX
     slope = fz * (tire.PKX1 + tire.PKX2 * dfz) * stiffening * tire.LKX
-    curvature = (tire.PEX1 + tire.PEX2 * dfz + tire.PEX3 * dfz**2) * tire.LEX
+    curvature = (tire.PEX1 + tire.PEX2 * dfz + tire.PEX3 * dfz * dfz) * tire.LEX
     curvature = min(curvature * (1 - tire.PEX4 * sign(slip)), 1.0)
     return slip, stiffness_factor(slope, shape, peak), shape, curvature
 
