@@ -11,6 +11,7 @@ from vehicle_roll_sim import Options
 from vehicle_roll_sim.model.frames import (
     body_to_yawed,
     euler_rates,
+    heading_of,
     quaternion,
     yawed_to_body,
     yawed_to_ground,
@@ -42,7 +43,7 @@ def test_rotations_are_those_of_a_library():
         np.testing.assert_allclose(tilted, tilt.apply(vector), atol=ROUNDING)
         back = yawed_to_body(sines(roll, pitch), *vector)
         np.testing.assert_allclose(back, tilt.inv().apply(vector), atol=ROUNDING)
-        flat = yawed_to_ground(yaw, vector[0], vector[1])
+        flat = yawed_to_ground(heading_of(yaw), vector[0], vector[1])
         np.testing.assert_allclose(flat, turn.apply([*vector[:2], 0.0])[:2], atol=ROUNDING)
 
 

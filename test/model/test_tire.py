@@ -9,6 +9,7 @@ import pytest
 from programmes import SHIFTS, with_tire
 
 from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.records import LF, OUTPUTS
 from vehicle_roll_sim.model.tire import OPTIONAL, REQUIRED, SCALING, tire_forces
 
 LEFT, RIGHT = 1.0, -1.0
@@ -20,7 +21,12 @@ ROUNDING = 1e-12
 
 
 def forces_of(tire, kappa: float, alpha: float, load: float, side: float = LEFT):
-    return tire_forces(kappa, alpha, load, side, kernel_argument(tire.record())[0])
+    """Longitudinal and lateral force (N) of a wheel with that slip, slip angle (rad) and load."""
+    outputs = np.zeros(1, OUTPUTS)
+    outputs["slip_ratio"], outputs["slip_tangent"] = kappa, math.tan(alpha)
+    outputs["normal_force"], outputs["side"] = load, side
+    tire_forces(kernel_argument(tire.record())[0], kernel_argument(outputs)[0])
+    return outputs[0]["tire_longitudinal"][LF], outputs[0]["tire_lateral"][LF]
 
 
 @pytest.fixture(scope="session")

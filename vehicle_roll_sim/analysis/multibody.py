@@ -14,7 +14,7 @@ import mujoco
 import numpy as np
 
 from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.contact import slip
+from vehicle_roll_sim.model.contact import steady_state_slip
 from vehicle_roll_sim.model.events import (
     Condition,
     condition_of,
@@ -81,7 +81,6 @@ class Multibody(Simulation):
     ):
         (car,), (self._tire,) = vehicle.record(), kernel_argument(vehicle.tire.record())
         self._car = SimpleNamespace(**{name: car[name] for name in car.dtype.names})
-        self._sides = self._tire.side
         self._engine = engine_model(car)
         self._data = mujoco.MjData(self._engine)
         self._rotation = self._data.xmat[BODY].reshape(3, 3)
@@ -204,16 +203,17 @@ class Multibody(Simulation):
 
     def _tire_forces(self, velocities, spins, radius) -> tuple[np.ndarray, np.ndarray]:
         """Fxt of the wheels, and what the road does to them in frame 2, one a row (N)."""
-        outputs, (slips, forces) = self.outputs, np.zeros((2, 2, WHEEL_COUNT))
-        loads, steering = outputs["normal_force"], outputs["steering"]
-        for i, (ug, vg, _) in enumerate(velocities):
-            slips[:, i] = slip(ug, vg, steering[i], spins[i], radius[i])
-            forces[:, i] = tire_forces(*slips[:, i], loads[i], self._sides[i], self._tire)
-        (along, across), s, c = forces, np.sin(steering), np.cos(steering)
-        outputs["slip_ratio"], outputs["slip_angle"] = slips
+        outputs, (seen,) = self.outputs, kernel_argument(self._outputs)
+        s, c = np.sin(outputs["steering"]), np.cos(outputs["steering"])
+        ug, vg = velocities[:, 0], velocities[:, 1]
+        outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
+        outputs["tread"], outputs["side"] = radius * spins, self._tire.side
+        steady_state_slip(seen)
+        tire_forces(self._tire, seen)
+        along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
         outputs["longitudinal_force"] = ahead = along * c - across * s  # (3)
         outputs["lateral_force"] = left = across * c + along * s  # (4)
-        return along, np.column_stack((ahead, left, loads))
+        return along, np.column_stack((ahead, left, outputs["normal_force"]))
 
     def _frame_2(self) -> np.ndarray:
         """The axes ahead, left and up over the ground, one a row."""

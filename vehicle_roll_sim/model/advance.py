@@ -10,7 +10,7 @@ from vehicle_roll_sim.model.events import (
     note_peaks,
     note_rollover,
 )
-from vehicle_roll_sim.model.integrator import BEFORE, K1, rk4_step
+from vehicle_roll_sim.model.integrator import BEFORE, K1, copy, rk4_step
 from vehicle_roll_sim.model.jit import kernel
 from vehicle_roll_sim.model.wheel import note_turning, stop_reversed
 
@@ -48,14 +48,14 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     while taken < steps and condition == Condition.RUNNING:
         time = (start_ns + taken * step_ns) / NANOSECONDS
         note_peaks(time, state, tire, out, seen)
-        stages[BEFORE, :] = state
+        copy(state, stages[BEFORE])
         row = 2 * taken * stride
         after = commands[row + 2 * stride]
         rk4_step(state, commands[row + stride], after, step, car, stages)
         stop_reversed(state, after, vehicle, out)
         culprit = most_implausible(state, limits.largest)
         if culprit >= 0:
-            state[:] = stages[BEFORE]
+            copy(stages[BEFORE], state)
             condition = Condition.DIVERGED
         else:
             taken += 1

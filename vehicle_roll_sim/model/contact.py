@@ -29,18 +29,35 @@ def loaded_radius(tire_compression, radius, attitude):
 
 
 @kernel
-def along_and_across(ug, vg, steering):
-    """Velocity of the contact point in wheel axes (m/s)."""
-    s, c = math.sin(steering), math.cos(steering)
-    return ug * c + vg * s, vg * c - ug * s
+def steer(command, outputs):
+    """Steering angle of every wheel (rad), its sine and cosine."""
+    front, rear = command.steering, command.rear_steering
+    at_front, at_rear = (math.sin(front), math.cos(front)), (math.sin(rear), math.cos(rear))
+    for i in range(WHEEL_COUNT):
+        outputs.steering[i] = front if i < LR else rear
+        outputs.steering_sine[i], outputs.steering_cosine[i] = at_front if i < LR else at_rear
 
 
 @kernel
-def slip(ug, vg, steering, spin, radius):
-    """Slip ratio and slip angle (rad) in wheel axes (eqs 5, 6)."""
-    rolling, sliding = along_and_across(ug, vg, steering)
-    speed = max(abs(rolling), SLOWEST_ROLLING)
-    return (radius * spin - rolling) / speed, math.atan2(sliding, speed)
+def wheel_motion(state, tire, outputs):
+    """Velocity of every contact point along and across its wheel, and of the tread (m/s)."""
+    spin = state[at.WHEEL_SPEED]
+    for i in range(WHEEL_COUNT):
+        ug, vg = outputs.contact_u[i], outputs.contact_v[i]
+        s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
+        outputs.rolling[i], outputs.sliding[i] = ug * c + vg * s, vg * c - ug * s
+        outputs.tread[i] = outputs.loaded_radius[i] * spin[i]
+        outputs.side[i] = tire.side[i]
+
+
+@kernel
+def steady_state_slip(outputs):
+    """Slip ratio and tangent of the slip angle of every wheel (eqs 5, 6)."""
+    for i in range(WHEEL_COUNT):
+        rolling, sliding = outputs.rolling[i], outputs.sliding[i]
+        speed = max(abs(rolling), SLOWEST_ROLLING)
+        outputs.slip_ratio[i] = (outputs.tread[i] - rolling) / speed
+        outputs.slip_tangent[i] = sliding / speed
 
 
 @kernel
@@ -87,23 +104,17 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 
 
 @kernel
-def contact_forces(state, command, vehicle, tire, options, outputs):
+def contact_forces(state, vehicle, tire, options, outputs):
     """Slip and contact forces of every wheel in frame 2 (eqs 3-6), the slip transient or not."""
-    spin = state[at.WHEEL_SPEED]
+    wheel_motion(state, tire, outputs)
+    if options.steady_state_slip:
+        steady_state_slip(outputs)
+    else:
+        transient_slip(state, vehicle, tire, outputs)
+    tire_forces(tire, outputs)
     for i in range(WHEEL_COUNT):
-        steering = command.steering if i < LR else command.rear_steering
-        ug, vg, r = outputs.contact_u[i], outputs.contact_v[i], outputs.loaded_radius[i]
-        if options.steady_state_slip:
-            kappa, alpha = slip(ug, vg, steering, spin[i], r)
-        else:
-            rolling, sliding = along_and_across(ug, vg, steering)
-            tread = r * spin[i]
-            kappa, alpha = transient_slip(i, state, rolling, sliding, tread, vehicle, tire, outputs)
-        fx, fy = tire_forces(kappa, alpha, outputs.normal_force[i], tire.side[i], tire)
-        s, c = math.sin(steering), math.cos(steering)
-        outputs.steering[i] = steering
-        outputs.slip_ratio[i], outputs.slip_angle[i] = kappa, alpha
-        outputs.tire_longitudinal[i], outputs.tire_lateral[i] = fx, fy
+        fx, fy = outputs.tire_longitudinal[i], outputs.tire_lateral[i]
+        s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         outputs.longitudinal_force[i] = fx * c - fy * s  # (3)
         outputs.lateral_force[i] = fy * c + fx * s  # (4)
 

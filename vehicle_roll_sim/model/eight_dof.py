@@ -9,8 +9,8 @@ from no acceleration, until they agree.
 """
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.contact import contact_forces, normal_force
-from vehicle_roll_sim.model.frames import ground_to_yawed, yawed_to_ground
+from vehicle_roll_sim.model.contact import contact_forces, normal_force, steer
+from vehicle_roll_sim.model.frames import ground_to_yawed, heading_of, yawed_to_ground
 from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import drag
@@ -32,9 +32,12 @@ AGREEMENT = 1e-12
 @kernel
 def eight_dof_derivatives(state, command, vehicle, tire, options, outputs, rates):
     """Rates of the states that this model has, and all that leads to them; see `derivatives`."""
+    heading = heading_of(state[at.YAW])
+    steer(command, outputs)
     contact_velocities(state, vehicle, outputs)
+    slope_gravity(heading, vehicle, outputs)
     accelerate(state, command, vehicle, tire, options, outputs)
-    rates[at.X], rates[at.Y] = yawed_to_ground(state[at.YAW], state[at.U], state[at.V])
+    rates[at.X], rates[at.Y] = yawed_to_ground(heading, state[at.U], state[at.V])
     rates[at.YAW], rates[at.ROLL] = state[at.YAW_RATE], state[at.ROLL_RATE]
     q = outputs.body_acceleration
     rates[at.U], rates[at.V] = q[DU], q[DV]
@@ -53,6 +56,13 @@ def contact_velocities(state, vehicle, outputs):
 
 
 @kernel
+def slope_gravity(heading, vehicle, outputs):
+    """Gravity along the plane of the road, on grade or bank, in frame 2 (m/s^2)."""
+    slope = outputs.slope_gravity
+    slope[0], slope[1] = ground_to_yawed(heading, vehicle.gravity_along, vehicle.gravity_across)
+
+
+@kernel
 def accelerate(state, command, vehicle, tire, options, outputs):
     """Tire loads, tire forces and accelerations that agree with each other (eqs 77-87).
 
@@ -60,15 +70,12 @@ def accelerate(state, command, vehicle, tire, options, outputs):
     bank they are those relative to free sliding. The accelerations are nan where none are found.
     """
     q, wz, slope = outputs.body_acceleration, state[at.YAW_RATE], outputs.slope_gravity
-    slope[0], slope[1] = ground_to_yawed(
-        state[at.YAW], vehicle.gravity_along, vehicle.gravity_across
-    )
     q[:] = math.nan
     ax, ay, x_step, y_step = 0.0, 0.0, 0.0, 0.0
     slopes = (-1.0, 0.0, 0.0, -1.0)
     for _ in range(MOST_ITERATIONS):
         tire_loads(state, command, ax, ay, vehicle, options, outputs)
-        contact_forces(state, command, vehicle, tire, options, outputs)
+        contact_forces(state, vehicle, tire, options, outputs)
         x_gap = longitudinal_acceleration(state, vehicle, outputs) - ax
         y_gap = lateral_acceleration(state, command, vehicle, options, outputs) - ay
         if abs(x_gap) + abs(y_gap) <= AGREEMENT * (1.0 + abs(ax) + abs(ay)):

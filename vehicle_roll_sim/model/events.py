@@ -130,6 +130,8 @@ def most_implausible(state, largest):
     """
     worst, culprit = 1.0, -1
     for i in range(len(state)):
+        if abs(state[i]) <= largest[i] < math.inf:
+            continue
         excess = abs(state[i]) / largest[i]
         if not math.isfinite(state[i]) and not math.isnan(largest[i]):
             excess = math.inf

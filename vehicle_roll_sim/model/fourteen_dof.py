@@ -8,16 +8,19 @@ from vehicle_roll_sim.model.contact import (
     contact_forces,
     contact_forces_on_body_axes,
     contact_kinematics,
+    steer,
 )
 from vehicle_roll_sim.model.frames import (
+    attitude_of,
     body_to_yawed,
     euler_rates,
     ground_to_yawed,
+    heading_of,
     small_angle_euler_rates,
     yawed_to_body,
     yawed_to_ground,
 )
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.jit import kernel
 from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
 from vehicle_roll_sim.model.suspension import (
@@ -34,12 +37,15 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 @kernel
 def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, rates):
     """Rates of all states, and all that leads to them; see `derivatives`."""
-    attitude = sines_and_cosines(state[at.ROLL], state[at.PITCH], options)
+    roll, pitch = state[at.ROLL], state[at.PITCH]
+    heading, exact = heading_of(state[at.YAW]), attitude_of(roll, pitch)
+    attitude = (roll, 1.0, pitch, 1.0) if options.small_angles else exact
+    steer(command, outputs)
 
-    slope_gravity(state, vehicle, attitude, outputs)
+    slope_gravity(vehicle, heading, attitude, outputs)
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
-    contact_forces(state, command, vehicle, tire, options, outputs)
+    contact_forces(state, vehicle, tire, options, outputs)
     contact_forces_on_body_axes(options, attitude, outputs)
     strut_forces(state, command, vehicle, outputs)
     applied_link_forces(state, vehicle, options, attitude, outputs)
@@ -50,25 +56,17 @@ def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, ra
     link_forces(vehicle, options, outputs)
     link_load_transfer(vehicle, options, outputs)
 
-    body_rates(state, options, attitude, outputs, rates)
+    body_rates(state, options, heading, attitude, outputs, rates)
     unsprung_rates(state, vehicle, options, attitude, outputs, rates)
     compression_rates(state, options, attitude, outputs, rates)
     wheel_rates(state, command, vehicle, options, outputs, rates)
-    accelerations(state, vehicle, outputs)
+    accelerations(state, vehicle, exact, outputs)
 
 
 @kernel
-def sines_and_cosines(roll, pitch, options):
-    """Sine and cosine of roll, then of pitch; for small angles the angle itself, and 1."""
-    if options.small_angles:
-        return roll, 1.0, pitch, 1.0
-    return math.sin(roll), math.cos(roll), math.sin(pitch), math.cos(pitch)
-
-
-@kernel
-def slope_gravity(state, vehicle, attitude, outputs):
+def slope_gravity(vehicle, heading, attitude, outputs):
     """Gravity along the plane of the road, on grade or bank, in frame 1 (m/s^2)."""
-    along, across = ground_to_yawed(state[at.YAW], vehicle.gravity_along, vehicle.gravity_across)
+    along, across = ground_to_yawed(heading, vehicle.gravity_along, vehicle.gravity_across)
     slope = yawed_to_body(attitude, along, across, 0.0)
     for axis in range(len(slope)):
         outputs.slope_gravity[axis] = slope[axis]
@@ -86,10 +84,10 @@ def attitude_rates(state, options, attitude):
 
 
 @kernel
-def body_rates(state, options, attitude, outputs, rates):
+def body_rates(state, options, heading, attitude, outputs, rates):
     """Position, attitude and velocity of the sprung mass."""
     forward, left, rates[at.Z] = body_to_yawed(attitude, state[at.U], state[at.V], state[at.W])
-    rates[at.X], rates[at.Y] = yawed_to_ground(state[at.YAW], forward, left)
+    rates[at.X], rates[at.Y] = yawed_to_ground(heading, forward, left)
     turning = attitude_rates(state, options, attitude)
     rates[at.ROLL], rates[at.PITCH], rates[at.YAW] = turning
     q = outputs.body_acceleration
@@ -109,14 +107,12 @@ def compression_rates(state, options, attitude, outputs, rates):
 
 
 @kernel
-def accelerations(state, vehicle, outputs):
+def accelerations(state, vehicle, attitude, outputs):
     """Acceleration of the sprung c.g. in frame 2, and its specific force in frame 1.
 
     They are measurements: their axes are those of the exact attitude in every model.
     """
-    s_roll, c_roll = math.sin(state[at.ROLL]), math.cos(state[at.ROLL])
-    s_pitch, c_pitch = math.sin(state[at.PITCH]), math.cos(state[at.PITCH])
-    attitude = (s_roll, c_roll, s_pitch, c_pitch)
+    s_roll, c_roll, s_pitch, c_pitch = attitude
     q, u, v, w = outputs.body_acceleration, state[at.U], state[at.V], state[at.W]
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     ax, ay, az = q[DU] + wy * w - wz * v, q[DV] + wz * u - wx * w, q[DW] + wx * v - wy * u

@@ -1,10 +1,22 @@
 """Rotations between the body (frame 1), the yawed ground frame (frame 2) and the ground.
 
 Angles are Rz(yaw) Ry(pitch) Rx(roll), ISO 8855 / REP-103: pitch positive nose down, roll positive
-left side up. Arguments named s_ and c_ are a sine and a cosine.
+left side up. Variables named s_ and c_ are a sine and a cosine.
 """
 
 from vehicle_roll_sim.model.jit import kernel, math
+
+
+@kernel
+def attitude_of(roll, pitch):
+    """Sine and cosine of roll, then of pitch."""
+    return math.sin(roll), math.cos(roll), math.sin(pitch), math.cos(pitch)
+
+
+@kernel
+def heading_of(yaw):
+    """Sine and cosine of yaw."""
+    return math.sin(yaw), math.cos(yaw)
 
 
 @kernel
@@ -29,16 +41,16 @@ def yawed_to_body(attitude, x, y, z):
 
 
 @kernel
-def yawed_to_ground(yaw, x, y):
+def yawed_to_ground(heading, x, y):
     """A horizontal vector of frame 2 along the axes of the ground: Rz(yaw)."""
-    s_yaw, c_yaw = math.sin(yaw), math.cos(yaw)
+    s_yaw, c_yaw = heading
     return c_yaw * x - s_yaw * y, s_yaw * x + c_yaw * y
 
 
 @kernel
-def ground_to_yawed(yaw, x, y):
+def ground_to_yawed(heading, x, y):
     """A horizontal vector of the ground along the axes of frame 2."""
-    s_yaw, c_yaw = math.sin(yaw), math.cos(yaw)
+    s_yaw, c_yaw = heading
     return c_yaw * x + s_yaw * y, -s_yaw * x + c_yaw * y
 
 

@@ -3,7 +3,11 @@
 Wheels come in the order lf, rf, lr, rr everywhere. SI units and radians.
 """
 
+from collections import namedtuple
+
 import numpy as np
+
+from vehicle_roll_sim.model.jit import constants
 
 WHEELS = ("lf", "rf", "lr", "rr")
 WHEEL_COUNT = len(WHEELS)
@@ -100,6 +104,12 @@ VEHICLE = record_dtype(
 )
 """The vehicle as the equations want it: front and rear values laid out per wheel."""
 
+VehicleConstants = namedtuple(
+    "VehicleConstants", [name for name in VEHICLE.names if not VEHICLE[name].shape]
+)
+vehicle_constants = constants(VehicleConstants)
+"""The values of a VEHICLE record that are the same for every wheel."""
+
 OPTION_NAMES = (
     "euler_terms",
     "no_roll_centre",
@@ -122,6 +132,22 @@ OPTION_NAMES = (
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 """Which form of a term the equations take; all off is model 1. Each is explained where it acts."""
 
+CURVES = (
+    *("longitudinal", "lateral", "longitudinal_weight", "lateral_weight"),
+    *("longitudinal_at_shift", "lateral_at_shift", "ply_steer"),
+)
+"""Of a tire: forces of pure slip and their weights; those at the shifts of the weights and that of
+slip-induced ply-steer are 0 for many tires."""
+CURVE_COUNT, MAIN_CURVES = len(CURVES), 4
+LONGITUDINAL, LATERAL, LONGITUDINAL_WEIGHT, LATERAL_WEIGHT = range(MAIN_CURVES)
+LONGITUDINAL_AT_SHIFT, LATERAL_AT_SHIFT, PLY_STEER = range(MAIN_CURVES, CURVE_COUNT)
+
+
+def per_curve(*names: str) -> tuple:
+    """Fields for every curve of every wheel: those of a curve lie side by side."""
+    return tuple((name, CURVE_COUNT * WHEEL_COUNT) for name in names)
+
+
 OUTPUTS = record_dtype(
     *per_wheel("normal_force", "longitudinal_force", "lateral_force", "support"),
     *per_wheel("slip_ratio", "slip_angle", "steering", "suspension_rate"),
@@ -132,6 +158,12 @@ OUTPUTS = record_dtype(
     *per_wheel("strut_length", "loaded_radius", "unsprung_u", "unsprung_v"),
     *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
+    *per_wheel("steering_sine", "steering_cosine", "rolling", "sliding", "tread", "side"),
+    *per_wheel("patch_slip_ratio", "patch_slip_tangent", "slip_tangent", "stiffening"),
+    *per_wheel("longitudinal_peak", "lateral_peak", "longitudinal_shift", "lateral_shift"),
+    *per_wheel("ply_steer"),
+    *per_curve("curve_slip", "curve_stiffness", "curve_shape", "curve_curvature"),
+    *per_curve("curve_bend", "curve_angle", "curve_sine"),
     *per_wheel("contact_x", "contact_y", "strut_force", "link_load_transfer"),
     *per_wheel("applied_x", "applied_y", "link_x", "link_y"),
     ("body_acceleration", DEGREES_OF_ACCELERATION),

@@ -1,9 +1,8 @@
 """The six equations of the sprung mass as one linear system in its accelerations (eqs 29-34)."""
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.jit import kernel, math, term
 from vehicle_roll_sim.model.records import (
-    DEGREES_OF_ACCELERATION,
     DU,
     DV,
     DW,
@@ -133,15 +132,38 @@ def roll_moment(i, vehicle, options, outputs):
 def solve_in_place(a, f):
     """Replace f by the solution of a q = f; `a` is destroyed. Gaussian elimination.
 
-    No pivoting: the matrix is an inertia, dominated by its diagonal, with every pivot a mass.
+    The longitudinal and the lateral equation do not hold each other's acceleration, the roll
+    equation not that of pitch, and the vertical acceleration is in its own equation only. No
+    pivoting: the matrix is an inertia, dominated by its diagonal, with every pivot a mass.
     """
-    for k in range(DEGREES_OF_ACCELERATION):
-        for row in range(k + 1, DEGREES_OF_ACCELERATION):
-            factor = a[row, k] / a[k, k]
-            for column in range(k + 1, DEGREES_OF_ACCELERATION):
-                a[row, column] -= factor * a[k, column]
-            f[row] -= factor * f[k]
-    for k in range(DEGREES_OF_ACCELERATION - 1, -1, -1):
-        for column in range(k + 1, DEGREES_OF_ACCELERATION):
-            f[k] -= a[k, column] * f[column]
-        f[k] /= a[k, k]
+    eliminate(a, f, DU, (DWY, DWZ), (DWY, DWZ))
+    eliminate(a, f, DV, (DWX, DWZ), (DWX, DWY, DWZ))
+    eliminate(a, f, DWX, (DWZ,), (DWY, DWZ))
+    eliminate(a, f, DWY, (DWZ,), (DWZ,))
+    f[DWZ] /= a[DWZ, DWZ]
+    complete(a, f, DWY, (DWZ,))
+    complete(a, f, DWX, (DWZ,))
+    complete(a, f, DV, (DWX, DWZ))
+    complete(a, f, DU, (DWY, DWZ))
+    complete(a, f, DW, (DV, DWX, DWZ))
+    f[DW] /= a[DW, DW]
+
+
+@term
+def eliminate(a, f, unknown, others, rows):
+    """Have the row of an unknown give it by the others in it, and put that into further rows."""
+    pivot = a[unknown, unknown]
+    f[unknown] /= pivot
+    for other in others:
+        a[unknown, other] /= pivot
+    for row in rows:
+        f[row] -= a[row, unknown] * f[unknown]
+        for other in others:
+            a[row, other] -= a[row, unknown] * a[unknown, other]
+
+
+@term
+def complete(a, f, unknown, others):
+    """Take the others off the right-hand side of an unknown."""
+    for other in others:
+        f[unknown] -= a[unknown, other] * f[other]

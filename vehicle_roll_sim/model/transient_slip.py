@@ -13,7 +13,10 @@ with TAU = SIGMA / 15 m/s, along the wheel less where that would stop a light wh
 """
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.elementary import cosine, sine_of_twice_arctan
+from vehicle_roll_sim.model.jit import kernel, math, term
+from vehicle_roll_sim.model.records import WHEEL_COUNT, vehicle_constants
+from vehicle_roll_sim.model.tire import tire_constants
 
 LOW_SPEED = 1.0
 """m/s of rolling speed below which the terms for standstill come in, w."""
@@ -27,7 +30,7 @@ RELEASE_TIME = 0.02
 """RELEASE (s): time in which slip decays beyond XMAX at standstill, and off the ground."""
 
 
-@kernel
+@term
 def relaxation_lengths(fz, vehicle, tire):
     """Longitudinal and lateral relaxation length at load fz (m; Magic Formula 5.2)."""
     nominal = tire.LFZO * tire.FNOMIN
@@ -37,19 +40,19 @@ def relaxation_lengths(fz, vehicle, tire):
     along *= radius / tire.FNOMIN * tire.LSGKP
     across = 0.0
     if tire.PTY2 != 0.0:
-        across = tire.PTY1 * math.sin(2 * math.atan(fz / (tire.PTY2 * nominal)))
+        across = tire.PTY1 * sine_of_twice_arctan(fz / (tire.PTY2 * nominal))
     across *= radius * tire.LFZO * tire.LSGAL
     return max(along, floor), max(across, floor)
 
 
-@kernel
+@term
 def standstill(rolling):
     """w: 1 at standstill, 0 from LOW_SPEED on, smooth in between."""
     speed = abs(rolling)
-    return 0.5 + 0.5 * math.cos(math.pi * speed / LOW_SPEED) if speed < LOW_SPEED else 0.0
+    return 0.5 + 0.5 * cosine(math.pi * speed / LOW_SPEED) if speed < LOW_SPEED else 0.0
 
 
-@kernel
+@term
 def slip_rate(slip, rolling, sliding, length, weight):
     """dx/dt (1/s) of the equation above."""
     excess = math.copysign(max(abs(slip) - LARGEST_AT_REST, 0.0), slip)
@@ -57,25 +60,43 @@ def slip_rate(slip, rolling, sliding, length, weight):
 
 
 @kernel
-def transient_slip(i, state, rolling, sliding, spinning, vehicle, tire, outputs):
-    """Slip ratio and slip angle (rad) for the tire of wheel i; their rates go into `outputs`.
+def transient_slip(state, vehicle, tire, outputs):
+    """Slip ratio and slip angle (rad) for the tire of every wheel, and the rates of its states."""
+    along, across = state[at.LONGITUDINAL_SLIP], state[at.LATERAL_SLIP]
+    for i in range(WHEEL_COUNT):
+        outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
+    vehicle, tire = vehicle_constants(vehicle), tire_constants(tire)
+    for i in range(WHEEL_COUNT):
+        outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
+            damped_slip(
+                outputs.patch_slip_ratio[i],
+                outputs.patch_slip_tangent[i],
+                outputs.rolling[i],
+                outputs.sliding[i],
+                outputs.tread[i],
+                outputs.normal_force[i],
+                vehicle,
+                tire,
+            )
+        )
+        outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
 
-    rolling, sliding: velocity of the contact point along and across the wheel (m/s); spinning: of
+
+@term
+def damped_slip(along, across, rolling, sliding, tread, fz, vehicle, tire):
+    """Rates of the slips along and across (1/s), and the slips that the Magic Formula gets.
+
+    rolling, sliding: velocity of the contact point along and across the wheel (m/s); tread: of
     the tread over the wheel (m/s). Without load slips decay.
     """
-    along, across = state[at.LONGITUDINAL_SLIP][i], state[at.LATERAL_SLIP][i]
-    fz = outputs.normal_force[i]
     if fz <= 0.0:
-        outputs.longitudinal_slip_rate[i] = -along / RELEASE_TIME
-        outputs.lateral_slip_rate[i] = -across / RELEASE_TIME
-        return along, math.atan(across)
+        return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across
     long, lateral = relaxation_lengths(fz, vehicle, tire)
     weight = standstill(rolling)
-    along_rate = slip_rate(along, rolling, spinning - rolling, long, weight)
+    along_rate = slip_rate(along, rolling, tread - rolling, long, weight)
     across_rate = slip_rate(across, rolling, sliding, lateral, weight)
-    outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i] = along_rate, across_rate
     slope = fz * tire.PKX1 * tire.LKX * vehicle.tire_radius**2  # about Kx r^2
     firm = max(DAMPING_SPEED, slope / (vehicle.wheel_inertia * QUICKEST_DAMPING))
     along += long / firm * weight * along_rate
     across += lateral / DAMPING_SPEED * weight * across_rate
-    return along, math.atan(across)
+    return along_rate, across_rate, along, across
