@@ -4,15 +4,13 @@ import math
 
 import numpy as np
 import pytest
+from entries import entry
 
-from vehicle_roll_sim.model.elementary import (
-    arctan,
-    cosine,
-    cosine_of_arctan,
-    sine,
-    sine_of_twice_arctan,
-)
+from vehicle_roll_sim.model import elementary
 
+arctan, sine, cosine = map(entry, (elementary.arctan, elementary.sine, elementary.cosine))
+cosine_of_arctan = entry(elementary.cosine_of_arctan)
+sine_of_twice_arctan = entry(elementary.sine_of_twice_arctan)
 CASES = 20_000
 UNITS = 2.5
 """Units in the last place of the result: a handful of rounded operations."""

@@ -6,12 +6,13 @@ import math
 
 import numpy as np
 import pytest
+from entries import entry
 from programmes import Evaluation, ramp_and_hold, record_run, with_tire
 from random_states import random_command, random_state
 
 from vehicle_roll_sim import Command, Options, Simulation
+from vehicle_roll_sim.model import transient_slip
 from vehicle_roll_sim.model.jit import kernel_argument
-from vehicle_roll_sim.model.transient_slip import relaxation_lengths
 
 SPEED = 50 / 3.6
 LIMP = {"LMUX": 0.0, "LMUY": 0.0}
@@ -39,6 +40,7 @@ def test_relaxation_lengths_are_those_of_the_magic_formula_with_a_floor(vehicle,
     vehicle = with_tire(vehicle, **scaling)
     car, tire = (kernel_argument(part.record())[0] for part in (vehicle, vehicle.tire))
     loads = np.linspace(1.0, 12_000.0, 200)
+    relaxation_lengths = entry(transient_slip.relaxation_lengths)
     seen = np.array([relaxation_lengths(fz, car, tire) for fz in loads]).T
     np.testing.assert_allclose(seen, lengths(vehicle, loads), rtol=1e-13)
     assert (seen[:, 0] == vehicle.minimum_relaxation_length).all()

@@ -79,18 +79,20 @@ def kernel(function, **options):
     """Compile `function` where numba is there; division by zero then gives inf or nan."""
     if not COMPILED:
         return function
+    compiled = functools.partial(numba.njit, error_model="numpy", no_cfunc_wrapper=True, **options)
     if CACHE is None:
-        return numba.njit(error_model="numpy", **options)(function)
+        return compiled(function)
     users_choice = numba.config.CACHE_DIR
     numba.config.CACHE_DIR = str(CACHE)
     try:
-        return numba.njit(cache=True, error_model="numpy", **options)(function)
+        return compiled(function, cache=True)
     finally:
         numba.config.CACHE_DIR = users_choice
 
 
-term = functools.partial(kernel, forceinline=True)
-"""A kernel that is made part of every loop that calls it: for terms of one wheel."""
+term = functools.partial(kernel, forceinline=True, no_cpython_wrapper=True)
+"""A kernel that is made part of every kernel that calls it, and that Python cannot call when it is
+compiled: for terms of one wheel, and for loops that are worth it."""
 
 
 def _square_root():

@@ -1,0 +1,10 @@
+"""A way from Python into terms of the equations, which compiled code has inside its loops only."""
+
+from vehicle_roll_sim.model import jit
+
+
+def entry(term):
+    """A function that Python can call and that gives what compiled code gets from `term`."""
+    if not jit.COMPILED:
+        return term
+    return jit.numba.njit(lambda *arguments: term(*arguments), error_model="numpy")
