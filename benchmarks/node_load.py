@@ -55,7 +55,8 @@ def load(rate: float, factor: float, listened: tuple[str, ...], duration: float)
     parameters = (f"publish_rate:={rate}", f"real_time_factor:={factor}")
     with Peer() as peer, simulator(peer.domain, *parameters) as process:
         diagnostics = Tap(peer, "/diagnostics", keep=True)
-        taps = [diagnostics, *(Tap(peer, name) for name in listened)]
+        sets = [Tap(peer, name) for name in listened]
+        taps = [diagnostics, *sets]
         for tap in taps:
             wait(tap.found, f"a message on {tap.name}", lambda: time.sleep(LOOK))
         _drain_for(WARM_UP, taps)
@@ -67,7 +68,7 @@ def load(rate: float, factor: float, listened: tuple[str, ...], duration: float)
     due = rate * factor * lasted
     return {
         "cpu_percent": 100.0 * used / lasted,
-        "sets_percent": 100.0 * taps[-1].count / due if due and listened else math.nan,
+        "sets_percent": 100.0 * sets[0].count / due if due else math.nan,
         "simulated_over_wall": _pace(diagnostics),
         **_timing(diagnostics),
         "lost": sum(tap.lost for tap in taps),

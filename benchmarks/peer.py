@@ -12,6 +12,7 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.ros.topics import COMMANDING, COMMANDS, PUBLISHED, SENT
 
 PATIENCE = 120.0
@@ -78,7 +79,7 @@ class Tap:
 
     An executor costs a listener more for each message than sending it costs the simulator. The
     node must not be spun meanwhile. first, last: the bytes of a message and what the middleware
-    says of it; decoded: every message, if they are to be kept.
+    says of it; kept: all of these, if wanted.
     """
 
     def __init__(self, peer: Peer, name: str, keep: bool = False):
@@ -111,7 +112,7 @@ class Tap:
     def decoded(self, taken: tuple):
         """The message, and when it was sent (s)."""
         data, info = taken
-        return deserialize_message(data, self.kind), info["source_timestamp"] / 1e9
+        return deserialize_message(data, self.kind), info["source_timestamp"] / NANOSECONDS
 
     def found(self) -> bool:
         """Whether something has come."""
