@@ -30,7 +30,7 @@ else
 	$(BIN)/python -m pytest test/ros
 endif
 
-# A quarter of an hour; OPTIONS=--quick is rougher, --only NAME ... does a part.
+# Ten minutes; OPTIONS=--quick is rougher, --only NAME ... does a part.
 bench: setup
 	$(BIN)/python -m benchmarks $(OPTIONS)
 

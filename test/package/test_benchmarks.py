@@ -45,7 +45,3 @@ def test_what_is_wrong_is_refused_in_one_line_before_anything_is_measured(benchm
     assert (result.returncode, result.stdout) == (2, "")
     assert result.stderr.count("\n") == 1
     assert result.stderr.startswith(f"benchmarks: error: {words[0]}: ")
-
-
-def test_the_package_does_not_need_them(sources):
-    assert not [name for name, text in sources.items() if "benchmarks" in text]
