@@ -1,12 +1,15 @@
 """Numbers of the benchmarks: percentiles, and tables in Markdown."""
 
 import math
+import textwrap
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 NONE = "–"
 """What there is no number for."""
+WIDTH = 105
+"""Of a line of text."""
 MILLI, MICRO, NANO = 1e3, 1e6, 1e9
 """Of them in a whole."""
 
@@ -30,7 +33,8 @@ def as_section(benchmark, rows: Sequence[Mapping]) -> str:
     lines = [list(columns.values()), ["---"] * len(columns)]
     lines += [[_shown(row[key]) for key in columns] for row in rows]
     table = "\n".join("| " + " | ".join(line) + " |" for line in lines)
-    return f"### {benchmark.TITLE}\n\n{benchmark.ABOUT}\n\n{table}"
+    about = textwrap.fill(benchmark.ABOUT, WIDTH, break_on_hyphens=False)
+    return f"### {benchmark.TITLE}\n\n{about}\n\n{table}"
 
 
 def _shown(value) -> str:
