@@ -7,7 +7,7 @@ BIN := $(VENV)/bin
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
-.PHONY: setup run test lint format build clean
+.PHONY: setup run test bench lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -29,6 +29,10 @@ else
 	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --ignore test/ros
 	$(BIN)/python -m pytest test/ros
 endif
+
+# Ten minutes; OPTIONS=--quick is rougher, --only NAME ... does a part.
+bench: setup
+	$(BIN)/python -m benchmarks $(OPTIONS)
 
 lint: setup
 	$(BIN)/ruff check .

@@ -94,6 +94,11 @@ def test_only_the_comparison_with_the_multibody_engine_imports_it(sources):
     assert importing == {f"{PACKAGE}.analysis.multibody"}
 
 
+def test_nothing_imports_the_benchmarks(sources):
+    for name, text in sources.items():
+        assert not any(is_within(imported, "benchmarks") for imported in imports_of(text)), name
+
+
 def test_library_and_command_run_where_there_is_neither_ros_nor_the_multibody_engine(tmp_path):
     program = (
         "import sys;"

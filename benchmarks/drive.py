@@ -1,0 +1,59 @@
+"""What the benchmarks of the model drive: the reference vehicle through a slalom."""
+
+import time
+
+import numpy as np
+
+from vehicle_roll_sim import Options, Simulation, preset
+from vehicle_roll_sim.model.derivatives import derivatives
+from vehicle_roll_sim.model.jit import kernel, kernel_argument
+from vehicle_roll_sim.model.records import COMMAND
+
+SPEED = 20.0
+"""m/s"""
+AMPLITUDE, PERIOD = np.radians(2.0), 2.5
+"""rad and s, of the front steering."""
+SLIPS = {"transient": Options(), "steady-state": Options(steady_state_slip=True)}
+"""Model 1, by the kind of slip."""
+
+
+def slalom(times: np.ndarray, torque: float = 0.0) -> np.ndarray:
+    """COMMAND records: the steering, and a torque at each wheel that swings twice as fast (N m)."""
+    commands = np.zeros(len(times), COMMAND)
+    phase = 2 * np.pi * times / PERIOD
+    commands["steering"] = AMPLITUDE * np.sin(phase)
+    commands["wheel_torque"] = torque * np.sin(2 * phase)[:, None]
+    return commands
+
+
+def slalom_start(options: Options, step: float = 1e-3) -> Simulation:
+    """The vehicle at the entry of the slalom."""
+    simulation = Simulation(preset(), options, step=step)
+    simulation.reset(SPEED)
+    return simulation
+
+
+def plant(options: Options) -> tuple:
+    """Vehicle, tire and options as the equations take them."""
+    vehicle = preset()
+    parts = (vehicle.record(), vehicle.tire.record(), options.record())
+    return tuple(kernel_argument(part) for part in parts)
+
+
+@kernel
+def evaluate(states, commands, plant, outputs, rates):
+    """Derivatives at each of the states under the command beside it; `rates` are the last."""
+    vehicle, tire, options = plant[0][0], plant[1][0], plant[2][0]
+    for k in range(len(states)):
+        derivatives(states[k], commands[k], vehicle, tire, options, outputs[0], rates)
+
+
+def repeated(call, repetitions: int, prepare=lambda: None) -> np.ndarray:
+    """How long `call` takes (s), every time; what `prepare` takes before is not counted."""
+    took = np.empty(repetitions)
+    for i in range(repetitions):
+        prepare()
+        begun = time.perf_counter()
+        call()
+        took[i] = time.perf_counter() - begun
+    return took

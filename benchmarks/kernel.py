@@ -1,0 +1,89 @@
+"""How long the equations take: a derivative within compiled code, a step from Python."""
+
+import numpy as np
+
+from benchmarks.drive import SLIPS, evaluate, plant, repeated, slalom, slalom_start
+from benchmarks.report import MICRO, NANO, median
+from vehicle_roll_sim import Command, Options
+from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
+
+TITLE = "The model"
+ABOUT = (
+    "A derivative: calls in a compiled loop along a recorded slalom (20 m/s, 2° at 0.4 Hz, with up "
+    "to 400 N m at each wheel: four tires in combined slip); a sample is the mean over its 2000 "
+    "states. A step: `Simulation.step` of 1 ms, called from Python with a command that is held; a "
+    "sample is the mean of 100 steps."
+)
+COLUMNS = {
+    "what": "",
+    "unit": "unit",
+    "median": "median",
+    "minimum": "minimum",
+    "calls": "calls",
+}
+TORQUE = 400.0
+"""N m"""
+STATES = 2000
+"""Recorded, one every STEP: 10 s."""
+STEP = 0.005
+"""s"""
+REPETITIONS, QUICK = 300, 30
+STEPS = 100
+"""In a repetition of `Simulation.step`."""
+MODELS = {
+    **{f"model 1, {slip} slip": options for slip, options in SLIPS.items()},
+    "8 DOF": Options(model="8dof"),
+}
+
+
+def measure(quick: bool) -> list[dict]:
+    """Rows of the table."""
+    repetitions = QUICK if quick else REPETITIONS
+    rows = []
+    for name, options in MODELS.items():
+        took = derivative_times(options, repetitions)
+        rows.append(_row(f"derivative, {name}", "ns", took * NANO, STATES))
+    for name, options in MODELS.items():
+        took = step_times(options, repetitions)
+        rows.append(_row(f"step of 1 ms, {name}", "µs", took * MICRO, STEPS))
+    return rows
+
+
+def _row(what: str, unit: str, took: np.ndarray, calls: int) -> dict:
+    return {
+        "what": what,
+        "unit": unit,
+        "median": median(took),
+        "minimum": float(took.min()),
+        "calls": calls * len(took),
+    }
+
+
+def driven_slalom(times: np.ndarray) -> np.ndarray:
+    return slalom(times, TORQUE)
+
+
+def derivative_times(options: Options, repetitions: int) -> np.ndarray:
+    """Time of a call (s), each the mean over the recorded states."""
+    simulation = slalom_start(options)
+    states, outputs = np.empty((STATES, STATE_SIZE)), np.empty(1, OUTPUTS)
+    for row in states:
+        simulation.step(driven_slalom, STEP)
+        row[:] = simulation.state_vector
+    outputs[0] = simulation.outputs
+    commands = driven_slalom(STEP * np.arange(1, STATES + 1))
+    arguments = (states, commands, plant(options), kernel_argument(outputs), np.empty(STATE_SIZE))
+    evaluate(*arguments)  # compiles
+    return repeated(lambda: evaluate(*arguments), repetitions) / STATES
+
+
+def step_times(options: Options, repetitions: int) -> np.ndarray:
+    """Time of a step (s), each the mean over STEPS of them."""
+    simulation, command = slalom_start(options), Command(steering=0.02)
+
+    def some_steps():
+        for _ in range(STEPS):
+            simulation.step(command, 1e-3)
+
+    return repeated(some_steps, repetitions) / STEPS

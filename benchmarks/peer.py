@@ -1,0 +1,120 @@
+"""The other end of a simulator that is measured: a node in this process, in its own domain."""
+
+import itertools
+import os
+import time
+from collections.abc import Callable
+
+import rclpy
+from rclpy.context import Context
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.qos import QoSProfile
+from rclpy.serialization import deserialize_message
+
+from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.ros.topics import COMMANDING, COMMANDS, PUBLISHED, SENT
+
+PATIENCE = 120.0
+"""s until a wait fails: compiling the model on a busy machine included."""
+TURN = 0.02
+"""s between two looks at what is waited for."""
+LARGEST_DOMAIN = 100
+"""Above it, ports may meet those that the system hands out."""
+BATCH = 1000
+"""Messages that a Tap can leave lying."""
+TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED)}
+_domains = itertools.count(os.getpid())
+
+
+def wait(done: Callable[[], object], what: str, turn: Callable[[], None]):
+    """Take turns until `done()` is true; raises TimeoutError naming `what` if that lasts."""
+    until = time.monotonic() + PATIENCE
+    while not (value := done()):
+        if time.monotonic() > until:
+            raise TimeoutError(f"waited {PATIENCE:g} s in vain for {what}")
+        turn()
+    return value
+
+
+class Peer:
+    """A node that listens and commands, with an executor; a context manager."""
+
+    def __init__(self):
+        self.domain = next(_domains) % LARGEST_DOMAIN + 1
+        self.context = Context()
+        rclpy.init(context=self.context, domain_id=self.domain)
+        self.node = Node("benchmark", context=self.context)
+        self.executor = SingleThreadedExecutor(context=self.context)
+        self.executor.add_node(self.node)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.executor.shutdown()
+        self.node.destroy_node()
+        rclpy.try_shutdown(context=self.context)
+
+    def listen(self, name: str, receive: Callable):
+        return self.node.create_subscription(TOPICS[name].type, name, receive, SENT)
+
+    def commander(self, name: str):
+        return self.node.create_publisher(TOPICS[name].type, name, COMMANDING)
+
+    def spin(self, longest: float = TURN) -> None:
+        self.executor.spin_once(timeout_sec=longest)
+
+    def spin_for(self, duration: float) -> None:
+        until = time.monotonic() + duration
+        while (left := until - time.monotonic()) > 0.0:
+            self.spin(min(left, TURN))
+
+    def wait(self, done: Callable[[], object], what: str):
+        return wait(done, what, self.spin)
+
+
+class Tap:
+    """All that comes on a topic, taken in batches and not decoded.
+
+    An executor costs a listener more for each message than sending it costs the simulator. The
+    node must not be spun meanwhile. first, last: the bytes of a message and what the middleware
+    says of it; kept: all of these, if wanted.
+    """
+
+    def __init__(self, peer: Peer, name: str, keep: bool = False):
+        self.name, self.kind, self.keep = name, TOPICS[name].type, keep
+        self._subscription = peer.node.create_subscription(
+            self.kind, name, lambda _: None, QoSProfile(depth=BATCH), raw=True
+        )
+        self.clear()
+
+    def clear(self) -> None:
+        self.count, self.first, self.last, self.kept = 0, None, None, []
+
+    def drain(self) -> None:
+        handle = self._subscription.handle
+        with handle:
+            while (taken := handle.take_message(self.kind, True)) is not None:
+                self.first, self.last = self.first or taken, taken
+                self.count += 1
+                if self.keep:
+                    self.kept.append(taken)
+
+    @property
+    def lost(self) -> int:
+        """Messages that were sent between the first and the last, and did not come."""
+        if not self.count:
+            return 0
+        first, last = (info["publication_sequence_number"] for _, info in (self.first, self.last))
+        return last - first + 1 - self.count
+
+    def decoded(self, taken: tuple):
+        """The message, and when it was sent (s)."""
+        data, info = taken
+        return deserialize_message(data, self.kind), info["source_timestamp"] / NANOSECONDS
+
+    def found(self) -> bool:
+        """Whether something has come."""
+        self.drain()
+        return self.count > 0

@@ -1,0 +1,55 @@
+"""Numbers of the benchmarks: percentiles, and tables in Markdown."""
+
+import math
+import textwrap
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+NONE = "–"
+"""What there is no number for."""
+WIDTH = 105
+"""Of a line of text."""
+MILLI, MICRO, NANO = 1e3, 1e6, 1e9
+"""Of them in a whole."""
+
+
+def median(values: Sequence[float]) -> float:
+    return percentile(values, 50)
+
+
+def percentile(values: Sequence[float], share: float) -> float:
+    """nan of nothing."""
+    return float(np.percentile(values, share)) if len(values) else math.nan
+
+
+def as_lines(about: Mapping[str, str]) -> str:
+    return "\n".join(f"- {name}: {value}" for name, value in about.items())
+
+
+def as_section(benchmark, rows: Sequence[Mapping]) -> str:
+    """Heading, explanation and table of a benchmark: its COLUMNS are headers by key of a row."""
+    columns = benchmark.COLUMNS
+    lines = [list(columns.values()), ["---"] * len(columns)]
+    lines += [[_shown(row[key]) for key in columns] for row in rows]
+    table = "\n".join("| " + " | ".join(line) + " |" for line in lines)
+    about = textwrap.fill(benchmark.ABOUT, WIDTH, break_on_hyphens=False)
+    return f"### {benchmark.TITLE}\n\n{about}\n\n{table}"
+
+
+def _shown(value) -> str:
+    """Three digits of a number, but all of those before the point."""
+    if not isinstance(value, float):
+        return str(value)
+    if math.isnan(value):
+        return NONE
+    return f"{value:.0f}" if abs(value) >= 100.0 else f"{value:.3g}"
+
+
+def without_nan(value):
+    """The same lists and dictionaries with None for what is not finite, as JSON has it."""
+    if isinstance(value, Mapping):
+        return {key: without_nan(each) for key, each in value.items()}
+    if isinstance(value, list):
+        return [without_nan(each) for each in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
