@@ -23,13 +23,13 @@ class Encoded:
     kind: what numbers they are.
     """
 
-    def __init__(self, message, count: int, mark=MARK, kind: str = "<f8"):
+    def __init__(self, message, count: int = 0, mark=MARK, kind: str = "<f8"):
         self._bytes = bytearray(serialize_message(message))
-        first = self._bytes.index(np.array(mark, kind).tobytes())
+        first = self._bytes.index(np.array(mark, kind).tobytes()) if count else 0
         self.numbers = np.frombuffer(self._bytes, kind, count, first)
 
     def stamp(self, seconds: int, nanoseconds: int) -> None:
-        """Set the stamp of a message that begins with a header."""
+        """Set the stamp of a message that begins with one, alone or in a header."""
         STAMP.pack_into(self._bytes, STAMP_AT, seconds, nanoseconds)
 
     def __bytes__(self) -> bytes:

@@ -6,6 +6,7 @@ import numpy as np
 from builtin_interfaces.msg import Time
 from geometry_msgs.msg import TransformStamped, WrenchStamped
 from nav_msgs.msg import Odometry
+from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Imu, JointState
 from std_msgs.msg import Float64, Float64MultiArray, MultiArrayDimension, UInt8MultiArray
 
@@ -69,6 +70,7 @@ class Messages:
         flags.data = bytes(FLAGS_MARK)
         self._lift_off = Encoded(flags, WHEEL_COUNT, FLAGS_MARK, kind="u1")
         self._ratio = Encoded(Float64(data=MARK), 1)
+        self._clock = Encoded(Clock())
         odometry = self._stamped(Odometry, odom)
         odometry.child_frame_id = body
         odometry.pose.pose.position.x = MARK
@@ -107,6 +109,9 @@ class Messages:
     def set_time(self, nanoseconds: int) -> None:
         """The stamp of the set (ns since the epoch of the stamps)."""
         self.stamp.sec, self.stamp.nanosec = divmod(nanoseconds, NANOSECONDS)
+
+    def clock(self) -> bytes:
+        return self._dated(self._clock)
 
     def _dated(self, message: Encoded) -> bytes:
         message.stamp(self.stamp.sec, self.stamp.nanosec)

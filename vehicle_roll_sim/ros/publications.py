@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.node import Node
-from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String
 
 from vehicle_roll_sim.model.records import WHEELS
@@ -75,8 +74,8 @@ class Publications:
         """The messages of the present that somebody listens to."""
         stamp_ns = self._stamps_begin_ns + self._session.simulation.time_ns
         self._messages.set_time(stamp_ns)
-        if self._clock:
-            self._clock.publish(Clock(clock=self._messages.stamp))
+        if self._clock and self._clock.get_subscription_count():
+            self._clock.publish(self._messages.clock())
         for publisher, build in self._set:
             if publisher.get_subscription_count():
                 publisher.publish(build())
