@@ -26,8 +26,8 @@ kernels = [
 compiled = lambda: sum(len(kernel.signatures) for kernel in kernels)
 before = compiled()
 simulator.begin()
-for topic in simulator._publications._set:
-    topic[1]()
+for _, build in simulator._publications._set.values():
+    build()
 for _ in range(3):
     simulator.run_period()
 print(len(kernels), before, compiled())

@@ -4,6 +4,7 @@ With numba installed (and NUMBA_DISABLE_JIT unset) a kernel is compiled once and
 disk; without it the same function runs as ordinary Python, slower.
 """
 
+import contextlib
 import functools
 import hashlib
 import math as standard_math
@@ -139,6 +140,11 @@ def constants(values: type):
         return result(record), generate
 
     return copied
+
+
+def silently():
+    """A context in which plain Python, as compiled code, does not warn of nan and overflow."""
+    return contextlib.nullcontext() if COMPILED else np.errstate(all="ignore")
 
 
 def kernel_argument(records: np.ndarray):

@@ -1,5 +1,6 @@
 """What a simulator publishes: a set of messages every period, and a few beside them."""
 
+import time
 from collections.abc import Callable
 
 from rclpy.event_handler import PublisherEventCallbacks
@@ -17,6 +18,9 @@ from vehicle_roll_sim.ros.topics import (
     Topic,
 )
 from vehicle_roll_sim.simulation.session import Session
+
+LONGEST_UNNOTICED_NS = 50_000_000
+"""Wall time (ns) for which a new listener may go unnoticed: asking costs as much as a message."""
 
 
 class Publications:
@@ -40,18 +44,20 @@ class Publications:
         self._stamps_begin_ns = 0 if own_clock else node.get_clock().now().nanoseconds
         self._last_stamp_ns = self._stamps_begin_ns
         self.sets = 0
-        self._set = [(self.publisher(topic), self._builder(topic)) for topic in STATE_SET]
+        topics = (CLOCK, *STATE_SET) if own_clock else STATE_SET
+        self._own_clock = own_clock
+        self._set = {topic.name: (self.publisher(topic), self._builder(topic)) for topic in topics}
         self._prepare()
         self._transforms = [(self.publisher(topic), topic.type) for topic in TRANSFORMS]
         self._rollover = self.publisher(ROLLOVER)
-        self._clock = self.publisher(CLOCK) if own_clock else None
         self._description = self.publisher(ROBOT_DESCRIPTION)
         self._description.publish(String(data=robot_description))
 
     def _prepare(self) -> None:
         """Build everything once, so that nothing has to be compiled when time matters."""
-        for _, build in self._set:
+        for _, build in self._set.values():
             build()
+        self.look_for_listeners()
 
     def publisher(self, topic: Topic):
         """One without event handlers: each would be one more thing for every wait to watch."""
@@ -64,21 +70,29 @@ class Publications:
 
     def _builder(self, topic: Topic) -> Callable[[], bytes]:
         """The method that brings the message of a topic up to date."""
-        family, _, wheel = topic.name.partition("/")
+        family, _, wheel = topic.name.lstrip("/").partition("/")
         if family == "tire_forces":
             index = WHEELS.index(wheel)
             return lambda: self._messages.tire_force(index)
-        return getattr(self._messages, topic.name)
+        return getattr(self._messages, family)
+
+    def look_for_listeners(self) -> None:
+        """Find out to which topics of the set somebody listens."""
+        self._heard = [
+            (publisher, build)
+            for publisher, build in self._set.values()
+            if publisher.get_subscription_count()
+        ]
+        self._looked_ns = time.monotonic_ns()
 
     def publish_set(self) -> None:
         """The messages of the present that somebody listens to."""
         stamp_ns = self._stamps_begin_ns + self._session.simulation.time_ns
         self._messages.set_time(stamp_ns)
-        if self._clock and self._clock.get_subscription_count():
-            self._clock.publish(self._messages.clock())
-        for publisher, build in self._set:
-            if publisher.get_subscription_count():
-                publisher.publish(build())
+        if time.monotonic_ns() - self._looked_ns > LONGEST_UNNOTICED_NS:
+            self.look_for_listeners()
+        for publisher, build in self._heard:
+            publisher.publish(build())
         if not self._session.stopped:  # tf2 complains of a transform that comes twice
             for publisher, kind in self._transforms:
                 publisher.publish(kind(transforms=self._messages.transforms()))
@@ -90,16 +104,15 @@ class Publications:
 
     def after_reset(self) -> None:
         """Stamps go on rising, unless they are simulated time, which begins anew."""
-        if not self._clock:
+        if not self._own_clock:
             self._stamps_begin_ns = self._last_stamp_ns + self._session.period_ns
 
     def present_stamp(self):
         """For messages of no set: the time on the clock that subscribers go by."""
-        if self._clock:
+        if self._own_clock:
             return self._messages.stamp
         return self._node.get_clock().now().to_msg()
 
     def listeners(self, name: str) -> int:
         """How many listen to a topic of the set."""
-        names = [topic.name for topic in STATE_SET]
-        return self._set[names.index(name)][0].get_subscription_count()
+        return self._set[name][0].get_subscription_count()

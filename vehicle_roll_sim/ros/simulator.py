@@ -81,6 +81,7 @@ class Simulator(Node):
             self._publish_all()
 
     def _publish_all(self) -> None:
+        self._publications.look_for_listeners()
         self._publications.publish_set()
         self._publications.publish_rollover()
 

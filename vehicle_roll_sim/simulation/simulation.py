@@ -21,6 +21,7 @@ from vehicle_roll_sim.model.jit import (
     discard_compiled_code,
     has_compiled_code,
     kernel_argument,
+    silently,
 )
 from vehicle_roll_sim.model.records import (
     COMMAND,
@@ -217,7 +218,7 @@ class Simulation:
             kernel_argument(self._events),
             self._stages,
         )
-        with np.errstate(all="ignore"):  # divergence is found by its result
+        with silently():  # divergence is found by its result
             taken, condition, culprit = _interruptible(advance, arguments)
         self.time_ns += taken * self.step_ns
         self.condition = Condition(condition)
