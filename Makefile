@@ -21,14 +21,8 @@ $(VENV)/.ready: requirements/build.txt $(PINNED) setup.py setup.cfg
 run: setup
 	$(BIN)/demo
 
-# What needs no middleware runs on two cores at once.
 test: setup
-ifdef TESTS
-	$(BIN)/python -m pytest $(TESTS)
-else
-	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --ignore test/ros
-	$(BIN)/python -m pytest test/ros
-endif
+	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile $(TESTS)
 
 # Ten minutes; OPTIONS=--quick is rougher, --only NAME ... does a part.
 bench: setup

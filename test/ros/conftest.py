@@ -8,7 +8,11 @@ from peers import Peer, Process
 
 LARGEST_DOMAIN = 100
 """Above it, ports may meet those that the system hands out."""
-_numbers = itertools.count(os.getpid())
+WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+WORKERS = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+RUN = os.getppid() if WORKERS > 1 else os.getpid()
+"""A process that all workers of this run have in common."""
+_numbers = itertools.count(RUN * WORKERS + WORKER, WORKERS)
 
 
 @pytest.fixture(autouse=True)
