@@ -115,6 +115,7 @@ def test_a_wrong_answer_counts_as_one_and_leaves_the_last_command(start, peer):
     peer.listen("applied_command")
     answered(peer, 0.02)
     assert answered(peer, float("nan")).data[0] == 0.02
+    peer.wait(lambda: len(peer.received["applied_command"]) >= 2, "what was applied")
     assert peer.received["applied_command"][-1][1].data[1] == 0.02
 
 

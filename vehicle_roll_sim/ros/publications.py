@@ -20,14 +20,15 @@ from vehicle_roll_sim.ros.topics import (
 from vehicle_roll_sim.simulation.session import Session
 
 LONGEST_UNNOTICED_NS = 50_000_000
-"""Wall time (ns) for which a new listener may go unnoticed: asking costs as much as a message."""
+"""Wall time (ns) for which real time may not notice a new listener: looking costs like sending."""
 
 
 class Publications:
     """The publishers of `node` for the messages of a session.
 
     own_clock: stamps are simulated time and published on /clock; else they begin at the time of
-    the start. sets: how many have been published.
+    the start. unnoticed_ns: wall time for which a new listener may go unnoticed. sets: how many
+    have been published.
     """
 
     def __init__(
@@ -37,6 +38,7 @@ class Publications:
         *,
         frame_prefix: str,
         own_clock: bool,
+        unnoticed_ns: int,
         robot_description: str,
     ):
         self._node, self._session = node, session
@@ -45,7 +47,7 @@ class Publications:
         self._last_stamp_ns = self._stamps_begin_ns
         self.sets = 0
         topics = (CLOCK, *STATE_SET) if own_clock else STATE_SET
-        self._own_clock = own_clock
+        self._own_clock, self._unnoticed_ns = own_clock, unnoticed_ns
         self._set = {topic.name: (self.publisher(topic), self._builder(topic)) for topic in topics}
         self._prepare()
         self._transforms = [(self.publisher(topic), topic.type) for topic in TRANSFORMS]
@@ -89,7 +91,7 @@ class Publications:
         """The messages of the present that somebody listens to."""
         stamp_ns = self._stamps_begin_ns + self._session.simulation.time_ns
         self._messages.set_time(stamp_ns)
-        if time.monotonic_ns() - self._looked_ns > LONGEST_UNNOTICED_NS:
+        if time.monotonic_ns() - self._looked_ns >= self._unnoticed_ns:
             self.look_for_listeners()
         for publisher, build in self._heard:
             publisher.publish(build())

@@ -18,7 +18,7 @@ from vehicle_roll_sim.ros import parameters
 from vehicle_roll_sim.ros.diagnostics import Reporter
 from vehicle_roll_sim.ros.lockstep import Lockstep, UnansweredError
 from vehicle_roll_sim.ros.process import node_main
-from vehicle_roll_sim.ros.publications import Publications
+from vehicle_roll_sim.ros.publications import LONGEST_UNNOTICED_NS, Publications
 from vehicle_roll_sim.ros.real_time import RealTime
 from vehicle_roll_sim.ros.settings import Settings
 from vehicle_roll_sim.ros.topics import COMMANDS, EVERY_ANSWER, NEWEST_ONLY, Topic
@@ -56,6 +56,7 @@ class Simulator(Node):
             self.session,
             frame_prefix=self.settings.frame_prefix,
             own_clock=self.settings.has_own_clock,
+            unnoticed_ns=0 if self.settings.is_lockstep else LONGEST_UNNOTICED_NS,
             robot_description=robot_description(
                 declared.vehicle, not declared.options.has_eight_dof
             ),
