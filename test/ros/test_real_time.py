@@ -1,5 +1,7 @@
 """Paced by the clock: faster, slower or as fast as possible; lateness told; misfits told."""
 
+import itertools
+
 import pytest
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import Imu
@@ -38,6 +40,11 @@ def diagnostics_of(peer) -> dict[str, str]:
     return {value.key: value.value for value in peer.newest("/diagnostics").status[0].values}
 
 
+def last(peer) -> float:
+    """Simulated time of the newest state (s)."""
+    return peer.received["state"][-1][1].data[0]
+
+
 def seconds(stamp) -> float:
     return stamp.sec + 1e-9 * stamp.nanosec
 
@@ -73,6 +80,23 @@ def test_as_fast_as_possible_still_answers_and_pauses(start, peer):
     assert float(peer.call(Trigger, "simulator/step").message.split()[0]) == pytest.approx(
         stopped_at + 0.01
     )
+
+
+def test_a_model_that_has_stopped_is_not_published_faster_than_its_rate(start, peer):
+    words = ("-p", "real_time_factor:=0.0", "-p", "publish_rate:=10.0", "-p", "step:=0.01")
+    start("simulator", "--ros-args", *words, "-p", "command_timeout:=0.0")
+    peer.listen("rollover", "state")
+
+    def rolled_over():
+        return peer.received["rollover"] and peer.received["rollover"][-1][1].data
+
+    peer.command({"steering_cmd": 0.2}, rolled_over, "a rollover")
+    sent = []
+    while len(sent) < 20:
+        peer.newest("state")
+        sent = [stamp for stamp, state in peer.received["state"] if state.data[0] == last(peer)]
+    intervals = [after - before for before, after in itertools.pairwise(sent)]
+    assert min(intervals[1:]) > 0.05e9  # ns: half a period
 
 
 def test_lateness_and_rate_are_in_the_diagnostics(start, peer):

@@ -83,7 +83,7 @@ def _verdict(session: Session, trouble: str) -> tuple[bytes, str]:
     ]
     if silent:
         return DiagnosticStatus.WARN, "no commands any more on " + ", ".join(silent)
-    if trouble:
+    if trouble and not session.paused:
         return DiagnosticStatus.WARN, trouble
     return DiagnosticStatus.OK, "paused" if session.paused else "running"
 

@@ -5,12 +5,16 @@ from collections.abc import Sequence
 
 from rclpy.executors import Executor
 
+from vehicle_roll_sim.simulation.session import Session
+
 STOP = "stop"
 """The other policy beside command_inbox.HOLD, when no answer comes in time."""
 SETTLING = 0.2
 """s to go on listening when all partners are found: they may find us a little later."""
 COMPLAINT_INTERVAL = 5.0
 """s between two lines on what is waited for."""
+LAST_LOOK = 0.02
+"""s to go on reading before giving up: what has come is not late because it was not read."""
 LONGEST_WAIT = 0.1
 """s until a wait for partners looks about again; one for answers does with every report."""
 
@@ -39,10 +43,11 @@ class Lockstep:
         simulator.begin()
         while True:
             self._await_answers(simulator, executor)
-            simulator.run_period()
+            with simulator.lock:
+                simulator.run_period()
 
     def _await_partners(self, simulator, executor: Executor) -> None:
-        while missing := simulator.missing_partners(self.topics, self.listened):
+        while missing := self._missing(simulator):
             simulator.get_logger().info(
                 f"lockstep: waiting for {' and '.join(missing)}",
                 throttle_duration_sec=COMPLAINT_INTERVAL,
@@ -52,6 +57,11 @@ class Lockstep:
         while time.monotonic() < settled:
             executor.spin_once(timeout_sec=LONGEST_WAIT)
 
+    def _missing(self, simulator) -> list[str]:
+        """What stands in the way of the first set."""
+        partners = simulator.missing_partners(self.topics, self.listened)
+        return [*partners, "the end of the pause"] if simulator.session.paused else partners
+
     def _await_answers(self, simulator, executor: Executor) -> None:
         """Until all answers are there and nobody has paused, or the time for them is over."""
         session = simulator.session
@@ -59,7 +69,7 @@ class Lockstep:
         while (missing := session.inbox.unanswered(self.topics)) or session.paused:
             waited = 0.0 if session.paused else time.monotonic() - self._asked
             if self.timeout and waited > self.timeout:
-                return self._give_up(missing)
+                return self._give_up(session, executor)
             if waited > COMPLAINT_INTERVAL:
                 simulator.get_logger().warning(
                     f"lockstep: waiting for a message on {', '.join(missing)}",
@@ -68,7 +78,14 @@ class Lockstep:
             executor.spin_once(timeout_sec=self.timeout - waited if self.timeout else None)
         return None
 
-    def _give_up(self, missing: Sequence[str]) -> None:
+    def _give_up(self, session: Session, executor: Executor) -> None:
+        looked = time.monotonic()
+        while missing := session.inbox.unanswered(self.topics):
+            if time.monotonic() - looked > LAST_LOOK:
+                break
+            executor.spin_once(timeout_sec=LAST_LOOK)
+        else:
+            return
         self._timeouts += 1
         if self.policy == STOP:
             topics = ", ".join(missing)

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable
 
+from builtin_interfaces.msg import Time
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.node import Node
 from std_msgs.msg import Bool, String
@@ -49,8 +50,8 @@ class Publications:
         topics = (CLOCK, *STATE_SET) if own_clock else STATE_SET
         self._own_clock, self._unnoticed_ns = own_clock, unnoticed_ns
         self._set = {topic.name: (self.publisher(topic), self._builder(topic)) for topic in topics}
-        self._prepare()
         self._transforms = [(self.publisher(topic), topic.type) for topic in TRANSFORMS]
+        self._prepare()
         self._rollover = self.publisher(ROLLOVER)
         self._description = self.publisher(ROBOT_DESCRIPTION)
         self._description.publish(String(data=robot_description))
@@ -85,6 +86,11 @@ class Publications:
             for publisher, build in self._set.values()
             if publisher.get_subscription_count()
         ]
+        self._transforms_heard = [
+            (publisher, kind)
+            for publisher, kind in self._transforms
+            if publisher.get_subscription_count()
+        ]
         self._looked_ns = time.monotonic_ns()
 
     def publish_set(self) -> None:
@@ -96,7 +102,7 @@ class Publications:
         for publisher, build in self._heard:
             publisher.publish(build())
         if not self._session.stopped:  # tf2 complains of a transform that comes twice
-            for publisher, kind in self._transforms:
+            for publisher, kind in self._transforms_heard:
                 publisher.publish(kind(transforms=self._messages.transforms()))
         self._last_stamp_ns = stamp_ns
         self.sets += 1
@@ -112,7 +118,7 @@ class Publications:
     def present_stamp(self):
         """For messages of no set: the time on the clock that subscribers go by."""
         if self._own_clock:
-            return self._messages.stamp
+            return Time(sec=self._messages.stamp.sec, nanosec=self._messages.stamp.nanosec)
         return self._node.get_clock().now().to_msg()
 
     def listeners(self, name: str) -> int:

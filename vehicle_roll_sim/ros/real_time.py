@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from rclpy.executors import Executor
 
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.simulation.pacing import Pacer
 
 IDLE = 0.01
@@ -20,15 +21,15 @@ class RealTime:
     """Periods of `period_ns` of simulated time, `factor` times as fast as time goes by."""
 
     def __init__(self, period_ns: int, factor: float):
-        self.pacer = Pacer(period_ns, factor)
+        self.pacer, self._period = Pacer(period_ns, factor), period_ns / NANOSECONDS
         self._overruns_told = 0
 
     def run(self, simulator, executor: Executor) -> None:
         """Until the context is shut down; raises what goes wrong in either thread."""
+        simulator.begin()
         with ThreadPoolExecutor(1, "answers") as pool:
             answers = pool.submit(executor.spin)
             try:
-                simulator.begin()
                 self.pacer.restart()
                 while simulator.context.ok() and not answers.done():
                     self._go_on(simulator)
@@ -40,6 +41,8 @@ class RealTime:
         if simulator.session.paused:
             self.pacer.sleep(IDLE)
             return
+        if simulator.session.stopped and self.pacer.is_free:
+            self.pacer.sleep(self._period)  # the same state again need not come any faster
         self.pacer.wait()
         with simulator.lock:
             if not simulator.session.paused and self.pacer.due():

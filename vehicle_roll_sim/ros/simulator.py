@@ -76,9 +76,10 @@ class Simulator(Node):
         self.driver.run(self, executor)
 
     def begin(self) -> None:
-        """Publish the first set, of time 0."""
+        """Publish the first set, of time 0; what was commanded before it is forgotten."""
         with self.lock:
             self._has_begun = True
+            self.session.inbox.clear()
             self._publish_all()
 
     def _publish_all(self) -> None:
@@ -118,7 +119,7 @@ class Simulator(Node):
             )
 
     def run_period(self) -> None:
-        """A publish period on; to be called with the lock held where there are several threads."""
+        """A publish period on; to be called with the lock held."""
         inbox, was_stopped = self.session.inbox, self.session.stopped
         inbox.timeout = 0.0 if self.settings.is_lockstep else self.settings.command_timeout
         inbox.steering_policy = self.settings.steering_timeout_policy
@@ -155,10 +156,13 @@ class Simulator(Node):
 
     def _step(self, _, response: Trigger.Response) -> Trigger.Response:
         with self.lock:
-            response.success = self.session.paused and not self.session.stopped
+            can_step = self.session.paused and not self.session.stopped
+            response.success = can_step and self._has_begun
             if response.success:
                 self.run_period()
                 response.message = f"{self.session.simulation.time:.9g} s"
+            elif not self._has_begun:
+                response.message = "not begun yet: the first set comes when all partners are there"
             elif self.session.stopped:
                 response.message = "the model has stopped: reset first"
             else:

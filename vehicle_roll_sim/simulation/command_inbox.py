@@ -78,7 +78,7 @@ class CommandInbox:
     def command(self, now_ns: int) -> Command:
         """What to drive with in the period that begins at simulated time `now_ns`.
 
-        The same object as before, if it still says the same.
+        The same object as before, if it still says the same. Answers count anew from here.
         """
         values = {}
         for channel in self.channels.values():

@@ -47,17 +47,23 @@ class Pacer:
 
     def restart(self) -> None:
         """The first period is due one period from now."""
-        self._origin_ns, self._count = self.clock(), 1
+        self._next = (self.clock(), 1)
         self._late_ns.clear()
+
+    @property
+    def is_free(self) -> bool:
+        """Whether periods have no deadlines."""
+        return not self._period_ns
 
     @property
     def deadline_ns(self) -> int:
         """When the next period is due; each is reckoned from the origin, so none drifts."""
-        return self._origin_ns + round(self._count * self._period_ns)
+        origin_ns, count = self._next
+        return origin_ns + round(count * self._period_ns)
 
     def due(self) -> bool:
         """Whether to run a period now; it then counts as run."""
-        if not self._period_ns:
+        if self.is_free:
             return True
         late = self.clock() - self.deadline_ns
         if late < 0:
@@ -65,13 +71,14 @@ class Pacer:
         self._late_ns.append(late)
         given_up = int(max(late - LARGEST_CATCH_UP_NS, 0) / self._period_ns)
         self.overruns += given_up
-        self._count += 1 + given_up
+        origin_ns, count = self._next
+        self._next = (origin_ns, count + 1 + given_up)
         return True
 
     def wait(self) -> None:
         """Sleep until the next deadline, or a nap towards it; when busy, rest now and then."""
         now = self.clock()
-        ahead = self.deadline_ns - now if self._period_ns else 0
+        ahead = 0 if self.is_free else self.deadline_ns - now
         if ahead > 0:
             self.sleep(min(ahead, LONGEST_NAP_NS) / NANOSECONDS)
         elif now - self._rested_ns > LONGEST_BUSY_NS:
