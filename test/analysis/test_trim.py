@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 from linear_studies import REFERENCE, SPEED, command_of, mirror, simulation_in
-from programmes import SHIFTS, with_tire
+from programmes import SHIFTS, ramp_and_hold, with_tire
 
-from vehicle_roll_sim import InputError, Options
+from vehicle_roll_sim import InputError, Options, Simulation
 from vehicle_roll_sim.analysis.trim import find_trim
 from vehicle_roll_sim.model.records import ROLL
 from vehicle_roll_sim.simulation.options import MODELS
@@ -37,6 +37,22 @@ def test_a_simulation_that_begins_in_a_trim_stays_in_it(options):
     assert simulation.state_vector[places] == pytest.approx(trim.state[places], abs=ROUNDING)
     assert simulation.outputs.acceleration[1] == pytest.approx(TURN, abs=1e-6)
     assert simulation.outputs.normal_force == pytest.approx(trim.outputs.normal_force, abs=1e-3)
+
+
+@pytest.mark.parametrize(("choice", "apart"), [("1", 1e-9), ("8dof", 1e-9), ("1a", 5e-5)])
+def test_a_run_that_turns_in_slowly_and_holds_its_speed_settles_in_it(choice, apart):
+    """Simplified models do not keep the compression of the tires to the height of the body."""
+    trim = find_trim(REFERENCE, Options(model=choice), speed=SPEED, lateral_acceleration=5.0)
+    simulation = Simulation(REFERENCE, Options(model=choice))
+    held = {"speed_hold_gain": 2000.0, "speed_hold_target": SPEED}
+    held["wheel_torque"] = trim.inputs[2:6]
+    simulation.reset(SPEED)
+    simulation.step(ramp_and_hold(0.0, 0.5, math.degrees(trim.inputs[0]), **held), 40.0)
+    assert simulation.state.u == pytest.approx(SPEED, abs=1e-5)
+    assert simulation.state.roll == pytest.approx(trim.state[ROLL], abs=apart)
+    assert simulation.outputs.acceleration[1] == pytest.approx(5.0, abs=apart)
+    loads = simulation.outputs.normal_force
+    assert loads == pytest.approx(trim.outputs.normal_force, abs=1e4 * apart)
 
 
 def test_straight_ahead_without_resistance_it_is_the_static_equilibrium():

@@ -22,8 +22,8 @@ from vehicle_roll_sim.simulation.summary import line
 DESCRIPTION = "Linearise the model about steady driving: A, B, C, D and the poles."
 HARDEST = 30.0
 """m/s^2: no tire holds a turn as hard."""
-HEADER = f"{'real':>10}{'imaginary':>11}{'Hz':>9}{'damping':>9}{'constant':>10}  states"
-UNITS = f"{'1/s':>10}{'1/s':>11}{'':9}{'':9}{'s':>10}"
+HEADER = f"{'real':>10}{'imaginary':>12}{'frequency':>11}{'damping':>9}{'time const.':>13}  states"
+UNITS = f"{'1/s':>10}{'1/s':>12}{'Hz':>11}{'':9}{'s':>13}"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -98,11 +98,19 @@ def _trim_lines(model) -> list[str]:
         line("sideslip angle", f"{math.degrees(now['sideslip_angle']):.4f} deg"),
         line("torque at each rear wheel", f"{trim.drive_torque:.3f} N m"),
         line("tire loads", f"{loads} N"),
-        line("states", f"{len(model.state_names)}: {', '.join(model.state_names)}"),
-        line("inputs", f"{len(model.input_names)}: {', '.join(model.input_names)}"),
-        line("outputs", f"{len(model.output_names)}: {', '.join(model.output_names)}"),
+        line("states", _in_short(model.state_names)),
+        line("inputs", _in_short(model.input_names)),
+        line("outputs", _in_short(model.output_names)),
         line("slopes over twice the step", f"differ by {model.step_error:.1e}"),
     ]
+
+
+def _in_short(names: tuple[str, ...]) -> str:
+    """How many names, and which; those of the four wheels in one."""
+    first, *others = (f"_{wheel}" for wheel in WHEELS)
+    kept = [name for name in names if not name.endswith(tuple(others))]
+    shown = (f"{name} … {WHEELS[-1]}" if name.endswith(first) else name for name in kept)
+    return f"{len(names)}: {', '.join(shown)}"
 
 
 def _pole_lines(model) -> list[str]:
@@ -115,6 +123,6 @@ def _pole_lines(model) -> list[str]:
         swing = f"±{pole.imag:.4f}" if pole.imag else "0"
         damping = "-" if math.isnan(mode.damping) else f"{mode.damping:.4f}"
         constant = "-" if math.isinf(mode.time_constant) else f"{mode.time_constant:.4f}"
-        numbers = f"{pole.real:10.4f}{swing:>11}{mode.frequency:9.4f}{damping:>9}{constant:>10}"
+        numbers = f"{pole.real:10.4f}{swing:>12}{mode.frequency:11.4f}{damping:>9}{constant:>13}"
         rows.append(f"{numbers}  {', '.join(mode.states)}")
     return [*rows, ""]
