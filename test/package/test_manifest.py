@@ -9,10 +9,14 @@ from xml.etree import ElementTree
 import pytest
 
 PACKAGE = "vehicle_roll_sim"
-NOT_OF_ROS = {"numpy", "yaml", "tqdm", "matplotlib", "numba", "rosbags", "mujoco"}
+NOT_OF_ROS = {
+    *("numpy", "scipy", "yaml", "tqdm", "matplotlib"),
+    *("numba", "rosbags", "mujoco", "control"),
+}
 """Libraries whose names in package.xml are rosdep keys, or that come from pip."""
 ROSDEP_KEYS = {
     "numpy": "python3-numpy",
+    "scipy": "python3-scipy",
     "yaml": "python3-yaml",
     "tqdm": "python3-tqdm",
     "matplotlib": "python3-matplotlib",
