@@ -13,7 +13,11 @@ from vehicle_roll_sim.arguments import (
     declared_values,
     named_file,
 )
-from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
+from vehicle_roll_sim.command_line.vehicle_options import (
+    add_vehicle_options,
+    chosen_options,
+    chosen_vehicle,
+)
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
@@ -76,7 +80,7 @@ def run_command(words: list[str], program: str) -> int:
     manoeuvre = _adjusted(manoeuvre, arguments, settings)
     _check_multiples(manoeuvre, settings)
     csv, plot = _result_files(arguments)
-    vehicle, options = chosen_vehicle(arguments), _options(arguments)
+    vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
     compile_model()
     manoeuvre = manoeuvre.for_vehicle(vehicle, options)
     driver = manoeuvre.driver()
@@ -124,15 +128,6 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     group.add_argument("--csv", metavar="FILE", help="write the samples")
     group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
     return parser
-
-
-def _options(arguments: argparse.Namespace) -> Options:
-    """The options of the model; a combination that is not defined is reported as an option."""
-    values = declared_values(arguments, Options)
-    try:
-        return Options(**values)
-    except InputError as error:
-        raise InputError(f"--{error.field.replace('_', '-')}", error.value, error.allowed) from None
 
 
 def _check_multiples(manoeuvre: Manoeuvre, settings: RunSettings) -> None:

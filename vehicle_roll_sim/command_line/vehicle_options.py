@@ -1,10 +1,11 @@
-"""The options that say which vehicle."""
+"""The options that say which vehicle, and which model of it."""
 
 import argparse
 import dataclasses
 
-from vehicle_roll_sim.arguments import named_file, number
+from vehicle_roll_sim.arguments import declared_values, named_file, number
 from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
+from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import load_tire
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
@@ -40,3 +41,12 @@ def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
             raise unknown_name(name, known, "--set")
         values[name] = number(text, f"--set {name}", known[name])
     return vehicle.with_values(values, "--set ")
+
+
+def chosen_options(arguments: argparse.Namespace) -> Options:
+    """The options of the model; a combination that is not defined is reported as an option."""
+    values = declared_values(arguments, Options)
+    try:
+        return Options(**values)
+    except InputError as error:
+        raise InputError(f"--{error.field.replace('_', '-')}", error.value, error.allowed) from None
