@@ -12,6 +12,7 @@ REPORTED = {
     "nhtsa_j_turn": ("handwheel angle at 0.3 g", "handwheel amplitude", "two-wheel lift"),
     "nhtsa_fishhook": ("handwheel amplitude", "two-wheel lift", "steering reversal"),
     "sine_with_dwell": ("yaw rate after 1.00 s", "lateral displacement", "verdict"),
+    "steady_state_circle": ("understeer gradient", "roll gradient"),
     "iso_step_steer": ("handwheel angle", "steady acceleration", "yaw rate response"),
 }
 

@@ -26,6 +26,7 @@ CONDITIONS = {
     "nhtsa_fishhook": (35 * MPH, 10.0),
     "sine_with_dwell": (80 / 3.6, 6.0),
     "iso_step_steer": (100 / 3.6, 6.0),
+    "steady_state_circle": (100 / 3.6, 62.0),
 }
 
 

@@ -11,6 +11,7 @@ from vehicle_roll_sim.manoeuvres.iso_step_steer import ISO_STEP_STEER
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
 from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import SLOWLY_INCREASING_STEER
+from vehicle_roll_sim.manoeuvres.steady_state_circle import STEADY_STATE_CIRCLE
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -41,6 +42,7 @@ STANDARD = {
     "nhtsa_fishhook": NHTSA_FISHHOOK,
     "sine_with_dwell": SINE_WITH_DWELL,
     "iso_step_steer": ISO_STEP_STEER,
+    "steady_state_circle": STEADY_STATE_CIRCLE,
 }
 """All manoeuvres, with the conditions of the source or of the standard (docs/manoeuvres.md)."""
 

@@ -87,15 +87,20 @@ def angle_at_level(history: History, steering_ratio: float) -> float:
 
     From the straight line through the data between 0.1 and 0.375 g; nan if 0.375 g is not reached.
     """
-    acceleration = np.abs(history["lateral_acceleration"]) / GRAVITY
-    handwheel = np.abs(np.degrees(history["steering"])) * steering_ratio
-    if not np.any(acceleration > FIT_TO):
+    band = band_of_the_fit(history)
+    if band is None:
         return math.nan
-    first, end = np.argmax(acceleration >= FIT_FROM), np.argmax(acceleration > FIT_TO)
-    if end - first < LINE:
-        return math.nan
-    slope, intercept = np.polyfit(handwheel[first:end], acceleration[first:end], 1)
+    acceleration = np.abs(history["lateral_acceleration"][band]) / GRAVITY
+    handwheel = np.abs(np.degrees(history["steering"][band])) * steering_ratio
+    slope, intercept = np.polyfit(handwheel, acceleration, 1)
     return float((LEVEL - intercept) / slope)
+
+
+def band_of_the_fit(history: History) -> slice | None:
+    """The rows between 0.1 and 0.375 g, to either side; None if 0.375 g is not reached."""
+    acceleration = np.abs(history["lateral_acceleration"]) / GRAVITY
+    first, end = np.argmax(acceleration >= FIT_FROM), np.argmax(acceleration > FIT_TO)
+    return slice(first, end) if end - first >= LINE else None
 
 
 def steering_at_03g(vehicle: Vehicle, options: Options) -> float:
