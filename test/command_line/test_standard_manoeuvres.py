@@ -38,6 +38,22 @@ def test_the_reference_vehicle_lifts_two_wheels_in_the_first_j_turn_and_a_low_on
     assert command("run", "nhtsa_j_turn", *LOW).value["two-wheel lift"] == "none"
 
 
+def test_what_a_run_did_not_get_to_is_not_known(command):
+    result = command("run", "sine_with_dwell", "--duration", "1")
+    assert (result.status, result.err) == (0, "")
+    for label in ("yaw rate after 1.00 s", "yaw rate after 1.75 s", "lateral displacement"):
+        assert result.value[label].startswith("not known")
+    assert result.value["verdict"] == "failed"
+    short = command("run", "slowly_increasing_steer", "--duration", "0.5")
+    assert short.value["handwheel angle at 0.3 g"] == "not reached"
+
+
+def test_a_step_of_nothing_has_no_response(command):
+    result = command("run", "iso_step_steer", "--lateral-acceleration", "0")
+    assert (result.status, result.err) == (0, "")
+    assert result.value["yaw rate response"] == "none, overshoot none"
+
+
 def test_without_wheel_heights_it_says_so(command):
     result = command("run", "nhtsa_fishhook", "--model", "8dof")
     assert "unknown" in result.value["two-wheel lift"]

@@ -108,9 +108,9 @@ class IsoStepSteer(HandwheelProgramme):
         From half the steering to 90 % of the steady value, linear between samples (ISO 7401).
         """
         final = steady(history, name, self.duration)
-        share = history[name] / final
-        if not np.any(share >= RESPONDED):
+        if math.isnan(final) or final == 0.0:
             return math.nan, math.nan
+        share = history[name] / final
         first = int(np.argmax(share >= RESPONDED))
         window = slice(max(first - 1, 0), first + 1)
         answered = np.interp(RESPONDED, share[window], history["time"][window])

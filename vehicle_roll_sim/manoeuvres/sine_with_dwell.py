@@ -43,17 +43,16 @@ class SineWithDwell(ScaledManoeuvre, HandwheelProgramme):
 
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         result = self.result(history)
-        ratios = {
-            f"yaw rate after {after:.2f} s": f"{_percent(ratio)} of its peak (at most {limit:.0%})"
-            for ratio, (after, limit) in zip(
-                result.yaw_rate_ratios, YAW_RATE_LIMITS.items(), strict=True
-            )
-        }
+        limits = zip(result.yaw_rate_ratios, YAW_RATE_LIMITS.items(), strict=True)
+        ratios = {}
+        for ratio, (after, limit) in limits:
+            text = _text(100.0 * ratio, "% of its peak")
+            ratios[f"yaw rate after {after:.2f} s"] = f"{text} (at most {100.0 * limit:g})"
         wanted = f"at least {LEAST_DISPLACEMENT:g}, from {DISPLACEMENT_FROM:g} times on"
         return {
             **super().report(history, driver),
             **ratios,
-            "lateral displacement": f"{result.displacement:.3f} m ({wanted})",
+            "lateral displacement": f"{_text(result.displacement, 'm')} ({wanted})",
             "verdict": "passed" if result.is_passed else "failed",
         }
 
@@ -95,8 +94,8 @@ class SineWithDwellResult:
         return is_stable and (not is_judged or self.displacement >= LEAST_DISPLACEMENT)
 
 
-def _percent(ratio: float) -> str:
-    return "unknown part" if math.isnan(ratio) else f"{100 * ratio:.2f} %"
+def _text(value: float, unit: str) -> str:
+    return "not known" if math.isnan(value) else f"{value:.3f} {unit}"
 
 
 SINE_WITH_DWELL = SineWithDwell(speed=80 / 3.6, scalar=5.0, duration=6.0, speed_hold=HOLD)

@@ -131,8 +131,10 @@ def history_to_the_level(
     """A run to just beyond 0.375 g, or as far as it goes."""
     simulation, rows = Simulation(vehicle, options), []
     simulation.reset(steer.speed)
-    while simulation.condition is Condition.RUNNING and simulation.time < steer.duration:
+    is_beyond = False
+    while not is_beyond:
         rows.append(run(simulation, steer, STRETCH).rows[:-1])
-        if np.any(np.abs(History(rows[-1])["lateral_acceleration"]) > FIT_TO * GRAVITY):
+        is_beyond = np.any(np.abs(History(rows[-1])["lateral_acceleration"]) > FIT_TO * GRAVITY)
+        if simulation.condition is not Condition.RUNNING or simulation.time >= steer.duration:
             break
     return History(np.concatenate(rows))
