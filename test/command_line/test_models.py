@@ -2,7 +2,7 @@
 
 import pytest
 
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.manoeuvre import SOURCE
 from vehicle_roll_sim.simulation.options import MODELS
 
 OPTIONS = (
@@ -24,9 +24,9 @@ UNDEFINED = (
 )
 
 
-@pytest.mark.parametrize("manoeuvre", STANDARD)
+@pytest.mark.parametrize("manoeuvre", SOURCE)
 @pytest.mark.parametrize("model", MODELS)
-def test_every_model_runs_through_every_manoeuvre(command, model, manoeuvre):
+def test_every_model_runs_through_every_manoeuvre_of_the_source(command, model, manoeuvre):
     result = command("run", manoeuvre, "--model", model)
     assert (result.status, result.err) == (0, "")
     ended = ("rolled over", "complete")
@@ -34,7 +34,7 @@ def test_every_model_runs_through_every_manoeuvre(command, model, manoeuvre):
 
 
 @pytest.mark.parametrize("options", OPTIONS, ids=" ".join)
-@pytest.mark.parametrize("manoeuvre", STANDARD)
+@pytest.mark.parametrize("manoeuvre", SOURCE)
 def test_every_option_of_model_1_runs_and_changes_the_result(command, manoeuvre, options):
     result = command("run", manoeuvre, *options)
     assert (result.status, result.err) == (0, "")

@@ -23,6 +23,8 @@ from vehicle_roll_sim.manoeuvres.command_file import load_commands
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
 from vehicle_roll_sim.simulation.road import Road
@@ -54,7 +56,8 @@ class RunSettings:
         "interval of the rows", "s", SHORTEST_STEP, 1e3, default=DEFAULT_SAMPLE
     )
     command_period: float = parameter(
-        "sample commands at this interval and hold them, as a node does; 0: at every stage",
+        "sample commands at this interval and hold them, as a node does; 0: at every "
+        "stage, or every 10 ms where they depend on the state",
         "s",
         0.0,
         1e3,
@@ -79,6 +82,8 @@ def run_command(words: list[str], program: str) -> int:
     csv, plot = _result_files(arguments)
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
     compile_model()
+    manoeuvre = manoeuvre.for_vehicle(vehicle, options)
+    driver = manoeuvre.driver()
     simulation = Simulation(
         vehicle,
         options,
@@ -87,18 +92,19 @@ def run_command(words: list[str], program: str) -> int:
         road=Road(**declared_values(arguments, Road)),
     )
     simulation.reset(manoeuvre.speed)
-    history = _run_with_progress(simulation, manoeuvre, settings)
+    history = _run_with_progress(simulation, driver, manoeuvre.duration, settings)
     if csv:
         history.write_csv(csv)
     if plot:
         from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
 
         plots.plot_run(history, simulation.events, plot, arguments.manoeuvre or arguments.commands)
+    report = [line(label, text) for label, text in manoeuvre.report(history, driver).items()]
     lines = summary_lines(
         simulation.events, simulation.time, simulation.condition, simulation.implausible
     )
     results = [line(label, path) for label, path in (("CSV", csv), ("plot", plot)) if path]
-    print("\n".join([*lines, *results]))
+    print("\n".join([*report, *lines, *results]))
     return DIVERGED if simulation.condition is Condition.DIVERGED else 0
 
 
@@ -168,16 +174,19 @@ def _adjusted(
     return dataclasses.replace(manoeuvre, **values)
 
 
-def _run_with_progress(simulation: Simulation, manoeuvre: Manoeuvre, settings: RunSettings):
+def _run_with_progress(
+    simulation: Simulation,
+    driver: Programme | Feedback,
+    duration: float,
+    settings: RunSettings,
+) -> History:
     """Run, with a progress bar at a terminal when it takes longer than a second."""
     bar_format = "{l_bar}{bar}| {n:.1f}/{total:.1f} s simulated [{elapsed}<{remaining}]"
-    with tqdm(
-        total=manoeuvre.duration, delay=1.0, disable=None, bar_format=bar_format, leave=False
-    ) as bar:
+    with tqdm(total=duration, delay=1.0, disable=None, bar_format=bar_format, leave=False) as bar:
         return run(
             simulation,
-            manoeuvre,
-            manoeuvre.duration,
+            driver,
+            duration,
             sample=settings.sample,
             command_period=settings.command_period,
             progress=bar.update,

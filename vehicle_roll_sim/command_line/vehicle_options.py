@@ -1,4 +1,4 @@
-"""The options that say which vehicle, and what is chosen of the models."""
+"""The options that say which vehicle, and which model of it."""
 
 import argparse
 import dataclasses

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, unknown_name
-from vehicle_roll_sim.manoeuvres.manoeuvre import LONGEST, Manoeuvre
+from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.vehicle.text_file import read_text
 
@@ -27,7 +27,7 @@ COLUMNS = {
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class CommandTable(Manoeuvre):
+class CommandTable(OpenLoop):
     """Commands at given times (s, rising): linear between rows, held outside them."""
 
     times: np.ndarray

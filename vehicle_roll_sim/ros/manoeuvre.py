@@ -5,14 +5,13 @@ import dataclasses
 import math
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
-import numpy as np
 from rcl_interfaces.srv import GetParameters, SetParameters
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
-from rclpy.parameter import Parameter
+from rclpy.parameter import Parameter, parameter_value_to_python
 from std_msgs.msg import Float64, Float64MultiArray
 from std_srvs.srv import Trigger
 
@@ -28,9 +27,12 @@ from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.ros.collector import Collector, events_of
 from vehicle_roll_sim.ros.process import node_main
+from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.topics import COMMANDING
+from vehicle_roll_sim.simulation.command import command_at
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.simulation.simulation import compile_model
 from vehicle_roll_sim.simulation.summary import line, summary_lines
 
 PATIENCE = 10.0
@@ -68,15 +70,18 @@ class Driver(Node):
     def _forget(self) -> None:
         self.collector.forget()
         self._time, self._still, self._states = -1.0, 0, 0
-        self.state = None
+        self.state, self.sent = None, {}
+        self.driver = self.manoeuvre.driver()
         self.finished = self.disturbed = False
 
     def prepare(self) -> None:
         """Set the speed, wait until every topic is connected, reset; raises NoAnswerError."""
         reset = self.create_client(Trigger, f"{self._simulator}/reset")
-        self.rollover_angle = self._get("rollover_angle").double_value
-        steady = self._get("steady_state_slip").bool_value
+        self.rollover_angle, steady = self._get(["rollover_angle", "steady_state_slip"])
         self._slowest = MINIMUM_SPEED if steady else -math.inf
+        if self.manoeuvre.needs_vehicle:
+            compile_model()
+            self.manoeuvre = self.manoeuvre.for_vehicle(*simulated_vehicle(self._get))
         self._set("initial_speed", self.manoeuvre.speed)
         self._wait(self._connected, "a connection to its topics")
         self._call(reset, Trigger.Request(), "a reset", before=self._forget)
@@ -86,9 +91,11 @@ class Driver(Node):
         commands = all(p.get_subscription_count() for p in (self._steering, self._torque))
         return commands and all(s.get_publisher_count() for s in self.collector.subscriptions)
 
-    def _get(self, name: str):
+    def _get(self, names: Sequence[str]) -> list:
         client = self.create_client(GetParameters, f"{self._simulator}/get_parameters")
-        return self._call(client, GetParameters.Request(names=[name]), f"its {name}").values[0]
+        request = GetParameters.Request(names=names)
+        answer = self._call(client, request, f"its {names[0]}")
+        return [parameter_value_to_python(value) for value in answer.values]
 
     def _set(self, name: str, value: float) -> None:
         client = self.create_client(SetParameters, f"{self._simulator}/set_parameters")
@@ -146,8 +153,9 @@ class Driver(Node):
             self._command(now)
 
     def _command(self, when: float) -> None:
-        command = self.manoeuvre(np.array([when]))[0]
-        self._steering.publish(Float64(data=float(command.steering)))
+        command = command_at(self.driver, when, self.state)[0]
+        self.sent[when] = float(command.steering)
+        self._steering.publish(Float64(data=self.sent[when]))
         error = command.speed_hold_target - self.state["u"]
         torque = float(command.speed_hold_gain * error)
         if self.manoeuvre.speed_hold:
@@ -164,10 +172,10 @@ class Driver(Node):
         return Condition.TOO_SLOW if self.state["u"] < self._slowest else Condition.DIVERGED
 
 
-def late_commands(history: History, manoeuvre: Manoeuvre) -> int:
-    """Periods whose steering is not the one that was sent at their beginning."""
-    sent = manoeuvre(history["time"][:-1])["steering"]
-    return int(np.count_nonzero(np.abs(history["steering"][1:] - sent) > ROUNDING))
+def late_commands(history: History, sent_at: dict[float, float]) -> int:
+    """Periods whose steering (rad) is not the one that was sent at their beginning (s)."""
+    driven = zip(history["time"][:-1].tolist(), history["steering"][1:], strict=True)
+    return sum(abs(found - sent_at.get(time, found)) > ROUNDING for time, found in driven)
 
 
 def drive(name: str, manoeuvre: Manoeuvre, simulator: str, plot: Path | None) -> int:
@@ -186,8 +194,10 @@ def drive(name: str, manoeuvre: Manoeuvre, simulator: str, plot: Path | None) ->
 
         plots.plot_run(history, events, plot, name)
     condition = driver.condition
-    late = late_commands(history, manoeuvre)
-    print("\n".join(summary_lines(events, history["time"][-1], condition, "its state")))
+    late = late_commands(history, driver.sent)
+    report = driver.manoeuvre.report(history, driver.driver)
+    lines = summary_lines(events, history["time"][-1], condition, "its state")
+    print("\n".join([*(line(label, text) for label, text in report.items()), *lines]))
     if late:
         print(line("late commands", f"{late} periods were driven with an older command"))
     if plot:

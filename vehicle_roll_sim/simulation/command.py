@@ -1,5 +1,6 @@
-"""What drives the vehicle: a command that is held, or one that varies with time."""
+"""What drives the vehicle: a command that is held, or varies with time, or answers the state."""
 
+import abc
 import dataclasses
 import functools
 import math
@@ -59,3 +60,24 @@ def _numbers(value) -> Sequence[float]:
 
 Programme = Callable[[np.ndarray], np.ndarray]
 """Commands as a function of time: takes n times (s) and gives n COMMAND records."""
+
+
+class Feedback(abc.ABC):
+    """Commands that depend on the state: asked for at the beginning of each period, then held.
+
+    One object drives one run, from its beginning.
+    """
+
+    @abc.abstractmethod
+    def command(self, time: float, state) -> np.ndarray:
+        """The COMMAND record, in an array, for the period that begins at `time` (s).
+
+        state: gives the scalar states by name, `state["roll_rate"]`, as a STATE record does.
+        """
+
+
+def command_at(driver: Programme | Feedback, time: float, state) -> np.ndarray:
+    """The COMMAND record, in an array, with which `driver` answers a state at `time` (s)."""
+    if isinstance(driver, Feedback):
+        return driver.command(time, state)
+    return driver(np.array([time]))

@@ -2,21 +2,21 @@
 
 from collections.abc import Callable
 
-import numpy as np
-
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.simulation.command import Programme
+from vehicle_roll_sim.simulation.command import Feedback, Programme, command_at
 from vehicle_roll_sim.simulation.history import History, row_of
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
 
 DEFAULT_SAMPLE = 0.01
 """s between two rows"""
+FEEDBACK_PERIOD = 0.01
+"""s between two commands that depend on the state, unless told otherwise: that of the node."""
 
 
 def run(
     simulation: Simulation,
-    programme: Programme,
+    driver: Programme | Feedback,
     duration: float,
     *,
     sample: float = DEFAULT_SAMPLE,
@@ -25,12 +25,15 @@ def run(
 ) -> History:
     """Drive from the present state for `duration` (s), a row every `sample` (s) and at the end.
 
-    The programme is evaluated at every stage of the integration or, with `command_period` (s), at
-    the beginning of each period and then held, as a node does. `progress` is told the simulated
-    time (s) of every stretch. Raises InputError for times that are no multiples of the step.
+    A programme is evaluated at every stage of the integration or, with `command_period` (s), at
+    the beginning of each period and then held, as a node does. Feedback always is, every 10 ms
+    unless told otherwise. `progress` is told the simulated time (s) of every stretch. Raises
+    InputError for times that are no multiples of the step.
     """
     step_ns = simulation.step_ns
     every = whole_steps(sample, step_ns, "sample") * step_ns
+    if isinstance(driver, Feedback):
+        command_period = command_period or FEEDBACK_PERIOD
     period = (
         whole_steps(command_period, step_ns, "command period") * step_ns if command_period else 0
     )
@@ -40,9 +43,9 @@ def run(
     while simulation.time_ns < end and simulation.condition is Condition.RUNNING:
         now = simulation.time_ns
         if period and (held is None or now % period == 0):
-            held = hold(programme, now / NANOSECONDS)
+            held = hold(driver, now / NANOSECONDS, simulation.state)
         until = min(_next(now, every), end, _next(now, period) if period else end)
-        simulation.step(held or programme, (until - now) / NANOSECONDS)
+        simulation.step(held or driver, (until - now) / NANOSECONDS)
         ended = simulation.time_ns == end or simulation.condition is not Condition.RUNNING
         if ended or simulation.time_ns % every == 0:
             rows.append(row_of(simulation))
@@ -50,9 +53,9 @@ def run(
     return History(rows)
 
 
-def hold(programme: Programme, time: float) -> Programme:
-    """The command of `programme` at `time` (s), held for ever."""
-    command = programme(np.array([time]))
+def hold(driver: Programme | Feedback, time: float, state=None) -> Programme:
+    """The command of `driver` at `time` (s) in that state, held for ever."""
+    command = command_at(driver, time, state)
     return lambda times: command
 
 

@@ -1,0 +1,64 @@
+"""`series`: a table with its verdict, the same as CSV, and what is refused."""
+
+import csv
+
+import pytest
+
+STABLE = ("--set", "cg_height=0.5")
+
+
+def table_of(result) -> list[list[str]]:
+    lines = result.out.splitlines()
+    return [line.split() for line in lines if line.split()[0] in ("direction", "left", "right")]
+
+
+def test_the_table_and_the_csv_have_the_same_runs(command, folder):
+    result = command("series", "nhtsa_fishhook", *STABLE, "--csv", "series.csv")
+    assert (result.status, result.err) == (0, "")
+    with (folder / "series.csv").open(newline="") as file:
+        written = list(csv.reader(file))
+    shown = table_of(result)
+    assert shown[0] == written[0]
+    assert len(shown) == len(written) == 1 + 2 * 5
+    for one, other in zip(shown[1:], written[1:], strict=True):
+        assert (one[0], one[-1], one[-2]) == (other[0], other[-1], "-")
+        for k in (1, 2, 3):
+            assert float(one[k]) == pytest.approx(float(other[k]), abs=5.1e-4)
+    assert result.value["verdict"] == "no two-wheel lift up to 50 mph"
+    assert result.value["CSV"] == "series.csv"
+
+
+def test_the_same_series_gives_the_same_bytes(command, folder):
+    for name in ("one.csv", "other.csv"):
+        assert command("series", "nhtsa_j_turn", "--csv", name).status == 0
+    assert (folder / "one.csv").read_bytes() == (folder / "other.csv").read_bytes()
+
+
+def test_the_reference_vehicle_lifts_two_wheels_at_once(command):
+    result = command("series", "nhtsa_fishhook")
+    expected = "two-wheel lift at 35 mph to the left, two-wheel lift at 35 mph to the right"
+    assert result.value["verdict"] == expected
+
+
+def test_options_of_the_model_are_those_of_run(command):
+    plain = command("series", "nhtsa_j_turn")
+    simplified = command("series", "nhtsa_j_turn", "--model", "1b")
+    assert plain.status == simplified.status == 0
+    assert plain.out != simplified.out
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        ((), ("MANOEUVRE", "--help")),
+        (("jturn",), ("jturn", "nhtsa_j_turn")),
+        (("step_steer",), ("step_steer", "sine_with_dwell")),
+        (("nhtsa_j_turn", "--speed", "3"), ("--speed",)),
+        (("nhtsa_j_turn", "--csv", "none/x.csv"), ("--csv", "none")),
+        (("nhtsa_j_turn", "--csv", ""), ("--csv",)),
+        (("nhtsa_j_turn", "--model", "8dof", "--csv", "x.csv"), ("--model", "8dof", "heights")),
+        (("nhtsa_j_turn", "--set", "cg_height=-1"), ("--set cg_height", "-1")),
+    ],
+)
+def test_what_is_wrong_is_refused_in_one_line(refused, words, named):
+    refused(("series", *words), *named)

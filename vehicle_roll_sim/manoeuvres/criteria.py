@@ -1,0 +1,45 @@
+"""What the standards judge a run by, read off its history."""
+
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.model.records import LF, RF
+from vehicle_roll_sim.simulation.history import History
+
+TWO_INCHES = 0.0508
+"""m"""
+ROUNDING = 1e-9
+"""s"""
+SIDES = (slice(LF, None, 2), slice(RF, None, 2))
+
+
+def two_wheel_lift(history: History) -> float:
+    """Time (s) of the first sample with both wheels of a side two inches or more off the ground.
+
+    nan if there is none, or if the model has no tire compressions, which off the ground are the
+    height of the wheel, below 0.
+    """
+    heights = -history.wheels("tire_compression")
+    lifted = np.any([np.all(heights[:, side] >= TWO_INCHES, axis=1) for side in SIDES], axis=0)
+    return float(history["time"][np.argmax(lifted)]) if lifted.any() else math.nan
+
+
+def has_wheel_heights(history: History) -> bool:
+    """Whether the model says how far its wheels are off the ground."""
+    return not np.isnan(history.wheels("tire_compression")).all()
+
+
+def two_wheel_lift_line(history: History) -> dict[str, str]:
+    """The line of the summary."""
+    if not has_wheel_heights(history):
+        return {"two-wheel lift": "unknown: the model has no wheel heights"}
+    time = two_wheel_lift(history)
+    return {"two-wheel lift": "none" if math.isnan(time) else f"{time:.3f} s"}
+
+
+def value_at(history: History, name: str, time: float) -> float:
+    """A signal at a time (s), linear between samples; nan beyond the end of the run."""
+    if time > history["time"][-1] + ROUNDING:
+        return math.nan
+    return float(np.interp(time, history["time"], history[name]))

@@ -1,0 +1,71 @@
+"""Manoeuvres that are defined at the handwheel, in degrees, for whatever vehicle drives them."""
+
+import abc
+import dataclasses
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.manoeuvres.base import LONGEST, STEEPEST, Manoeuvre, OpenLoop
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+
+LARGEST_HANDWHEEL = 1440.0
+"""deg: four turns."""
+HOLD = 2000.0
+"""N m s/m: keeps the entry speed within a few cm/s."""
+METRES_PER_SECOND_OF_A_MPH = 0.44704
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class HandwheelManoeuvre(Manoeuvre):
+    """Steered at the handwheel. `for_vehicle` brings the steering ratio, nan before."""
+
+    start: float = parameter("when the steering begins", "s", 0.0, LONGEST, default=1.0)
+    steering_ratio: float = math.nan
+
+    needs_vehicle = True
+
+    def for_vehicle(self, vehicle: Vehicle, options: Options) -> "HandwheelManoeuvre":
+        """With the vehicle's steering ratio; raises InputError for wheels that turn too far."""
+        ready = dataclasses.replace(self, steering_ratio=vehicle.steering_ratio)
+        return ready.filled_in(vehicle, options).checked()
+
+    def filled_in(self, vehicle: Vehicle, options: Options) -> "HandwheelManoeuvre":
+        """With whatever else depends on the vehicle."""
+        return self
+
+    @property
+    @abc.abstractmethod
+    def amplitude(self) -> float:
+        """The largest handwheel angle (deg, left positive)."""
+
+    def checked(self) -> "HandwheelManoeuvre":
+        largest = min(LARGEST_HANDWHEEL, STEEPEST * self.steering_ratio)
+        if not abs(self.amplitude) <= largest:
+            allowed = f"at most {largest:g} deg, which is {largest / self.steering_ratio:g} deg "
+            raise InputError("handwheel angle", self.amplitude, f"{allowed}at the road wheels")
+        return self
+
+    def road_wheel(self, handwheel: np.ndarray) -> np.ndarray:
+        """Road-wheel angles (rad) of handwheel angles (deg)."""
+        return np.radians(handwheel / self.steering_ratio)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class HandwheelProgramme(HandwheelManoeuvre, OpenLoop):
+    """Steered at the handwheel, as a function of time."""
+
+    @abc.abstractmethod
+    def handwheel(self, times: np.ndarray) -> np.ndarray:
+        """Handwheel angles (deg, left positive) at `times` (s)."""
+
+    def drive(self, times: np.ndarray, commands: np.ndarray) -> None:
+        commands["steering"] = self.road_wheel(self.handwheel(times))
+
+
+def ramp(times: np.ndarray, start: float, rate: float, amplitude: float) -> np.ndarray:
+    """0 until `start` (s), then at `rate` (deg/s) to `amplitude` (deg, signed), where it stays."""
+    turned = np.clip(rate * (times - start), 0.0, abs(amplitude))
+    return math.copysign(1.0, amplitude) * turned

@@ -1,0 +1,131 @@
+"""NHTSA's rollover manoeuvres: the J-turn, and the fishhook with roll-rate feedback (1b)."""
+
+import dataclasses
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.manoeuvres.base import LONGEST
+from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift_line
+from vehicle_roll_sim.manoeuvres.handwheel import (
+    HOLD,
+    METRES_PER_SECOND_OF_A_MPH,
+    HandwheelProgramme,
+    ramp,
+)
+from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
+from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.history import History
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class RolloverManoeuvre(ScaledManoeuvre):
+    """The handwheel is turned, held and brought back; what counts is whether two wheels lift."""
+
+    handwheel_rate: float = parameter("rate of the handwheel", "deg/s", 1e-3, 1e5)
+    hold: float = parameter("how long the handwheel is held in the end", "s", 0.0, LONGEST)
+    back: float = parameter("time in which it is brought back", "s", 1e-3, LONGEST, default=2.0)
+
+    def brought_back(self, times: np.ndarray, since: float) -> np.ndarray:
+        """Share of the last angle that is left, 1 to 0, if it was arrived at `since` (s)."""
+        return 1.0 - np.clip((times - since - self.hold) / self.back, 0.0, 1.0)
+
+    def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
+        return {**super().report(history, driver), **two_wheel_lift_line(history)}
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class JTurn(RolloverManoeuvre, HandwheelProgramme):
+    """One turn of the handwheel, held and brought back."""
+
+    def handwheel(self, times: np.ndarray) -> np.ndarray:
+        turned = ramp(times, self.start, self.handwheel_rate, self.amplitude)
+        arrived = self.start + abs(self.amplitude) / self.handwheel_rate
+        return turned * self.brought_back(times, arrived)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Fishhook(RolloverManoeuvre):
+    """A turn held until the roll rate has fallen, then as far to the other side, and back."""
+
+    reversal_roll_rate: float = parameter(
+        "roll rate at which the handwheel is reversed once it has fallen so far",
+        "deg/s",
+        0.0,
+        1e3,
+    )
+
+    def driver(self) -> "FishhookDriver":
+        return FishhookDriver(self)
+
+    @property
+    def turned(self) -> float:
+        """When the first turn is complete (s)."""
+        return self.start + abs(self.amplitude) / self.handwheel_rate
+
+    def handwheel(self, times: np.ndarray, reversal: float) -> np.ndarray:
+        """Handwheel angles (deg) at `times` if it is reversed at `reversal` (s; inf: never)."""
+        first = ramp(times, self.start, self.handwheel_rate, self.amplitude)
+        other_way = ramp(times, reversal, self.handwheel_rate, -2.0 * self.amplitude)
+        arrived = reversal + 2.0 * abs(self.amplitude) / self.handwheel_rate
+        return (first + other_way) * self.brought_back(times, arrived)
+
+    def report(self, history: History, driver: "FishhookDriver") -> dict[str, str]:
+        reversed_at = "none: the roll rate did not rise and fall so far"
+        if driver.reversal < math.inf:
+            reversed_at = f"{driver.reversal:.3f} s at {driver.roll_rate:.3f} deg/s of roll"
+        return {**super().report(history, driver), "steering reversal": reversed_at}
+
+
+class FishhookDriver(Feedback):
+    """Turns the handwheel of a fishhook, and reverses it when the roll rate tells so.
+
+    That is in the first period that begins after the turn is complete and with a roll rate, to the
+    outside of the turn, that has been above that of the reversal and is so no more. `reversal` is
+    its time (s), inf until then, and `roll_rate` the roll rate then (deg/s, towards the outside).
+    """
+
+    def __init__(self, manoeuvre: Fishhook):
+        self.manoeuvre = manoeuvre
+        self.reversal, self.roll_rate = math.inf, math.nan
+        self._has_risen = False
+
+    def command(self, time: float, state) -> np.ndarray:
+        if self.reversal == math.inf:
+            self._watch(time, state["roll_rate"])
+        times = np.array([time])
+        commands = self.manoeuvre.straight_ahead(times)
+        handwheel = self.manoeuvre.handwheel(times, self.reversal)
+        commands["steering"] = self.manoeuvre.road_wheel(handwheel)
+        return commands
+
+    def _watch(self, time: float, roll_rate: float) -> None:
+        outwards = math.degrees(roll_rate) * math.copysign(1.0, self.manoeuvre.amplitude)
+        is_above = outwards > self.manoeuvre.reversal_roll_rate
+        self._has_risen = self._has_risen or is_above
+        if self._has_risen and not is_above and time >= self.manoeuvre.turned:
+            self.reversal, self.roll_rate = time, outwards
+
+
+LOWEST_ENTRY = 35 * METRES_PER_SECOND_OF_A_MPH
+"""m/s: the first entry speed of both series."""
+NHTSA_J_TURN = JTurn(
+    speed=LOWEST_ENTRY,
+    scalar=8.0,
+    handwheel_rate=1000.0,
+    hold=4.0,
+    duration=9.0,
+    speed_hold=HOLD,
+)
+"""Handwheel to 8.0 times the angle at 0.3 g at 1000 deg/s, held 4 s, back in 2 s."""
+NHTSA_FISHHOOK = Fishhook(
+    speed=LOWEST_ENTRY,
+    scalar=6.5,
+    handwheel_rate=720.0,
+    reversal_roll_rate=1.5,
+    hold=3.0,
+    duration=10.0,
+    speed_hold=HOLD,
+)
+"""Handwheel to 6.5 times that angle at 720 deg/s, reversed at 1.5 deg/s, held 3 s, back in 2 s."""

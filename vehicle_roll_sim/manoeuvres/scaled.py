@@ -1,0 +1,45 @@
+"""Manoeuvres whose size is a multiple of the handwheel angle at which the vehicle is at 0.3 g."""
+
+import dataclasses
+
+from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL, HandwheelManoeuvre
+from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import steering_at_03g
+from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class ScaledManoeuvre(HandwheelManoeuvre):
+    """Straight ahead, then the throttle is dropped and the handwheel turned."""
+
+    scalar: float = parameter(
+        "handwheel angle over that at 0.3 g, left positive", "", -100.0, 100.0
+    )
+    steering_at_03g: float = parameter(
+        "handwheel angle at 0.3 g; 0: found by slowly increasing steers of the vehicle",
+        "deg",
+        0.0,
+        LARGEST_HANDWHEEL,
+        default=0.0,
+    )
+
+    @property
+    def amplitude(self) -> float:
+        return self.scalar * self.steering_at_03g
+
+    @property
+    def throttle_dropped(self) -> float:
+        return self.start
+
+    def filled_in(self, vehicle: Vehicle, options: Options) -> "ScaledManoeuvre":
+        found = self.steering_at_03g or steering_at_03g(vehicle, options)
+        return dataclasses.replace(self, steering_at_03g=found)
+
+    def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
+        return {
+            "handwheel angle at 0.3 g": f"{self.steering_at_03g:.3f} deg",
+            "handwheel amplitude": f"{self.amplitude:.3f} deg",
+        }

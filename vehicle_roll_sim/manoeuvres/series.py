@@ -1,0 +1,152 @@
+"""Test series: a manoeuvre again and again, faster or with more steering, and the verdict."""
+
+import abc
+import dataclasses
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError, unknown_name
+from vehicle_roll_sim.manoeuvres.criteria import has_wheel_heights, two_wheel_lift
+from vehicle_roll_sim.manoeuvres.handwheel import METRES_PER_SECOND_OF_A_MPH
+from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
+from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
+from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL, SineWithDwellResult
+from vehicle_roll_sim.model.events import VALUE, Condition
+from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.simulation.simulation import Simulation
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+
+COMPLETE = "complete"
+DIRECTIONS = {"left": 1.0, "right": -1.0}
+LADDER_FROM, LADDER_STEP, LADDER_TO = 1.5, 0.5, 6.5
+"""Amplitudes of the sine with dwell over the handwheel angle at 0.3 g."""
+LEAST_FINAL, LARGEST_FINAL = 270.0, 300.0
+"""deg: the final amplitude is 6.5 times that angle, but not below and not above these."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Series(abc.ABC):
+    """Runs of a manoeuvre to the left, then to the right; a row of results for each."""
+
+    manoeuvre: ScaledManoeuvre
+
+    columns = ()
+    """Names of what a row has; SI units unless the name ends in another."""
+
+    def rows(self, vehicle: Vehicle, options: Options) -> Iterator[tuple]:
+        """Drive the runs one by one, on a level road."""
+        ready = self.manoeuvre.for_vehicle(vehicle, options)
+        for direction, side in DIRECTIONS.items():
+            for row in self.rows_to_a_side(ready, side, vehicle, options):
+                yield (direction, *row)
+
+    @abc.abstractmethod
+    def rows_to_a_side(
+        self, ready: ScaledManoeuvre, side: float, vehicle: Vehicle, options: Options
+    ) -> Iterator[tuple]:
+        """Runs to the left (side 1) or right (-1), without the direction in front."""
+
+    @abc.abstractmethod
+    def verdict(self, rows: list[tuple]) -> str:
+        """What the rows mean."""
+
+
+@dataclasses.dataclass(frozen=True)
+class SpeedSeries(Series):
+    """Entry speeds (mph, rising) until two wheels lift."""
+
+    speeds: tuple[float, ...]
+
+    columns = ("direction", "speed_mph", "amplitude_deg", "peak_roll_deg", "two_wheel_lift", "end")
+
+    def rows_to_a_side(
+        self, ready: ScaledManoeuvre, side: float, vehicle: Vehicle, options: Options
+    ) -> Iterator[tuple]:
+        for speed in self.speeds:
+            manoeuvre = dataclasses.replace(
+                ready, speed=speed * METRES_PER_SECOND_OF_A_MPH, scalar=side * ready.scalar
+            )
+            simulation, history = driven(manoeuvre, vehicle, options)
+            if not has_wheel_heights(history):
+                raise InputError("--model", options.model, "a model that has wheel heights")
+            lift = two_wheel_lift(history)
+            peak = math.degrees(simulation.events.peak_roll[VALUE])
+            is_complete = simulation.condition is Condition.RUNNING
+            ending = COMPLETE if is_complete else simulation.condition.name.lower()
+            yield speed, manoeuvre.amplitude, peak, lift, ending
+            if not (math.isnan(lift) and is_complete):
+                return
+
+    def verdict(self, rows: list[tuple]) -> str:
+        ended = [row for row in rows if not math.isnan(row[4]) or row[-1] != COMPLETE]
+        if not ended:
+            return f"no two-wheel lift up to {max(row[1] for row in rows):g} mph"
+        what = [row[-1] if math.isnan(row[4]) else "two-wheel lift" for row in ended]
+        where = [f"at {row[1]:g} mph to the {row[0]}" for row in ended]
+        return ", ".join(f"{event} {place}" for event, place in zip(what, where, strict=True))
+
+
+@dataclasses.dataclass(frozen=True)
+class AmplitudeLadder(Series):
+    """Amplitudes of the sine with dwell, each judged."""
+
+    columns = (
+        *("direction", "scalar", "amplitude_deg", "yaw_rate_ratio_1_00", "yaw_rate_ratio_1_75"),
+        *("displacement", "verdict"),
+    )
+
+    def rows_to_a_side(
+        self, ready: ScaledManoeuvre, side: float, vehicle: Vehicle, options: Options
+    ) -> Iterator[tuple]:
+        for scalar in ladder(ready.steering_at_03g):
+            manoeuvre = dataclasses.replace(ready, scalar=side * scalar).checked()
+            _, history = driven(manoeuvre, vehicle, options)
+            result: SineWithDwellResult = manoeuvre.result(history)
+            verdict = "passed" if result.is_passed else "failed"
+            ratios = result.yaw_rate_ratios
+            yield scalar, manoeuvre.amplitude, *ratios, result.displacement, verdict
+
+    def verdict(self, rows: list[tuple]) -> str:
+        failed = [row for row in rows if row[-1] != "passed"]
+        if not failed:
+            return "passed"
+        first = [next((r for r in failed if r[0] == side), None) for side in DIRECTIONS]
+        where = [f"from {abs(row[2]):.1f} deg to the {row[0]}" for row in first if row]
+        return f"failed {', '.join(where)}: {len(failed)} of {len(rows)} runs"
+
+
+SERIES = {
+    "nhtsa_j_turn": SpeedSeries(NHTSA_J_TURN, (35.0, 40.0, 45.0, 50.0, 55.0, 60.0)),
+    "nhtsa_fishhook": SpeedSeries(NHTSA_FISHHOOK, (35.0, 40.0, 45.0, 47.5, 50.0)),
+    "sine_with_dwell": AmplitudeLadder(SINE_WITH_DWELL),
+}
+"""The manoeuvres whose standard has a series."""
+
+
+def series_named(name: str) -> Series:
+    """The series of a manoeuvre; raises InputError with the ones there are."""
+    if name not in SERIES:
+        raise unknown_name(name, SERIES, "MANOEUVRE")
+    return SERIES[name]
+
+
+def ladder(steering_at_03g: float) -> list[float]:
+    """Amplitudes over that angle (deg): 1.5 in steps of 0.5, and last the final one (FMVSS 126).
+
+    That is the greater of 6.5 times the angle and 270 deg, but at most 300 deg.
+    """
+    final = min(max(LADDER_TO * steering_at_03g, LEAST_FINAL), LARGEST_FINAL) / steering_at_03g
+    return [*np.arange(LADDER_FROM, final - 1e-9, LADDER_STEP).tolist(), final]
+
+
+def driven(
+    manoeuvre: ScaledManoeuvre, vehicle: Vehicle, options: Options
+) -> tuple[Simulation, History]:
+    """A run of its own with a manoeuvre that is ready for the vehicle."""
+    simulation = Simulation(vehicle, options)
+    simulation.reset(manoeuvre.speed)
+    return simulation, run(simulation, manoeuvre.driver(), manoeuvre.duration)

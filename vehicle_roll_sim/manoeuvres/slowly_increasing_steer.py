@@ -1,0 +1,140 @@
+"""NHTSA's slowly increasing steer: how far the handwheel is turned for 0.3 g."""
+
+import dataclasses
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.manoeuvres.handwheel import (
+    HOLD,
+    LARGEST_HANDWHEEL,
+    METRES_PER_SECOND_OF_A_MPH,
+    HandwheelProgramme,
+    ramp,
+)
+from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.simulation.simulation import Simulation
+from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+
+LEVEL = 0.3
+FIT_FROM, FIT_TO = 0.1, 0.375
+"""g: where the handwheel angle is read, and the data that the straight line goes through."""
+LINE = 2
+"""Samples that make a line."""
+STRETCH = 1.0
+"""s: how often it is looked whether there is data enough."""
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class SlowlyIncreasingSteer(HandwheelProgramme):
+    """A speed that is held, and a handwheel that turns slowly as far as it shall.
+
+    Once the vehicle is beyond 0.375 g the throttle is dropped: no torque drives it into a spin.
+    """
+
+    handwheel_angle: float = parameter(
+        "handwheel angle at which it stays, left positive",
+        "deg",
+        -LARGEST_HANDWHEEL,
+        LARGEST_HANDWHEEL,
+    )
+    handwheel_rate: float = parameter("rate of the handwheel", "deg/s", 1e-3, 1e5)
+    complete: float = math.inf
+
+    @property
+    def throttle_dropped(self) -> float:
+        """Time (s) at which there is data enough, by `for_vehicle`."""
+        return self.complete
+
+    def filled_in(self, vehicle: Vehicle, options: Options) -> "SlowlyIncreasingSteer":
+        """With the time at which the vehicle passes 0.375 g on a level road."""
+        history = history_to_the_level(self, vehicle, options)
+        passed = np.abs(history["lateral_acceleration"]) > FIT_TO * GRAVITY
+        if not passed.any():
+            return self
+        return dataclasses.replace(self, complete=float(history["time"][np.argmax(passed)]))
+
+    @property
+    def amplitude(self) -> float:
+        return self.handwheel_angle
+
+    def handwheel(self, times: np.ndarray) -> np.ndarray:
+        return ramp(times, self.start, self.handwheel_rate, self.handwheel_angle)
+
+    def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
+        angle = angle_at_level(history, self.steering_ratio)
+        found = "not reached" if math.isnan(angle) else f"{angle:.3f} deg"
+        return {"handwheel angle at 0.3 g": found}
+
+
+SLOWLY_INCREASING_STEER = SlowlyIncreasingSteer(
+    speed=50 * METRES_PER_SECOND_OF_A_MPH,
+    handwheel_angle=270.0,
+    handwheel_rate=13.5,
+    duration=22.0,
+    speed_hold=HOLD,
+)
+"""50 mph held, 13.5 deg/s to 270 deg."""
+
+
+def angle_at_level(history: History, steering_ratio: float) -> float:
+    """Handwheel angle (deg) at a lateral acceleration of 0.3 g, to either side positive.
+
+    From the straight line through the data between 0.1 and 0.375 g; nan if 0.375 g is not reached.
+    """
+    band = band_of_the_fit(history)
+    if band is None:
+        return math.nan
+    acceleration = np.abs(history["lateral_acceleration"][band]) / GRAVITY
+    handwheel = np.abs(np.degrees(history["steering"][band])) * steering_ratio
+    slope, intercept = np.polyfit(handwheel, acceleration, 1)
+    return float((LEVEL - intercept) / slope)
+
+
+def band_of_the_fit(history: History) -> slice | None:
+    """The rows between 0.1 and 0.375 g, to either side; None if 0.375 g is not reached."""
+    acceleration = np.abs(history["lateral_acceleration"]) / GRAVITY
+    first, end = np.argmax(acceleration >= FIT_FROM), np.argmax(acceleration > FIT_TO)
+    return slice(first, end) if end - first >= LINE else None
+
+
+def steering_at_03g(vehicle: Vehicle, options: Options) -> float:
+    """Mean handwheel angle (deg) at 0.3 g of a slowly increasing steer to the left and the right.
+
+    On a level road. Runs of a simulation are alike, so one to each side does. Raises InputError if
+    the vehicle does not come to 0.375 g.
+    """
+    angles = [_angle_to_a_side(vehicle, options, side) for side in (1.0, -1.0)]
+    if any(map(math.isnan, angles)):
+        problem = "no 0.375 g in a slowly increasing steer of this vehicle"
+        raise InputError("steering_at_03g", 0.0, "a number above 0 deg", problem)
+    return float(np.mean(angles))
+
+
+def _angle_to_a_side(vehicle: Vehicle, options: Options, side: float) -> float:
+    steer = dataclasses.replace(
+        SLOWLY_INCREASING_STEER,
+        handwheel_angle=side * SLOWLY_INCREASING_STEER.handwheel_angle,
+        steering_ratio=vehicle.steering_ratio,
+    )
+    return angle_at_level(history_to_the_level(steer, vehicle, options), steer.steering_ratio)
+
+
+def history_to_the_level(
+    steer: SlowlyIncreasingSteer, vehicle: Vehicle, options: Options
+) -> History:
+    """A run to just beyond 0.375 g, or as far as it goes."""
+    simulation, rows = Simulation(vehicle, options), []
+    simulation.reset(steer.speed)
+    is_beyond = False
+    while not is_beyond:
+        rows.append(run(simulation, steer, STRETCH).rows[:-1])
+        is_beyond = np.any(np.abs(History(rows[-1])["lateral_acceleration"]) > FIT_TO * GRAVITY)
+        if simulation.condition is not Condition.RUNNING or simulation.time >= steer.duration:
+            break
+    return History(np.concatenate(rows))
