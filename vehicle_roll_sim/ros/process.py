@@ -1,7 +1,6 @@
 """What the main functions of all nodes share: start, spin, end without a traceback."""
 
 import argparse
-import signal
 from collections.abc import Callable
 
 import rclpy
@@ -35,7 +34,6 @@ def node_main(
             return 0
         finally:
             rclpy.try_shutdown()
-            signal.signal(signal.SIGINT, signal.SIG_IGN)  # it may come late from another thread
 
     return exit_status(command, parser.prog)
 
