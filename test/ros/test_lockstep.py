@@ -181,7 +181,7 @@ def test_an_answer_that_waits_to_be_read_is_not_late(start, peer):
     simulator = begin(start, peer, *words)
     os.kill(simulator.process.pid, signal.SIGSTOP)  # a simulator that does not get its turn
     peer.publish("steering_cmd", 0.01)
-    time.sleep(1.0)
+    time.sleep(1.0)  # the wait itself is what is tried: longer than the timeout
     os.kill(simulator.process.pid, signal.SIGCONT)
     peer.wait(lambda: peer.received["state"][-1][1].data[0] == 0.01, "the next state")
 

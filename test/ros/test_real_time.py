@@ -8,6 +8,12 @@ from sensor_msgs.msg import Imu
 from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool, Trigger
 
+from vehicle_roll_sim import Simulation, preset
+from vehicle_roll_sim.ros.messages import Messages
+from vehicle_roll_sim.ros.publications import Publications
+from vehicle_roll_sim.simulation.command_inbox import CommandInbox
+from vehicle_roll_sim.simulation.session import Session
+
 CHANGES_NO_MIND = """
 import sys
 
@@ -126,6 +132,28 @@ def test_partners_that_can_never_be_connected_are_told(start, peer):
     assert any("/imu: the subscription of peer" in line for line in warnings)
     assert any("/steering_cmd: the publisher of peer: std_msgs/msg/String" in w for w in warnings)
     assert len(warnings) == 2  # once each
+
+
+def test_what_nobody_listens_to_is_not_built(peer, monkeypatch):
+    session = Session(Simulation(preset()), CommandInbox(), 10_000_000, 13.9)
+    built = []
+    for name in ("odom", "imu"):
+        usual = getattr(Messages, name)
+        monkeypatch.setattr(Messages, name, lambda m, n=name, u=usual: built.append(n) or u(m))
+    publications = Publications(
+        peer.node,
+        session,
+        frame_prefix="",
+        own_clock=False,
+        unnoticed_ns=0,
+        robot_description="",
+    )
+    peer.listen("imu")
+    peer.wait(lambda: publications.listeners("imu"), "the listener to be found")
+    built.clear()
+    publications.publish_set()
+    assert built == ["imu"]
+    peer.wait(lambda: peer.received["imu"], "the message")
 
 
 def test_nothing_is_compiled_once_the_simulator_is_there(start, tmp_path):

@@ -69,22 +69,25 @@ class Lockstep:
         while (missing := session.inbox.unanswered(self.topics)) or session.paused:
             waited = 0.0 if session.paused else time.monotonic() - self._asked
             if self.timeout and waited > self.timeout:
-                return self._give_up(session, executor)
+                self._read_on(session, executor)
+                self._note_missing(session.inbox.unanswered(self.topics))
+                return
             if waited > COMPLAINT_INTERVAL:
                 simulator.get_logger().warning(
                     f"lockstep: waiting for a message on {', '.join(missing)}",
                     throttle_duration_sec=COMPLAINT_INTERVAL,
                 )
             executor.spin_once(timeout_sec=self.timeout - waited if self.timeout else None)
-        return None
 
-    def _give_up(self, session: Session, executor: Executor) -> None:
-        looked = time.monotonic()
-        while missing := session.inbox.unanswered(self.topics):
-            if time.monotonic() - looked > LAST_LOOK:
-                break
+    def _read_on(self, session: Session, executor: Executor) -> None:
+        """Take what has come but has not been read yet."""
+        until = time.monotonic() + LAST_LOOK
+        while session.inbox.unanswered(self.topics) and time.monotonic() < until:
             executor.spin_once(timeout_sec=LAST_LOOK)
-        else:
+
+    def _note_missing(self, missing: Sequence[str]) -> None:
+        """Count a period without all answers; raises UnansweredError if the policy says so."""
+        if not missing:
             return
         self._timeouts += 1
         if self.policy == STOP:

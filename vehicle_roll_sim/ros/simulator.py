@@ -209,7 +209,7 @@ def main() -> int:
     """Entry point of the executable."""
     parser = OneLineParser(
         prog="simulator",
-        description="Simulate a vehicle's roll in real time on ROS 2.",
+        description="Simulate a vehicle's roll on ROS 2, in real time or in lockstep.",
         usage="simulator [--ros-args -p NAME:=VALUE -r __ns:=/NAMESPACE ...]",
         epilog="parameters: " + ", ".join(parameters.PARAMETERS),
     )
