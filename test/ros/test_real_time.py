@@ -9,6 +9,7 @@ from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim import Simulation, preset
+from vehicle_roll_sim.ros.compatibility import incompatible_partners
 from vehicle_roll_sim.ros.messages import Messages
 from vehicle_roll_sim.ros.publications import Publications
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
@@ -132,6 +133,17 @@ def test_partners_that_can_never_be_connected_are_told(start, peer):
     assert any("/imu: the subscription of peer" in line for line in warnings)
     assert any("/steering_cmd: the publisher of peer: std_msgs/msg/String" in w for w in warnings)
     assert len(warnings) == 2  # once each
+
+
+def test_a_partner_whose_node_is_not_known_yet_is_left_to_the_next_look(make_peer, monkeypatch):
+    peer, other = make_peer(), make_peer("/other")
+    peer.node.create_subscription(Float64, "steering_cmd", lambda _: None, 1)
+    other.node.create_publisher(String, "/steering_cmd", 1)
+    peer.wait(lambda: incompatible_partners(peer.node), "the misfit")
+    found = peer.node.get_publishers_info_by_topic("/steering_cmd")
+    found[0].node_name = "_NODE_NAME_UNKNOWN_"
+    monkeypatch.setattr(peer.node, "get_publishers_info_by_topic", lambda _: found)
+    assert incompatible_partners(peer.node) == []
 
 
 def test_what_nobody_listens_to_is_not_built(peer, monkeypatch):

@@ -7,9 +7,15 @@ from rclpy.node import Node
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
+UNNAMED = "_NODE_NAME_UNKNOWN_"
+"""Node of an endpoint that was discovered before its node was, or that is not of ROS."""
+
 
 def incompatible_partners(node: Node) -> list[str]:
-    """One line for each publisher and subscription elsewhere that does not fit one of the node."""
+    """One line for each publisher and subscription elsewhere that does not fit one of the node.
+
+    Those whose node is not known yet are left to the next look, so that none is told twice.
+    """
     topics = {own.topic_name for own in (*node.publishers, *node.subscriptions)}
     misfits = []
     for topic in sorted(topics):
@@ -30,7 +36,9 @@ def _is_of(node: Node, endpoint: TopicEndpointInfo) -> bool:
 
 
 def _mismatch(publisher: TopicEndpointInfo, listener: TopicEndpointInfo) -> str:
-    """Why two endpoints cannot be connected, or ''."""
+    """Why two endpoints cannot be connected, or '' (also where one has no node yet)."""
+    if UNNAMED in (publisher.node_name, listener.node_name):
+        return ""
     if publisher.topic_type != listener.topic_type:
         return f"{publisher.topic_type} is published, {listener.topic_type} listened to"
     verdict, reason = qos_check_compatible(publisher.qos_profile, listener.qos_profile)
