@@ -13,16 +13,14 @@ from rclpy.serialization import deserialize_message
 from benchmarks.peer import TOPICS
 from vehicle_roll_sim import Simulation, preset
 from vehicle_roll_sim.arguments import OneLineParser
+from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.ros.encoding import encode
 from vehicle_roll_sim.ros.lockstep import SETTLING
-from vehicle_roll_sim.ros.messages import Messages
 from vehicle_roll_sim.ros.process import node_main
-from vehicle_roll_sim.ros.topics import EVERY_ANSWER, SENT
-from vehicle_roll_sim.simulation.command_inbox import CommandInbox
-from vehicle_roll_sim.simulation.session import Session
+from vehicle_roll_sim.ros.topics import EVERY_ANSWER, message_class, offered_qos
 
 LOOK = 0.02
 """s between two looks for the controller."""
-PERIOD_NS = 10_000_000
 
 
 class Partner(Node):
@@ -35,17 +33,18 @@ class Partner(Node):
             kind: None if plain else kind(use_default_callbacks=False)
             for kind in (PublisherEventCallbacks, SubscriptionEventCallbacks)
         }
-        messages = Messages(Session(Simulation(preset()), CommandInbox(), PERIOD_NS, 10.0), "")
+        messages = Messages(Simulation(preset()), "", encode)
         self.outgoing = []
         for name in names:
-            kind, data = TOPICS[name].type, getattr(messages, name)()
+            topic, data = TOPICS[name], messages.builder(name)()
+            kind = message_class(topic.type)
             publisher = self.create_publisher(
-                kind, name, SENT, event_callbacks=events[PublisherEventCallbacks]
+                kind, name, offered_qos(topic), event_callbacks=events[PublisherEventCallbacks]
             )
             self.outgoing.append((publisher, deserialize_message(data, kind) if plain else data))
         command = TOPICS["steering_cmd"]
         self.commands = self.create_subscription(
-            command.type,
+            message_class(command.type),
             command.name,
             self.answer,
             EVERY_ANSWER,

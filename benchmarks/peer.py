@@ -12,8 +12,9 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 
+from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
 from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.ros.topics import COMMANDING, COMMANDS, PUBLISHED, SENT
+from vehicle_roll_sim.ros.topics import COMMANDING, message_class, offered_qos
 
 PATIENCE = 120.0
 """s until a wait fails: compiling the model on a busy machine included."""
@@ -24,6 +25,13 @@ LARGEST_DOMAIN = 100
 BATCH = 1000
 """Messages that a Tap can leave lying."""
 TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED)}
+
+
+def kind_of(name: str) -> type:
+    """The message class of a topic."""
+    return message_class(TOPICS[name].type)
+
+
 _domains = itertools.count(os.getpid())
 
 
@@ -57,10 +65,12 @@ class Peer:
         rclpy.try_shutdown(context=self.context)
 
     def listen(self, name: str, receive: Callable):
-        return self.node.create_subscription(TOPICS[name].type, name, receive, SENT)
+        return self.node.create_subscription(
+            kind_of(name), name, receive, offered_qos(TOPICS[name])
+        )
 
     def commander(self, name: str):
-        return self.node.create_publisher(TOPICS[name].type, name, COMMANDING)
+        return self.node.create_publisher(kind_of(name), name, COMMANDING)
 
     def spin(self, longest: float = TURN) -> None:
         self.executor.spin_once(timeout_sec=longest)
@@ -83,7 +93,7 @@ class Tap:
     """
 
     def __init__(self, peer: Peer, name: str, keep: bool = False):
-        self.name, self.kind, self.keep = name, TOPICS[name].type, keep
+        self.name, self.kind, self.keep = name, kind_of(name), keep
         self._subscription = peer.node.create_subscription(
             self.kind, name, lambda _: None, QoSProfile(depth=BATCH), raw=True
         )

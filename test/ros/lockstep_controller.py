@@ -12,7 +12,8 @@ import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
-from vehicle_roll_sim.ros.topics import CLOCK, COMMANDING, COMMANDS, ROLLOVER, SENT, STATE_SET
+from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, ROLLOVER, STATE_SET
+from vehicle_roll_sim.ros.topics import COMMANDING, message_class, offered_qos
 
 ROLL, ROLL_RATE = 4, 10
 """Places in `state`, whose first element is the time."""
@@ -31,16 +32,17 @@ class Controller(Node):
     def __init__(self, periods: int):
         super().__init__("controller")
         self.periods = periods
-        self.commands = {
-            topic.name: (self.create_publisher(topic.type, topic.name, COMMANDING), topic.type)
-            for topic in COMMANDS
-            if topic.name in ("steering_cmd", "normal_force_cmd")
-        }
+        self.commands = {}
+        for topic in COMMANDS:
+            if topic.name in ("steering_cmd", "normal_force_cmd"):
+                kind = message_class(topic.type)
+                publisher = self.create_publisher(kind, topic.name, COMMANDING)
+                self.commands[topic.name] = publisher, kind
         self.counts, self.digests, self.state = {}, {}, None
         for topic in (*STATE_SET, ROLLOVER, CLOCK):
             self.counts[topic.name], self.digests[topic.name] = 0, hashlib.sha256()
-            qos = topic.publisher_qos if topic.latched else SENT
-            self.create_subscription(topic.type, topic.name, self.listener(topic.name), qos)
+            kind, qos = message_class(topic.type), offered_qos(topic)
+            self.create_subscription(kind, topic.name, self.listener(topic.name), qos)
 
     def listener(self, name: str):
         def listen(message):

@@ -12,7 +12,8 @@ from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 
-from vehicle_roll_sim.ros.topics import COMMANDING, COMMANDS, PUBLISHED, recording_qos
+from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
+from vehicle_roll_sim.ros.topics import COMMANDING, message_class, recording_qos
 
 PATIENCE = 60.0
 """Seconds until a wait fails: tenfold what a busy machine needs, compiling included."""
@@ -60,7 +61,7 @@ class Peer:
                 kept.append((info["source_timestamp"], message))
 
             self._subscriptions[name] = self.node.create_subscription(
-                topic.type, name, keep, recording_qos(topic)
+                message_class(topic.type), name, keep, recording_qos(topic)
             )
         for name in names:
             self.wait(self._subscriptions[name].get_publisher_count, f"a publisher of {name}")
@@ -85,7 +86,9 @@ class Peer:
     def publisher(self, name: str):
         """A publisher that is matched."""
         if name not in self._publishers:
-            self._publishers[name] = self.node.create_publisher(TOPICS[name].type, name, COMMANDING)
+            self._publishers[name] = self.node.create_publisher(
+                message_class(TOPICS[name].type), name, COMMANDING
+            )
         publisher = self._publishers[name]
         self.wait(publisher.get_subscription_count, f"a subscriber of {name}")
         return publisher
@@ -132,7 +135,7 @@ class Peer:
 def message_of(name: str, value):
     """A command message with `value` as its data."""
     data = value if isinstance(value, float) else array("d", value)
-    return TOPICS[name].type(data=data)
+    return message_class(TOPICS[name].type)(data=data)
 
 
 def sets_of(received: dict[str, list], *names: str) -> list[dict]:

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from vehicle_roll_sim.ros.topics import COMMANDS
+from vehicle_roll_sim.messages.topics import COMMANDS
 
 EXAMPLES = Path(__file__).parents[2] / "msg_examples"
 ROLL, U, YAW_RATE = 4, 7, 12
@@ -58,7 +58,7 @@ def test_the_example_message_has_its_effect(start, peer, name):
 def test_the_readme_has_the_line_for_every_message():
     text = (EXAMPLES / "README.md").read_text()
     for topic in COMMANDS:
-        kind = f"std_msgs/msg/{topic.type.__name__}"
+        kind = topic.type
         line = f'ros2 topic pub --rate 50 {topic.name} {kind} "$(cat {topic.name}.yaml)"'
         assert line in text
 

@@ -8,7 +8,8 @@ from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
 from vehicle_roll_sim.command_line.main import main as offline
-from vehicle_roll_sim.ros.topics import CLOCK, COMMANDS, PUBLISHED
+from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED
+from vehicle_roll_sim.ros.topics import is_installed
 
 LATE = 0.1
 """s: a command that comes late on a busy machine counts one period (0.01 s) later, now and then."""
@@ -94,7 +95,8 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
         "normal_force_cmd": four,
         "speed_cmd": 13.0,
     }
-    for topic in (*COMMANDS, *PUBLISHED):
+    topics = [topic for topic in (*COMMANDS, *PUBLISHED) if is_installed(topic)]
+    for topic in topics:
         peer.wait_for_listener(topic.name, "recorder")
     end = peer.newest("state").data[0] + 2.5  # /diagnostics comes once a second
     peer.command(commands, lambda: peer.newest("state").data[0] > end, "2.5 s of driving")
@@ -103,7 +105,7 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
     assert "messages in" in out
 
     messages = read_bag(bag)
-    names = {f"/{topic.name.removeprefix('/')}" for topic in (*COMMANDS, *PUBLISHED)}
+    names = {f"/{topic.name.removeprefix('/')}" for topic in topics}
     assert set(messages) == names
     assert CLOCK.name in messages
     assert messages["/wheel_torque_cmd"][-1].data == four
@@ -111,7 +113,8 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
     recorded = {message.data[0]: list(message.data) for message in messages["/state"]}
     shared = live.keys() & recorded.keys()
     assert len(shared) > 50
-    assert all(live[time] == recorded[time] for time in shared)
+    for time in shared:
+        assert live[time] == recorded[time]
 
 
 @pytest.mark.parametrize(

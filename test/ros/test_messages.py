@@ -4,14 +4,16 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from geometry_msgs.msg import WrenchStamped
 from rclpy.serialization import deserialize_message
 from scipy.spatial.transform import Rotation
 
 from vehicle_roll_sim import LF, LR, RF, RR, WHEELS, Command, Options, Simulation, preset
-from vehicle_roll_sim.ros.messages import COMMAND_LABELS, Messages
-from vehicle_roll_sim.ros.topics import STATE_SET
-from vehicle_roll_sim.ros.urdf import robot_description
+from vehicle_roll_sim.bags import encoding
+from vehicle_roll_sim.messages.sets import COMMAND_LABELS, Messages
+from vehicle_roll_sim.messages.topics import CLOCK, STATE_SET, TRANSFORMS, WRENCH
+from vehicle_roll_sim.messages.urdf import robot_description
+from vehicle_roll_sim.ros.encoding import encode
+from vehicle_roll_sim.ros.topics import message_class
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.session import Session
 
@@ -35,22 +37,22 @@ def session():
     return session
 
 
-TYPES = {topic.name: topic.type for topic in STATE_SET} | {"tire_force": WrenchStamped}
+TYPES = {topic.name: topic.type for topic in STATE_SET} | {"tire_force": WRENCH}
 
 
 class Decoded:
     """The messages of a session, each by the name of its method, as ROS's own decoder has them."""
 
     def __init__(self, session, frame_prefix=""):
-        self._messages = Messages(session, frame_prefix)
+        self._messages = Messages(session.simulation, frame_prefix, encode)
+        self._messages.applied = session.applied
         self._messages.set_time(12_345_678_901)
 
     def __getattr__(self, name):
         method = getattr(self._messages, name)
-        return lambda *arguments: deserialize_message(method(*arguments), TYPES[name])
-
-    def transforms(self):
-        return self._messages.transforms()
+        return lambda *arguments: deserialize_message(
+            method(*arguments), message_class(TYPES[name])
+        )
 
 
 @pytest.fixture
@@ -150,8 +152,14 @@ def test_applied_command_names_every_element(messages):
     assert torques == list(range(1, 13))
 
 
-def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session, messages):
-    footprint, body = messages.transforms()
+def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session):
+    messages = Messages(session.simulation, "car/", encoding.encode)
+    messages.set_time(12_345_678_901)
+    footprint, body = encoding.decode(messages.tf(), TRANSFORMS.type).transforms
+    for transform in (footprint, body):
+        assert transform.header.frame_id == "car/odom"
+        stamp = transform.header.stamp
+        assert (stamp.sec, stamp.nanosec) == (12, 345_678_901)
     state = session.simulation.state
     assert (body.child_frame_id, footprint.child_frame_id) == (
         "car/base_link",
@@ -161,6 +169,31 @@ def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session, message
     q = footprint.transform.rotation
     yaw = Rotation.from_quat([q.x, q.y, q.z, q.w]).as_euler("ZYX")
     assert yaw == pytest.approx([state.yaw, 0.0, 0.0], abs=ROUNDING)
+    assert list(vector(body.transform.translation)) == [state.x, state.y, state.z]
+    q = body.transform.rotation
+    attitude = Rotation.from_quat([q.x, q.y, q.z, q.w]).as_euler("ZYX")
+    assert attitude == pytest.approx([state.yaw, state.pitch, state.roll], abs=ROUNDING)
+
+
+def test_without_heave_there_is_no_transform_to_the_body():
+    messages = Messages(Simulation(preset(), Options(model="8dof")), "", encoding.encode)
+    found = encoding.decode(messages.tf(), TRANSFORMS.type).transforms
+    assert [transform.child_frame_id for transform in found] == ["base_footprint"]
+
+
+@pytest.mark.parametrize("model", ["1", "8dof"])
+def test_ros_and_the_library_of_bags_encode_every_message_alike(model):
+    simulation = Simulation(preset(), Options(model=model))
+    both = [Messages(simulation, "car/", code) for code in (encode, encoding.encode)]
+    simulation.step(Command(steering=0.1), 0.5)
+    for messages in both:
+        messages.set_time(500_000_000)
+    for topic in (*STATE_SET, CLOCK):
+        ours, theirs = (messages.builder(topic.name)() for messages in both)
+        without_padding = encoding.TYPES.serialize_cdr(
+            encoding.decode(ours, topic.type), topic.type
+        )
+        assert bytes(without_padding) == theirs, topic.name
 
 
 def test_without_heave_and_pitch_odom_still_has_the_sprung_cg():
@@ -191,7 +224,7 @@ def test_without_heave_and_pitch_odom_still_has_the_sprung_cg():
 def test_the_description_has_the_joints_that_joint_states_moves(model, kind, limited):
     options = Options(model=model)
     session = Session(Simulation(preset(), options), CommandInbox(), 10_000_000, 13.9)
-    description = robot_description(preset(), not options.has_eight_dof)
+    description = robot_description(session.simulation)
     joints = ElementTree.fromstring(description.encode()).findall("joint")
     moving = [joint.get("name") for joint in joints if joint.get("type") != "fixed"]
     assert sorted(moving) == sorted(Decoded(session).joint_states().name)

@@ -6,7 +6,7 @@ from std_srvs.srv import Trigger
 
 from vehicle_roll_sim import LR, Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
-from vehicle_roll_sim.ros.topics import STATE_SET
+from vehicle_roll_sim.messages.topics import STATE_SET
 
 
 @pytest.mark.parametrize(

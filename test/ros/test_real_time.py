@@ -9,8 +9,8 @@ from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim import Simulation, preset
+from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.ros.compatibility import incompatible_partners
-from vehicle_roll_sim.ros.messages import Messages
 from vehicle_roll_sim.ros.publications import Publications
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.session import Session
@@ -158,7 +158,6 @@ def test_what_nobody_listens_to_is_not_built(peer, monkeypatch):
         frame_prefix="",
         own_clock=False,
         unnoticed_ns=0,
-        robot_description="",
     )
     peer.listen("imu")
     peer.wait(lambda: publications.listeners("imu"), "the listener to be found")

@@ -7,7 +7,7 @@ import pytest
 from diagnostic_msgs.msg import DiagnosticStatus
 from std_srvs.srv import SetBool, Trigger
 
-from vehicle_roll_sim.ros.topics import STATE_SET
+from vehicle_roll_sim.messages.topics import STATE_SET
 
 HUGE = 1e308
 """Finite, but its multiples are not."""

@@ -7,8 +7,9 @@ import pytest
 from signals import everything, turn
 
 from vehicle_roll_sim import Command, Condition, InputError, Simulation, preset
+from vehicle_roll_sim.simulation.command import command_at
 from vehicle_roll_sim.simulation.history import row_of
-from vehicle_roll_sim.simulation.run import hold, run
+from vehicle_roll_sim.simulation.run import run
 
 NS = 1_000_000_000
 
@@ -107,12 +108,14 @@ def test_a_run_goes_on_from_where_the_simulation_is(simulation, other):
     assert everything(simulation) == everything(other)
 
 
-def test_a_held_programme_gives_the_command_of_that_time_for_ever():
-    held = hold(turn(6.0, start=0.0, seconds=1.0), 0.5)
-    for times in ([0.0], [7.0, 8.0, 9.0]):
-        commands = held(np.array(times))
-        assert commands["steering"].tolist() == [math.radians(3.0)]
-        assert commands["wheel_torque"].tolist() == [[0.0, 0.0, 25.0, 25.0]]
+def test_a_programme_that_is_held_is_its_command_of_that_time_with_the_torque_of_the_speed_hold():
+    answer = command_at(turn(6.0, start=0.0, seconds=1.0), 0.5, {"u": 12.0})
+    assert answer == Command(math.radians(3.0), wheel_torque=(0.0, 0.0, 25.0, 25.0))
+    records = turn(6.0, start=0.0, seconds=1.0)(np.array([0.5]))
+    records["speed_hold_gain"], records["speed_hold_target"] = 100.0, 12.5
+    answer = command_at(lambda _: records, 0.5, {"u": 12.0})
+    assert answer.wheel_torque == (0.0, 0.0, 75.0, 75.0)
+    assert answer.speed_hold_gain == 0.0
 
 
 @pytest.mark.parametrize("value", [0.0015, 1e-4, -0.01, math.nan, math.inf])

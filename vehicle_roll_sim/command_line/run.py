@@ -3,6 +3,7 @@
 import argparse
 import dataclasses
 import math
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 
 from tqdm import tqdm
@@ -13,6 +14,7 @@ from vehicle_roll_sim.arguments import (
     declared_values,
     named_file,
 )
+from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
     chosen_options,
@@ -26,9 +28,13 @@ from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.simulation.output_file import (
+    check_figure_format,
+    check_new_folder,
+    check_writable,
+)
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, run
+from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD, Witness, run
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_DEGREES,
     DEFAULT_STEP,
@@ -80,6 +86,7 @@ def run_command(words: list[str], program: str) -> int:
     manoeuvre = _adjusted(manoeuvre, arguments, settings)
     _check_multiples(manoeuvre, settings)
     csv, plot = _result_files(arguments)
+    bag = _new_bag(arguments, settings)
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
     compile_model()
     manoeuvre = manoeuvre.for_vehicle(vehicle, options)
@@ -92,7 +99,8 @@ def run_command(words: list[str], program: str) -> int:
         road=Road(**declared_values(arguments, Road)),
     )
     simulation.reset(manoeuvre.speed)
-    history = _run_with_progress(simulation, driver, manoeuvre.duration, settings)
+    with _recorded(simulation, bag, settings.command_period or HELD_PERIOD) as witness:
+        history = _run_with_progress(simulation, driver, manoeuvre.duration, settings, witness)
     if csv:
         history.write_csv(csv)
     if plot:
@@ -103,7 +111,8 @@ def run_command(words: list[str], program: str) -> int:
     lines = summary_lines(
         simulation.events, simulation.time, simulation.condition, simulation.implausible
     )
-    results = [line(label, path) for label, path in (("CSV", csv), ("plot", plot)) if path]
+    written = (("CSV", csv), ("plot", plot), ("bag", bag))
+    results = [line(label, path) for label, path in written if path]
     print("\n".join([*report, *lines, *results]))
     return DIVERGED if simulation.condition is Condition.DIVERGED else 0
 
@@ -126,6 +135,7 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     add_declared(parser, RunSettings, "integration")
     group = parser.add_argument_group("results")
     group.add_argument("--csv", metavar="FILE", help="write the samples")
+    group.add_argument("--bag", metavar="DIR", help="write what the node would have published")
     group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
     return parser
 
@@ -150,6 +160,28 @@ def _result_files(arguments: argparse.Namespace) -> tuple[Path | None, Path | No
         if plot == csv:
             raise InputError("--plot", str(plot), "another file than that of --csv")
     return csv, plot
+
+
+def _new_bag(arguments: argparse.Namespace, settings: RunSettings) -> Path | None:
+    """Where the bag goes, known to be free and writable."""
+    folder = named_file(arguments.bag, "--bag")
+    if folder:
+        need_library("--bag")
+        check_new_folder(folder, "--bag")
+        period = settings.command_period or HELD_PERIOD
+        whole_steps(period, round(settings.step * NANOSECONDS), "--command-period")
+    return folder
+
+
+def _recorded(
+    simulation: Simulation, bag: Path | None, period: float
+) -> AbstractContextManager[Witness | None]:
+    """The witness that writes the bag, if there is to be one."""
+    if bag is None:
+        return nullcontext()
+    from vehicle_roll_sim.bags.run_bag import run_bag  # its library is optional
+
+    return run_bag(simulation, bag, round(period * NANOSECONDS), "--bag")
 
 
 def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:
@@ -179,6 +211,7 @@ def _run_with_progress(
     driver: Programme | Feedback,
     duration: float,
     settings: RunSettings,
+    witness: Witness | None,
 ) -> History:
     """Run, with a progress bar at a terminal when it takes longer than a second."""
     bar_format = "{l_bar}{bar}| {n:.1f}/{total:.1f} s simulated [{elapsed}<{remaining}]"
@@ -189,5 +222,6 @@ def _run_with_progress(
             duration,
             sample=settings.sample,
             command_period=settings.command_period,
+            witness=witness,
             progress=bar.update,
         )

@@ -6,12 +6,12 @@ import time
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from rclpy.node import Node
 
+from vehicle_roll_sim.messages.topics import DIAGNOSTICS
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.ros.compatibility import incompatible_partners
 from vehicle_roll_sim.ros.lockstep import Lockstep
 from vehicle_roll_sim.ros.publications import Publications
 from vehicle_roll_sim.ros.real_time import RealTime
-from vehicle_roll_sim.ros.topics import DIAGNOSTICS
 from vehicle_roll_sim.simulation.session import Session
 
 

@@ -15,6 +15,7 @@ from rclpy.parameter import Parameter, parameter_value_to_python
 from std_msgs.msg import Float64, Float64MultiArray
 from std_srvs.srv import Trigger
 
+from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.arguments import (
     OneLineParser,
     add_declared,
@@ -24,8 +25,7 @@ from vehicle_roll_sim.arguments import (
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
-from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
-from vehicle_roll_sim.ros.collector import Collector, events_of
+from vehicle_roll_sim.ros.collector import Collector
 from vehicle_roll_sim.ros.process import node_main
 from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.topics import COMMANDING
@@ -153,14 +153,11 @@ class Driver(Node):
             self._command(now)
 
     def _command(self, when: float) -> None:
-        command = command_at(self.driver, when, self.state)[0]
-        self.sent[when] = float(command.steering)
-        self._steering.publish(Float64(data=self.sent[when]))
-        error = command.speed_hold_target - self.state["u"]
-        torque = float(command.speed_hold_gain * error)
+        command = command_at(self.driver, when, self.state)
+        self.sent[when] = command.steering
+        self._steering.publish(Float64(data=command.steering))
         if self.manoeuvre.speed_hold:
-            torques = [torque if wheel >= LR else 0.0 for wheel in range(WHEEL_COUNT)]
-            self._torque.publish(Float64MultiArray(data=torques))
+            self._torque.publish(Float64MultiArray(data=command.wheel_torque))
 
     @property
     def condition(self) -> Condition:

@@ -4,15 +4,17 @@ import argparse
 import sys
 import time
 from pathlib import Path
-from types import ModuleType
 
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.serialization import deserialize_message
 
 from vehicle_roll_sim.arguments import OneLineParser
+from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.ros.process import node_main
-from vehicle_roll_sim.ros.topics import COMMANDING, COMMANDS, PUBLISHED, Topic, recording_qos
+from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
 
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
 """s"""
@@ -25,49 +27,42 @@ class Recorder(Node):
     recording, that at which they came.
     """
 
-    def __init__(self, bags: ModuleType, bag):
+    def __init__(self, bag):
         super().__init__("recorder")
-        self._bags, self._bag = bags, bag
-        for topic in (*COMMANDS, *PUBLISHED):
+        self._bag = bag
+        for topic in filter(is_installed, (*COMMANDS, *PUBLISHED)):
             self._record(topic)
 
     def _record(self, topic: Topic) -> None:
-        offered = COMMANDING if topic in COMMANDS else topic.publisher_qos
-        name = self.resolve_topic_name(topic.name)
-        connection = self._bags.add_topic(self._bag, name, topic.type, offered)
+        kind, name = message_class(topic.type), self.resolve_topic_name(topic.name)
+        connection = self._bag.add_topic(topic, name)
         clock = "received_timestamp" if topic.latched else "source_timestamp"
 
         def write(data: bytes, info: dict) -> None:
             self._bag.write(connection, info[clock], data)
+            if topic is SIMULATION_DESCRIPTION:
+                self._bag.describe(deserialize_message(data, kind).data)
 
-        self.create_subscription(topic.type, topic.name, write, recording_qos(topic), raw=True)
+        self.create_subscription(kind, topic.name, write, recording_qos(topic), raw=True)
 
 
 def record(folder: Path, duration: float | None) -> int:
     """Record until interrupted or for `duration` (wall seconds); the exit status."""
-    bags = _bags()
-    bag = bags.open_bag(folder)
+    need_library("--output")
+    from vehicle_roll_sim.bags.writing import Bag  # its library is optional
+
+    bag = Bag(folder, "--output")
     try:
         executor = SingleThreadedExecutor()
-        executor.add_node(Recorder(bags, bag))
+        executor.add_node(Recorder(bag))
         print(f"recorder: recording to {folder}", flush=True)
         until = time.monotonic() + duration if duration else float("inf")
         while (left := until - time.monotonic()) > 0.0:
             executor.spin_once(timeout_sec=min(1.0, left))
     finally:
         bag.close()
-        print(f"recorder: {sum(bag.counts.values())} messages in {folder}", flush=True)
+        print(f"recorder: {bag.message_count} messages in {folder}", flush=True)
     return 0
-
-
-def _bags() -> ModuleType:
-    """The module that writes bags, whose library is optional."""
-    try:
-        from vehicle_roll_sim.ros import bag
-    except ModuleNotFoundError as error:
-        wanted = "pip install rosbags, or record with ros2 bag"
-        raise InputError("recorder", "", wanted, f"no Python package {error.name}") from None
-    return bag
 
 
 def main() -> int:

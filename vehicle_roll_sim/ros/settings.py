@@ -4,8 +4,8 @@ import dataclasses
 import math
 
 from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.messages.topics import COMMANDS, STATE_SET
 from vehicle_roll_sim.ros.lockstep import STOP
-from vehicle_roll_sim.ros.topics import COMMANDS, STATE_SET
 from vehicle_roll_sim.simulation.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
 from vehicle_roll_sim.simulation.pacing import (
     AS_FAST_AS_POSSIBLE,

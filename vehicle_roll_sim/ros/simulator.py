@@ -13,6 +13,7 @@ from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 from vehicle_roll_sim.model import jit
 from vehicle_roll_sim.ros import parameters
 from vehicle_roll_sim.ros.diagnostics import Reporter
@@ -21,8 +22,7 @@ from vehicle_roll_sim.ros.process import node_main
 from vehicle_roll_sim.ros.publications import LONGEST_UNNOTICED_NS, Publications
 from vehicle_roll_sim.ros.real_time import RealTime
 from vehicle_roll_sim.ros.settings import Settings
-from vehicle_roll_sim.ros.topics import COMMANDS, EVERY_ANSWER, NEWEST_ONLY, Topic
-from vehicle_roll_sim.ros.urdf import robot_description
+from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, message_class
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.session import Session
 from vehicle_roll_sim.simulation.simulation import Simulation, compile_model, whole_steps
@@ -57,9 +57,6 @@ class Simulator(Node):
             frame_prefix=self.settings.frame_prefix,
             own_clock=self.settings.has_own_clock,
             unnoticed_ns=0 if self.settings.is_lockstep else LONGEST_UNNOTICED_NS,
-            robot_description=robot_description(
-                declared.vehicle, not declared.options.has_eight_dof
-            ),
         )
         self._has_begun = False
         parameters.follow_changes(self, self.settings, declared.options)
@@ -101,7 +98,7 @@ class Simulator(Node):
             self._receive(topic.name, message.data)
 
         return self.create_subscription(
-            topic.type,
+            message_class(topic.type),
             topic.name,
             receive,
             EVERY_ANSWER if self.settings.is_lockstep else NEWEST_ONLY,

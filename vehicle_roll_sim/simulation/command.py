@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.records import COMMAND, WHEELS
+from vehicle_roll_sim.model.records import COMMAND, LR, WHEELS
 
 NO_FORCE = (0.0,) * len(WHEELS)
 
@@ -76,8 +76,20 @@ class Feedback(abc.ABC):
         """
 
 
-def command_at(driver: Programme | Feedback, time: float, state) -> np.ndarray:
-    """The COMMAND record, in an array, with which `driver` answers a state at `time` (s)."""
-    if isinstance(driver, Feedback):
-        return driver.command(time, state)
-    return driver(np.array([time]))
+def command_at(driver: Programme | Feedback, time: float, state) -> Command:
+    """What `driver` answers to a state at `time` (s), to be held: as a node would be told it.
+
+    The speed hold becomes the torque that it gives at that speed.
+    """
+    is_feedback = isinstance(driver, Feedback)
+    records = driver.command(time, state) if is_feedback else driver(np.array([time]))
+    answer = records[0]
+    hold = answer["speed_hold_gain"] * (answer["speed_hold_target"] - state["u"])
+    torque = answer["wheel_torque"].copy()
+    torque[LR:] += hold
+    return Command(
+        float(answer["steering"]),
+        float(answer["rear_steering"]),
+        tuple(torque.tolist()),
+        *(tuple(answer[name].tolist()) for name in ("brake_torque", "normal_force")),
+    )

@@ -82,6 +82,31 @@ def check_folder(path: Path, field: str) -> None:
         raise InputError(field, str(path), wanted, f"{path}: {error.strerror}") from None
 
 
+def check_new_folder(path: Path, field: str) -> None:
+    """Raise InputError naming `field` if no new folder can be made at `path`."""
+    if path.exists() or path.is_symlink():
+        raise InputError(field, str(path), "a folder that does not exist yet")
+    check_folder(path, field)
+
+
+@contextlib.contextmanager
+def new_folder(path: Path, field: str) -> Iterator[Path]:
+    """Where to make a folder, under the name of `path`; in the end it is moved to `path`, whole.
+
+    Raises InputError naming `field` if there is something already, or the system does not let it.
+    """
+    check_new_folder(path, field)
+    try:
+        with tempfile.TemporaryDirectory(dir=_existing(path), prefix=".partial-") as beside:
+            yield Path(beside) / path.name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            (Path(beside) / path.name).rename(path)
+    except OSError as error:
+        raise InputError(
+            field, str(path), "a place to write to", f"{path}: {error.strerror}"
+        ) from None
+
+
 @contextlib.contextmanager
 def filled_folder(path: Path) -> Iterator[Path]:
     """A new folder to write files to; in the end they move to the folder `path`.

@@ -1,17 +1,28 @@
 """A run from beginning to end, without ROS: drive, sample, stop where the model stops."""
 
 from collections.abc import Callable
+from typing import Protocol
 
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.simulation.command import Feedback, Programme, command_at
+from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
 from vehicle_roll_sim.simulation.history import History, row_of
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
 
 DEFAULT_SAMPLE = 0.01
 """s between two rows"""
-FEEDBACK_PERIOD = 0.01
-"""s between two commands that depend on the state, unless told otherwise: that of the node."""
+HELD_PERIOD = 0.01
+"""s for which commands are held where nothing else is asked for: the period of the node."""
+
+
+class Witness(Protocol):
+    """Sees a run as one who listens to a node does."""
+
+    def sees_set(self) -> None:
+        """A period is over, or at the beginning none has passed yet."""
+
+    def sees_command(self, command: Command) -> None:
+        """What the next period is driven with."""
 
 
 def run(
@@ -21,42 +32,43 @@ def run(
     *,
     sample: float = DEFAULT_SAMPLE,
     command_period: float = 0.0,
+    witness: Witness | None = None,
     progress: Callable[[float], None] = lambda seconds: None,
 ) -> History:
     """Drive from the present state for `duration` (s), a row every `sample` (s) and at the end.
 
     A programme is evaluated at every stage of the integration or, with `command_period` (s), at
-    the beginning of each period and then held, as a node does. Feedback always is, every 10 ms
-    unless told otherwise. `progress` is told the simulated time (s) of every stretch. Raises
-    InputError for times that are no multiples of the step.
+    the beginning of each period and then held, as a node does. Feedback always is, and so is
+    whatever a witness sees, every 10 ms unless told otherwise. `progress` is told the simulated
+    time (s) of every stretch. Raises InputError for times that are no multiples of the step.
     """
     step_ns = simulation.step_ns
     every = whole_steps(sample, step_ns, "sample") * step_ns
-    if isinstance(driver, Feedback):
-        command_period = command_period or FEEDBACK_PERIOD
+    if isinstance(driver, Feedback) or witness:
+        command_period = command_period or HELD_PERIOD
     period = (
         whole_steps(command_period, step_ns, "command period") * step_ns if command_period else 0
     )
     end = simulation.time_ns + whole_steps(duration, step_ns, "duration") * step_ns
     rows = [row_of(simulation)]
     held = None
+    if witness:
+        witness.sees_set()
     while simulation.time_ns < end and simulation.condition is Condition.RUNNING:
         now = simulation.time_ns
         if period and (held is None or now % period == 0):
-            held = hold(driver, now / NANOSECONDS, simulation.state)
+            held = command_at(driver, now / NANOSECONDS, simulation.state)
+            if witness:
+                witness.sees_command(held)
         until = min(_next(now, every), end, _next(now, period) if period else end)
         simulation.step(held or driver, (until - now) / NANOSECONDS)
         ended = simulation.time_ns == end or simulation.condition is not Condition.RUNNING
         if ended or simulation.time_ns % every == 0:
             rows.append(row_of(simulation))
+        if witness and (ended or simulation.time_ns % period == 0):
+            witness.sees_set()
         progress((simulation.time_ns - now) / NANOSECONDS)
     return History(rows)
-
-
-def hold(driver: Programme | Feedback, time: float, state=None) -> Programme:
-    """The command of `driver` at `time` (s) in that state, held for ever."""
-    command = command_at(driver, time, state)
-    return lambda times: command
 
 
 def _next(now: int, interval: int) -> int:

@@ -107,7 +107,7 @@ class Simulation:
             raise InputError("rollover_angle", rollover_angle, "an angle up to 1.5708 rad")
         self.vehicle, self.options = vehicle, options or Options()
         self.step_ns = round(step * NANOSECONDS)
-        self.road = road or Road()
+        self.road, self.rollover_angle = road or Road(), rollover_angle
         self._vehicle = vehicle.record()
         self._vehicle["gravity"], along, across = self.road.gravity(GRAVITY)
         self._vehicle["gravity_along"], self._vehicle["gravity_across"] = along, across

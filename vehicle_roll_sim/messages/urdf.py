@@ -3,6 +3,7 @@
 from xml.etree import ElementTree
 
 from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 WHEEL_WIDTH = 0.2
@@ -17,7 +18,12 @@ AXES = {"prismatic": "0 0 1", "revolute": "0 0 1", "continuous": "0 1 0"}
 HERE = (0.0, 0.0, 0.0)
 
 
-def robot_description(vehicle: Vehicle, has_suspension: bool = True) -> str:
+def robot_description(simulation: Simulation) -> str:
+    """URDF of the simulated vehicle as its model has it (`urdf`)."""
+    return urdf(simulation.vehicle, not simulation.options.has_eight_dof)
+
+
+def urdf(vehicle: Vehicle, has_suspension: bool = True) -> str:
     """URDF: base_link is the sprung c.g.; per wheel a suspension, a steering and a wheel joint.
 
     Suspension joints are prismatic along the body's z axis, 0 at rest, or fixed; the wheel is the

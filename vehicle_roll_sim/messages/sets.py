@@ -1,22 +1,20 @@
-"""From a session to messages: the bytes of one per topic, brought up to date for every set."""
+"""From a simulation to messages: the bytes of one per topic, brought up to date for every set."""
 
+import functools
 import math
+from collections.abc import Callable
 
 import numpy as np
-from builtin_interfaces.msg import Time
-from geometry_msgs.msg import TransformStamped, WrenchStamped
-from nav_msgs.msg import Odometry
-from rosgraph_msgs.msg import Clock
-from sensor_msgs.msg import Imu, JointState
-from std_msgs.msg import Float64, Float64MultiArray, MultiArrayDimension, UInt8MultiArray
 
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
+from vehicle_roll_sim.messages.encoded import MARK, STAMP_MARK, Encode, Encoded
+from vehicle_roll_sim.messages.topics import ARRAY, CLOCK, FLAGS, STATE_SET, TRANSFORMS, WRENCH
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
-from vehicle_roll_sim.ros.encoded import MARK, Encoded
-from vehicle_roll_sim.simulation.session import Session
+from vehicle_roll_sim.simulation.command import Command
+from vehicle_roll_sim.simulation.simulation import Simulation
 
 COMMAND_LABELS = (
     *("time", "steering", "rear_steering"),
@@ -40,81 +38,93 @@ IMU_ATTITUDE, IMU_RATES, SPECIFIC_FORCE = slice(4), slice(13, 16), slice(25, 28)
 OF_WRENCH = 6
 FORCE = slice(3)
 """Numbers of a Wrench: force and torque."""
+OF_TRANSFORM = 7
+TRANSLATION, ROTATION = slice(3), slice(3, 7)
+"""Numbers of a Transform."""
+EMPTY_LIST = 4
+"""Bytes of a list without elements: its length."""
 FLAGS_MARK = (250, 251, 252, 253)
 """Flags that no lift-off has."""
-
-
-def labelled(kind: type, labels: tuple[str, ...]):
-    """A multi-array whose layout names every element: dim[i].label is the name of data[i]."""
-    message = kind()
-    message.layout.dim = [MultiArrayDimension(label=name, size=1, stride=1) for name in labels]
-    return message
+TYPES = {topic.name: topic.type for topic in STATE_SET}
 
 
 class Messages:
-    """The messages of a set, encoded; each method brings its own up to date and returns it.
+    """The messages of a set, encoded by `encode`; a method for each brings it up to date.
 
-    All stamped messages of a set share the time that `set_time` is told.
+    applied: the command of the last period, to be kept up to date from outside. All stamped
+    messages of a set share the time that `set_time` is told.
     """
 
-    def __init__(self, session: Session, frame_prefix: str):
-        self.simulation, self.session = session.simulation, session
-        self.stamp = Time()
-        body, odom = f"{frame_prefix}base_link", f"{frame_prefix}odom"
-        footprint = f"{frame_prefix}base_footprint"
-        self._whole_body = not session.simulation.options.has_eight_dof
-        self._state = self._labelled("time", *session.simulation.state_names)
-        self._command = self._labelled(*COMMAND_LABELS)
-        self._loads = self._labelled(*WHEELS)
-        flags = labelled(UInt8MultiArray, WHEELS)
-        flags.data = bytes(FLAGS_MARK)
-        self._lift_off = Encoded(flags, WHEEL_COUNT, FLAGS_MARK, kind="u1")
-        self._ratio = Encoded(Float64(data=MARK), 1)
-        self._clock = Encoded(Clock())
-        odometry = self._stamped(Odometry, odom)
-        odometry.child_frame_id = body
-        odometry.pose.pose.position.x = MARK
-        self._odom = Encoded(odometry, OF_ODOMETRY)
-        imu = self._stamped(Imu, body)
-        imu.orientation.x = MARK
-        self._imu = Encoded(imu, OF_IMU)
+    def __init__(self, simulation: Simulation, frame_prefix: str, encode: Encode):
+        self.simulation, self.applied = simulation, Command()
+        self.stamp = (0, 0)
+        self._frame_prefix, self._encode = frame_prefix, encode
+        self._whole_body = not simulation.options.has_eight_dof
+        self._state = self._labelled(ARRAY, ("time", *simulation.state_names))
+        self._command = self._labelled(ARRAY, COMMAND_LABELS)
+        self._loads = self._labelled(ARRAY, WHEELS)
+        self._lift_off = self._labelled(FLAGS, WHEELS, FLAGS_MARK, kind="u1")
+        self._ratio = Encoded(encode(TYPES["load_transfer_ratio"], {"data": MARK}), 1)
+        self._clock = Encoded(encode(CLOCK.type, {"clock": STAMP_MARK}))
+        position = {"position": {"x": MARK}}
+        odometry = self._in_frame("odom") | {"pose": {"pose": position}}
+        odometry |= self._of_frame("base_link")
+        self._odom = Encoded(encode(TYPES["odom"], odometry), OF_ODOMETRY)
+        imu = self._in_frame("base_link") | {"orientation": {"x": MARK}}
+        self._imu = Encoded(encode(TYPES["imu"], imu), OF_IMU)
         self._joints = self._joint_states()
-        force = self._stamped(WrenchStamped, footprint)
-        force.wrench.force.x = MARK
-        self._forces = [Encoded(force, OF_WRENCH) for _ in WHEELS]
-        self._transforms = [self._stamped(TransformStamped, odom) for _ in range(2)]
-        self._transforms[0].child_frame_id = footprint
-        self._transforms[1].child_frame_id = body
+        force = self._in_frame("base_footprint") | {"wrench": {"force": {"x": MARK}}}
+        self._forces = [Encoded(encode(WRENCH, force), OF_WRENCH) for _ in WHEELS]
 
-    @staticmethod
-    def _labelled(*labels: str) -> Encoded:
-        message = labelled(Float64MultiArray, labels)
-        message.data = [MARK] * len(labels)
-        return Encoded(message, len(labels))
+    def builder(self, topic: str) -> Callable[[], bytes]:
+        """The method that brings the message of a topic of the set up to date and returns it."""
+        family, _, wheel = topic.lstrip("/").partition("/")
+        if wheel:
+            return functools.partial(self.tire_force, WHEELS.index(wheel))
+        return getattr(self, family)
 
-    def _stamped(self, kind: type, frame: str):
-        message = kind()
-        message.header.frame_id = frame
-        message.header.stamp = self.stamp
-        return message
+    def _labelled(self, type_name: str, labels, mark=(MARK,), kind: str = "<f8") -> Encoded:
+        """A multi-array whose layout names every element: dim[i].label is the name of data[i]."""
+        dimensions = [{"label": name, "size": 1, "stride": 1} for name in labels]
+        data = [*mark, *[0.0] * (len(labels) - len(mark))]
+        fields = {"layout": {"dim": dimensions}, "data": data}
+        return Encoded(self._encode(type_name, fields), len(labels), mark, kind)
+
+    def _in_frame(self, frame: str) -> dict:
+        return {"header": {"stamp": STAMP_MARK, "frame_id": self._frame_prefix + frame}}
+
+    def _of_frame(self, frame: str) -> dict:
+        return {"child_frame_id": self._frame_prefix + frame}
 
     def _joint_states(self) -> Encoded:
         """Positions and velocities lie one behind the other, but for the count of the latter."""
-        message = self._stamped(JointState, "")
-        message.name = [*(SUSPENSION if self._whole_body else ()), *STEERING, *SPINNING]
-        count = len(message.name)
-        message.position = message.velocity = [MARK] * count
-        return Encoded(message, count + 1 + count)
+        names = [*(SUSPENSION if self._whole_body else ()), *STEERING, *SPINNING]
+        zeros = [0.0] * len(names)
+        moving = {"name": names, "position": [MARK, *zeros[1:]], "velocity": zeros}
+        fields = {"header": {"stamp": STAMP_MARK}, **moving}
+        message = self._encode(TYPES["joint_states"], fields)
+        return Encoded(message, len(names) + 1 + len(names), tail=EMPTY_LIST)
+
+    @functools.cached_property
+    def _transforms(self) -> Encoded:
+        """From odom to base_footprint, on the ground, and to base_link, if it has a height.
+
+        Made when first wanted: not every ROS has their type.
+        """
+        frames = ("base_footprint", "base_link") if self._whole_body else ("base_footprint",)
+        at_mark = {"transform": {"translation": {"x": MARK}}}
+        transforms = [self._in_frame("odom") | self._of_frame(frame) | at_mark for frame in frames]
+        return Encoded(self._encode(TRANSFORMS.type, {"transforms": transforms}), OF_TRANSFORM)
 
     def set_time(self, nanoseconds: int) -> None:
         """The stamp of the set (ns since the epoch of the stamps)."""
-        self.stamp.sec, self.stamp.nanosec = divmod(nanoseconds, NANOSECONDS)
+        self.stamp = divmod(nanoseconds, NANOSECONDS)
 
     def clock(self) -> bytes:
         return self._dated(self._clock)
 
     def _dated(self, message: Encoded) -> bytes:
-        message.stamp(self.stamp.sec, self.stamp.nanosec)
+        message.stamp(*self.stamp)
         return bytes(message)
 
     def state(self) -> bytes:
@@ -123,7 +133,7 @@ class Messages:
         return bytes(self._state)
 
     def applied_command(self) -> bytes:
-        command = self.session.applied
+        command = self.applied
         self._command.numbers[:] = (
             self.simulation.time,
             command.steering,
@@ -185,22 +195,11 @@ class Messages:
         roll, pitch, yaw = self.simulation.state_vector[ANGLES].tolist()
         return quaternion(roll, 0.0 if math.isnan(pitch) else pitch, yaw)
 
-    def transforms(self) -> list[TransformStamped]:
-        """odom to base_footprint: on the ground, yaw only; and to base_link, if it has a height."""
+    def tf(self) -> bytes:
         state = self.simulation.state
-        footprint, body = (message.transform for message in self._transforms)
-        _set_vector(footprint.translation, state["x"], state["y"], 0.0)
-        _set_quaternion(footprint.rotation, *quaternion(0.0, 0.0, float(state["yaw"])))
-        if not self._whole_body:
-            return self._transforms[:1]
-        _set_vector(body.translation, state["x"], state["y"], state["z"])
-        _set_quaternion(body.rotation, *self._attitude())
-        return self._transforms
-
-
-def _set_vector(vector, x: float, y: float, z: float) -> None:
-    vector.x, vector.y, vector.z = float(x), float(y), float(z)
-
-
-def _set_quaternion(orientation, x: float, y: float, z: float, w: float) -> None:
-    orientation.x, orientation.y, orientation.z, orientation.w = x, y, z, w
+        heights = (0.0, float(state["z"]))
+        turns = (quaternion(0.0, 0.0, float(state["yaw"])), self._attitude())
+        for numbers, height, turn in zip(self._transforms.groups, heights, turns, strict=False):
+            numbers[TRANSLATION] = state["x"], state["y"], height
+            numbers[ROTATION] = turn
+        return self._dated(self._transforms)

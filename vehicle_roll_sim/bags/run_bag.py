@@ -1,0 +1,85 @@
+"""The bag of an offline run: what a recording of the node would have been."""
+
+import contextlib
+from collections.abc import Iterator
+from pathlib import Path
+
+from vehicle_roll_sim.bags.encoding import encode
+from vehicle_roll_sim.bags.writing import Bag, whole_bag
+from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.topics import (
+    CLOCK,
+    COMMANDS,
+    PUBLISHED,
+    ROBOT_DESCRIPTION,
+    ROLLOVER,
+    SIMULATION_DESCRIPTION,
+    STATE_SET,
+    TRANSFORMS,
+)
+from vehicle_roll_sim.messages.urdf import robot_description
+from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.simulation.command import Command
+from vehicle_roll_sim.simulation.command_inbox import channels
+from vehicle_roll_sim.simulation.description import describe
+from vehicle_roll_sim.simulation.simulation import Simulation
+
+STEERING_COMMAND = COMMANDS[0]
+
+
+@contextlib.contextmanager
+def run_bag(simulation: Simulation, folder: Path, period_ns: int, field: str) -> Iterator["RunBag"]:
+    """The witness of a run whose commands are held for `period_ns`; its bag is whole in the end.
+
+    Raises InputError naming `field` if it cannot be written.
+    """
+    with whole_bag(folder, field) as bag:
+        yield RunBag(simulation, bag, period_ns)
+
+
+class RunBag:
+    """Witness of a run that writes every set into a bag, stamped and logged in simulated time.
+
+    It has the topics of a recording, and on command topics what each period was driven with: the
+    steering, and the others from their first value that is not 0. Diagnostics stay empty.
+    """
+
+    def __init__(self, simulation: Simulation, bag: Bag, period_ns: int):
+        self._simulation, self._bag = simulation, bag
+        self._connections = {
+            topic.name: bag.add_topic(topic, "/" + topic.name.lstrip("/"))
+            for topic in (*COMMANDS, *PUBLISHED)
+        }
+        self._types = {topic.name: topic.type for topic in (*COMMANDS, *PUBLISHED)}
+        messages = self._messages = Messages(simulation, "", encode)
+        self._set = [
+            (topic.name, messages.builder(topic.name)) for topic in (CLOCK, *STATE_SET, TRANSFORMS)
+        ]
+        self._channels, self._commanded = channels(), {STEERING_COMMAND.name}
+        self._rolled_over = None
+        description = describe(simulation, period_ns)
+        bag.describe(description)
+        self._write(SIMULATION_DESCRIPTION.name, {"data": description})
+        self._write(ROBOT_DESCRIPTION.name, {"data": robot_description(simulation)})
+
+    def sees_set(self) -> None:
+        self._messages.set_time(self._simulation.time_ns)
+        for name, build in self._set:
+            self._bag.write(self._connections[name], self._simulation.time_ns, build())
+        rolled_over = self._simulation.condition is Condition.ROLLED_OVER
+        if rolled_over != self._rolled_over:
+            self._rolled_over = rolled_over
+            self._write(ROLLOVER.name, {"data": rolled_over})
+
+    def sees_command(self, command: Command) -> None:
+        self._messages.applied = command
+        for name, channel in self._channels.items():
+            value = getattr(command, channel.field, 0.0)
+            if value not in (0.0, (0.0,) * channel.size):
+                self._commanded.add(name)
+            if name in self._commanded:
+                self._write(name, {"data": value})
+
+    def _write(self, name: str, fields: dict) -> None:
+        data = encode(self._types[name], fields)
+        self._bag.write(self._connections[name], self._simulation.time_ns, data)

@@ -1,0 +1,92 @@
+"""A rosbag2 bag (MCAP) that takes encoded messages, through the library rosbags."""
+
+import contextlib
+from collections.abc import Iterator
+from pathlib import Path
+
+from rosbags.interfaces import (
+    Connection,
+    Qos,
+    QosDurability,
+    QosHistory,
+    QosLiveliness,
+    QosReliability,
+    QosTime,
+)
+from rosbags.rosbag2 import StoragePlugin, Writer, WriterError
+
+from vehicle_roll_sim.bags.encoding import TYPES
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.simulation.output_file import new_folder
+
+BAG_VERSION = 9
+NO_DEADLINE = QosTime(9223372036, 854775807)
+"""The longest time there is: no deadline, no lifespan, no lease."""
+
+
+class Bag:
+    """A new bag; raises InputError naming `field` if it cannot be made."""
+
+    def __init__(self, folder: Path, field: str):
+        try:
+            self._writer = Writer(folder, version=BAG_VERSION, storage_plugin=StoragePlugin.MCAP)
+            self._writer.open()
+        except WriterError:
+            raise InputError(field, str(folder), "a folder that does not exist yet") from None
+        except OSError as error:
+            raise InputError(field, "", "a folder that can be made", str(error)) from None
+
+    def add_topic(self, topic: Topic, name: str) -> Connection:
+        """A connection for encoded messages of a topic, under its full name."""
+        qos = [_offered(topic)]
+        return self._writer.add_connection(
+            name, topic.type, typestore=TYPES, offered_qos_profiles=qos
+        )
+
+    def write(self, connection: Connection, time_ns: int, data: bytes) -> None:
+        self._writer.write(connection, time_ns, data)
+
+    def describe(self, simulation: str) -> None:
+        """Note in the metadata what was simulated (simulation.description)."""
+        self._writer.set_custom_data(SIMULATION_DESCRIPTION.name, simulation)
+
+    @property
+    def message_count(self) -> int:
+        return sum(self._writer.counts.values())
+
+    def close(self) -> None:
+        """Write the index and the metadata."""
+        self._writer.close()
+
+    def abort(self) -> None:
+        """Close the files as they are."""
+        self._writer.abort()
+
+
+@contextlib.contextmanager
+def whole_bag(folder: Path, field: str) -> Iterator[Bag]:
+    """A bag to write to, which is at `folder` in the end, whole, or not at all."""
+    with new_folder(folder, field) as partial:
+        bag = Bag(partial, field)
+        try:
+            yield bag
+        except BaseException:
+            bag.abort()
+            raise
+        bag.close()
+
+
+def _offered(topic: Topic) -> Qos:
+    """Its quality of service as a bag's metadata has it."""
+    return Qos(
+        history=QosHistory.KEEP_LAST,
+        depth=topic.depth,
+        reliability=QosReliability.RELIABLE,
+        durability=QosDurability.TRANSIENT_LOCAL if topic.latched else QosDurability.VOLATILE,
+        deadline=NO_DEADLINE,
+        lifespan=NO_DEADLINE,
+        liveliness=QosLiveliness.AUTOMATIC,
+        liveliness_lease_duration=NO_DEADLINE,
+        avoid_ros_namespace_conventions=False,
+    )

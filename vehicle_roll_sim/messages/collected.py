@@ -1,0 +1,87 @@
+"""The sets that a simulator published, put together again and made into a history.
+
+Works on decoded messages of any library: their fields are those of their definitions.
+"""
+
+import bisect
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from vehicle_roll_sim.messages.sets import COMMAND_LABELS
+from vehicle_roll_sim.messages.topics import STATE_SET
+from vehicle_roll_sim.model.frames import body_to_yawed
+from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.simulation.history import COLUMNS, History
+
+STATE, COMMAND, IMU, LOADS = "state", "applied_command", "imu", "tire_normal_forces"
+COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS))
+"""The topics that a history is made of."""
+
+
+class Collected:
+    """Messages of one run, each with the time at which it was sent (ns), in that order.
+
+    A set begins with its `state` and one process sends it in order, so whatever was sent between
+    two states belongs to the first of them.
+    """
+
+    def __init__(self):
+        self.states: list[tuple[int, dict[str, float]]] = []
+        self._others = {topic.name: [] for topic in COLLECTED if topic.name != STATE}
+
+    def keep(self, name: str, sent: int, message) -> None:
+        """Note a message of another topic than `state`."""
+        self._others[name].append((sent, message))
+
+    def is_complete(self) -> bool:
+        """Whether all messages of the last set have come."""
+        sent = self.states[-1][0]
+        return all(self._sent_between(name, sent, math.inf) for name in self._others)
+
+    def history(self) -> History:
+        """One row for every complete set; columns that no topic carries are nan."""
+        return History([_row(*parts) for parts in self.sets()])
+
+    def sets(self) -> Iterator[tuple]:
+        """(state, applied_command, imu, tire_normal_forces) of every complete set."""
+        ends = [sent for sent, _ in self.states[1:]] + [math.inf]
+        for (sent, state), end in zip(self.states, ends, strict=True):
+            parts = [self._sent_between(name, sent, end) for name in self._others]
+            if None not in parts:
+                yield (state, *parts)
+
+    def _sent_between(self, name: str, start: int, end: float):
+        """The message of a topic that was sent between two times, None if there was none."""
+        kept = self._others[name]
+        place = bisect.bisect_left(kept, start, key=lambda entry: entry[0])
+        if place < len(kept) and kept[place][0] < end:
+            return kept[place][1]
+        return None
+
+
+def by_name(message) -> dict[str, float]:
+    """The values of a labelled multi-array."""
+    labels = (dimension.label for dimension in message.layout.dim)
+    return dict(zip(labels, message.data, strict=True))
+
+
+def _row(state: dict, command, imu, loads) -> np.ndarray:
+    row = np.full(len(COLUMNS), np.nan)
+    for name, value in state.items():
+        if name in COLUMNS:
+            row[COLUMNS.index(name)] = value
+    first = COLUMNS.index(f"normal_force_{WHEELS[0]}")
+    row[first : first + len(WHEELS)] = loads.data
+    row[COLUMNS.index("steering")] = command.data[COMMAND_LABELS.index("steering")]
+    row[COLUMNS.index("lateral_acceleration")] = _lateral_acceleration(state, imu)
+    return row
+
+
+def _lateral_acceleration(state: dict, imu) -> float:
+    """Along the y axis of frame 2, where gravity has no share of the specific force."""
+    roll, pitch = state["roll"], state.get("pitch", 0.0)
+    attitude = (np.sin(roll), np.cos(roll), np.sin(pitch), np.cos(pitch))
+    specific = imu.linear_acceleration
+    return body_to_yawed(attitude, specific.x, specific.y, specific.z)[1]

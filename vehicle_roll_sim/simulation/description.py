@@ -1,0 +1,82 @@
+"""What a simulation is, as one text from which it can be built again: it travels with results."""
+
+import dataclasses
+import importlib.metadata
+import json
+import math
+import platform
+
+from vehicle_roll_sim.declaration import InputError, parameters_of
+from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.simulation import Simulation
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.tire_file import DEFAULTS, Tire
+
+PACKAGE = "vehicle_roll_sim"
+FIELD = "simulation description"
+
+
+def _version() -> str:
+    try:
+        return importlib.metadata.version(PACKAGE)
+    except importlib.metadata.PackageNotFoundError:  # from a source tree that is not installed
+        return "unknown"
+
+
+VERSION, MACHINE = _version(), f"{platform.system()} {platform.machine()}"
+"""What results depend on to the last bit, beside what is simulated."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Described:
+    """A simulation that was described, and the version and machine that it ran on."""
+
+    simulation: Simulation
+    version: str
+    machine: str
+
+
+def describe(simulation: Simulation, period_ns: int) -> str:
+    """A simulation whose commands are held for `period_ns`, as JSON in one line.
+
+    Limits that a tire does not have, which are infinite, are left out.
+    """
+    vehicle = simulation.vehicle
+    coefficients = vehicle.tire.coefficients.items()
+    return json.dumps(
+        {
+            "package": PACKAGE,
+            "version": VERSION,
+            "machine": MACHINE,
+            "step": simulation.step_ns / NANOSECONDS,
+            "publish_period": period_ns / NANOSECONDS,
+            "rollover_angle": simulation.rollover_angle,
+            "model": dataclasses.asdict(simulation.options),
+            "road": dataclasses.asdict(simulation.road),
+            "vehicle": {name: getattr(vehicle, name) for name in parameters_of(Vehicle)},
+            "tire": {name: value for name, value in coefficients if math.isfinite(value)},
+            "tire_side": vehicle.tire.side,
+        }
+    )
+
+
+def described(text: str) -> Described:
+    """The simulation that `describe` has written down; raises InputError if it did not."""
+    try:
+        told = json.loads(text)
+        tire = Tire(DEFAULTS | told["tire"], told["tire_side"])
+        simulation = Simulation(
+            Vehicle.checked(told["vehicle"], tire),
+            Options(**told["model"]),
+            step=told["step"],
+            rollover_angle=told["rollover_angle"],
+            road=Road(**told["road"]),
+        )
+        return Described(simulation, str(told["version"]), str(told["machine"]))
+    except InputError:
+        raise
+    except (ValueError, KeyError, TypeError) as error:
+        allowed = f"what {PACKAGE} writes"
+        raise InputError(FIELD, "", allowed, f"{type(error).__name__}: {error}") from None
