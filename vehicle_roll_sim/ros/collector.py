@@ -7,10 +7,8 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from rclpy.node import Node
 
-from vehicle_roll_sim.analysis.metrics import peak, rollover_time
-from vehicle_roll_sim.model.events import no_events, note_lift_offs
+from vehicle_roll_sim.analysis.sampled_events import events_of as events_of
 from vehicle_roll_sim.model.frames import body_to_yawed
-from vehicle_roll_sim.model.jit import kernel_argument
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.ros.messages import COMMAND_LABELS
 from vehicle_roll_sim.ros.topics import STATE_SET, recording_qos
@@ -111,24 +109,3 @@ def _lateral_acceleration(state: dict, imu) -> float:
     attitude = (np.sin(roll), np.cos(roll), np.sin(pitch), np.cos(pitch))
     specific = imu.linear_acceleration
     return body_to_yawed(attitude, specific.x, specific.y, specific.z)[1]
-
-
-def events_of(history: History, rollover_angle: float) -> np.record:
-    """Lift-offs, rollover and peaks as the samples show them (an EVENTS record).
-
-    Lift-offs are interpolated where the model has tire compressions, else those of the first sample
-    without load.
-    """
-    events = no_events()
-    seen, time = kernel_argument(events)[0], history["time"]
-    support = history.wheels("tire_compression")
-    if np.isnan(support).all():
-        support = history.wheels("normal_force")
-    note_lift_offs(time[0], 0.0, support[0], seen)
-    for k in range(1, len(time)):
-        note_lift_offs(time[k - 1], time[k] - time[k - 1], support[k], seen)
-    events["rollover_time"] = rollover_time(time, history["roll"], rollover_angle)
-    events["peak_roll"] = peak(time, history["roll"])
-    acceleration = history["lateral_acceleration"]
-    events["peak_lateral_acceleration"] = peak(time, acceleration)
-    return events[0]
