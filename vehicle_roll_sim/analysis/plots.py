@@ -36,9 +36,12 @@ WHOLE_RATIO = (-1.05, 1.05)
 """What is shown of the load transfer ratio, whatever it is."""
 MARGIN = 0.02
 """Room after the last sample, as a share of the time shown."""
+MARKER = 5
+"""Points."""
 HEADINGS = 12
-"""Along a path, at most."""
-ARROW = {"angles": "xy", "pivot": "mid", "scale_units": "width", "scale": 26, "width": 0.006}
+"""Times along a path, at most."""
+ARROW = {"pivot": "mid", "scale_units": "width", "scale": 24, "width": 0.006}
+"""A 24th of the panel's width."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,7 +82,7 @@ class Pen:
         shade.set(color=self.colour, alpha=0.13)
 
     def mark(self, axis, x: float, y: float, marker: str, label: str) -> None:
-        axis.plot(x, y, marker, color=self.colour, label=label)
+        axis.plot(x, y, marker, color=self.colour, markersize=MARKER, label=label)
 
 
 def pens(count: int) -> list[Pen]:
@@ -133,7 +136,7 @@ def standard_figure(runs: Sequence[DrawnRun], title: str) -> Figure:
         _widen(axis)
     signals[-1].set_ylim(*WHOLE_RATIO)
     figure.align_ylabels(signals)
-    figure.suptitle(title, parse_math=False)
+    figure.suptitle(_printable(title), parse_math=False)
     _add_legend(figure, [(pen.example(), run.label) for run, pen in drawn if run.label])
     return figure
 
@@ -178,7 +181,8 @@ def _draw_path(axis, run: DrawnRun, pen: Pen, headings: np.ndarray) -> None:
     pen.draw(axis, run.history["x"], run.history["y"])
     when = [each for each in headings if run.shows(each)]
     x, y, yaw = (np.interp(when, time, run.history[name]) for name in ("x", "y", "yaw"))
-    axis.quiver(x, y, np.cos(yaw), np.sin(yaw), color=pen.colour, **ARROW)
+    length = np.ones(len(when)), np.zeros(len(when))
+    axis.quiver(x, y, *length, angles=np.degrees(yaw), color=pen.colour, **ARROW)
     if run.shows(rollover):
         x, y = (np.interp(rollover, time, run.history[name]) for name in ("x", "y"))
         pen.mark(axis, x, y, "x", "rollover (path)")
@@ -192,6 +196,7 @@ def _label(signals, loads, path, runs: Sequence[DrawnRun]) -> None:
     for axis, wheel, lift_off in zip(loads, WHEELS, runs[0].events.lift_off_time, strict=True):
         lifts = len(runs) == 1 and not math.isnan(lift_off)
         axis.set_title(wheel + (f", lifts at {lift_off:.2f} s" if lifts else ""), fontsize="medium")
+        axis.axhline(0.0, color="0.8", linewidth=0.8, zorder=1)  # how far it is from lifting
     for axis in loads[::2]:
         axis.set_ylabel("tire normal force\n(kN)")
     for axis in (signals[-1], *loads[2:]):
@@ -214,7 +219,14 @@ def _add_legend(figure: Figure, entries: list[tuple]) -> None:
         for mark, name in zip(*axis.get_legend_handles_labels(), strict=True):
             marks.setdefault(name, mark)
     entries = [*entries, *((mark, name) for name, mark in marks.items())]
+    if not entries:
+        return
     artists = [artist for artist, _ in entries]
     legend = figure.legend(artists, [""] * len(artists), loc="outside lower center", ncols=4)
     for text, (_, name) in zip(legend.get_texts(), entries, strict=True):
-        text.set(text=name, parse_math=False)  # a name may begin with _ and have a $
+        text.set(text=_printable(name), parse_math=False)  # it may begin with _ and have a $
+
+
+def _printable(text: str) -> str:
+    """A text that no font fails at, whatever name a file has."""
+    return "".join(char if char.isprintable() else "\N{REPLACEMENT CHARACTER}" for char in text)

@@ -58,15 +58,16 @@ class History:
     def read_csv(cls, path: Path) -> "History":
         """The rows of a file of `write_csv`; raises InputError naming line and column.
 
-        Columns may stand in any order, and others beside them. All but the time may be nan.
+        Columns may stand in any order, and others beside them. All but the time may be nan. A time
+        may come twice, as the last one of a run that diverged does, but none may fall.
         """
         header, lines = read_table(path, LARGEST_FILE)
         places = _places(path, header)
         rows, time = [], -math.inf
         for line, texts in lines:
             row = [_number(path, line, header[place], texts[place]) for place in places]
-            if not time < row[0] < math.inf:
-                wanted = f"more than {time!r}" if rows else "a finite number"
+            if not (time <= row[0] and math.isfinite(row[0])):
+                wanted = f"a finite number, at least {time!r}" if rows else "a finite number"
                 raise InputError(f"{path}: line {line}: {COLUMNS[0]}", row[0], wanted)
             rows.append(np.array(row))
             time = row[0]
