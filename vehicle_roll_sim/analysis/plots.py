@@ -1,4 +1,4 @@
-"""The standard figure of one run or of several, and what all figures share."""
+"""The standard figure of one run, or of several over each other."""
 
 import dataclasses
 import itertools
@@ -6,20 +6,16 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
-import matplotlib
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
+from vehicle_roll_sim.analysis.drawing import add_legend, add_title, new_figure, save_figure
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.output_file import replaced_file
 
-UNDATED = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-"""Metadata without which the same figure would differ from one run to the next."""
 PANELS = (
     ("steering", "steering\n(deg)", math.degrees(1)),
     ("roll", "roll angle\n(deg)", math.degrees(1)),
@@ -94,19 +90,6 @@ def pens(count: int) -> list[Pen]:
     ]
 
 
-def new_figure(width: float, height: float) -> Figure:
-    """An empty figure (inches), drawn without a screen."""
-    figure = Figure(figsize=(width, height), layout="constrained")
-    FigureCanvasAgg(figure)
-    return figure
-
-
-def save_figure(figure: Figure, path: Path) -> None:
-    """Write a figure in the format of its name, the same bytes for the same figure."""
-    with replaced_file(path) as partial, matplotlib.rc_context({"svg.hashsalt": "run"}):
-        figure.savefig(partial, dpi=110, metadata=UNDATED.get(path.suffix.lower()))
-
-
 def plot_run(history: History, events: np.record, path: Path, title: str) -> None:
     """Write the standard figure of one run; events: its EVENTS record."""
     save_figure(standard_figure([DrawnRun(history, events)], title), path)
@@ -136,8 +119,9 @@ def standard_figure(runs: Sequence[DrawnRun], title: str) -> Figure:
         _widen(axis)
     signals[-1].set_ylim(*WHOLE_RATIO)
     figure.align_ylabels(signals)
-    figure.suptitle(_printable(title), parse_math=False)
-    _add_legend(figure, [(pen.example(), run.label) for run, pen in drawn if run.label])
+    add_title(figure, title)
+    named = [(pen.example(), run.label) for run, pen in drawn if run.label]
+    add_legend(figure, [*named, *_marks(figure)])
     return figure
 
 
@@ -212,21 +196,10 @@ def _widen(axis) -> None:
         axis.set_ylim((low + high - LEAST_SPAN) / 2, (low + high + LEAST_SPAN) / 2)
 
 
-def _add_legend(figure: Figure, entries: list[tuple]) -> None:
-    """The runs that have a name, as (line, name) in `entries`, then the marks that there are."""
+def _marks(figure: Figure) -> list[tuple]:
+    """(artist, name) of every kind of mark that there is."""
     marks = {}
     for axis in figure.axes:
         for mark, name in zip(*axis.get_legend_handles_labels(), strict=True):
             marks.setdefault(name, mark)
-    entries = [*entries, *((mark, name) for name, mark in marks.items())]
-    if not entries:
-        return
-    artists = [artist for artist, _ in entries]
-    legend = figure.legend(artists, [""] * len(artists), loc="outside lower center", ncols=4)
-    for text, (_, name) in zip(legend.get_texts(), entries, strict=True):
-        text.set(text=_printable(name), parse_math=False)  # it may begin with _ and have a $
-
-
-def _printable(text: str) -> str:
-    """A text that no font fails at, whatever name a file has."""
-    return "".join(char if char.isprintable() else "\N{REPLACEMENT CHARACTER}" for char in text)
+    return [(mark, name) for name, mark in marks.items()]

@@ -15,8 +15,6 @@ from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
 from vehicle_roll_sim.simulation.summary import line
 
 DESCRIPTION = "Draw the standard figure of recorded runs."
-MOST_RUNS = 6
-"""Colours that can be told apart."""
 LATEST = 1e10
 """s: beyond all times, also those that count from 1970."""
 
@@ -35,29 +33,30 @@ class PlotSettings:
 def plot_command(words: list[str], program: str) -> int:
     """The command, given the words behind its name; returns the exit status."""
     arguments = _parser(program).parse_args(words)
+    from vehicle_roll_sim.analysis import (
+        drawing,
+        plots,
+    )  # half a second, for those who want a figure
+
     files = [named_file(text, "FILE") for text in arguments.files]
-    if len(files) > MOST_RUNS:
-        raise InputError("FILE", f"{len(files)} files", f"at most {MOST_RUNS} runs in a figure")
+    if len(files) > len(plots.COLOURS):
+        wanted = f"at most {len(plots.COLOURS)}, with a colour for each"
+        raise InputError("FILE", f"{len(files)} files", wanted)
     settings = {"begin": -math.inf, "end": math.inf} | declared_values(arguments, PlotSettings)
     if not settings["begin"] < settings["end"]:
-        raise InputError("--end", settings["end"], f"more than {settings['begin']:g}, --begin")
+        raise InputError("--end", settings["end"], f"more than --begin, {settings['begin']:g}")
     output, labels = _output(arguments.output, files), _labels(arguments.label, files)
-    title = arguments.title
-    if title is None:
-        title = labels[0] if len(files) == 1 else ""
-    histories = [history_from(file) for file in files]
-    parts = [
-        part_of(history, settings["begin"], settings["end"], str(file))
-        for history, file in zip(histories, files, strict=True)
-    ]
     rollover_angle = math.radians(settings.get("stop_roll", DEFAULT_ROLLOVER_DEGREES))
-    from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
-
-    runs = [
-        plots.DrawnRun(part, events_of(history, rollover_angle), label if len(files) > 1 else "")
-        for history, part, label in zip(histories, parts, labels, strict=True)
-    ]
-    plots.save_figure(plots.standard_figure(runs, title), output)
+    runs = []
+    for file, label in zip(files, labels, strict=True):
+        history = history_from(file)
+        part = part_of(history, settings["begin"], settings["end"], file)
+        runs.append(plots.DrawnRun(part, events_of(history, rollover_angle), label))
+    title = arguments.title
+    if len(runs) == 1:  # it needs no legend
+        title = labels[0] if title is None else title
+        runs = [dataclasses.replace(runs[0], label="")]
+    drawing.save_figure(plots.standard_figure(runs, title or ""), output)
     print(line("plot", output))
     return 0
 
@@ -69,13 +68,13 @@ def history_from(path: Path) -> History:
     return History.read_csv(path)
 
 
-def part_of(history: History, begin: float, end: float, name: str) -> History:
+def part_of(history: History, begin: float, end: float, path: Path) -> History:
     """The samples from `begin` to `end` (s), of which there must be some."""
     time = history["time"]
     part = history.rows[(begin <= time) & (time <= end)]
     if not len(part):
         field, value = ("--begin", begin) if begin > time[0] else ("--end", end)
-        raise InputError(field, value, f"samples of {name}, {time[0]:g} to {time[-1]:g} s")
+        raise InputError(field, value, f"samples of {path}, {time[0]:g} to {time[-1]:g} s")
     return History(part)
 
 
