@@ -33,10 +33,7 @@ class PlotSettings:
 def plot_command(words: list[str], program: str) -> int:
     """The command, given the words behind its name; returns the exit status."""
     arguments = _parser(program).parse_args(words)
-    from vehicle_roll_sim.analysis import (
-        drawing,
-        plots,
-    )  # half a second, for those who want a figure
+    from vehicle_roll_sim.analysis import drawing, plots  # half a second, for a figure only
 
     files = [named_file(text, "FILE") for text in arguments.files]
     if len(files) > len(plots.COLOURS):
