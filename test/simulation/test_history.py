@@ -122,3 +122,21 @@ def test_on_failure_no_file_is_left_and_an_old_one_stays(history, tmp_path, befo
     with pytest.raises(InputError, match="No space"):
         history.write_csv(tmp_path / "run.csv")
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == before
+
+
+def test_what_was_written_is_read_back_bit_for_bit(history, tmp_path):
+    history.rows[:, 0] = np.arange(50) / 7
+    history.write_csv(tmp_path / "run.csv")
+    read = History.read_csv(tmp_path / "run.csv")
+    assert [bits(row) for row in read.rows] == [bits(row) for row in history.rows]
+
+
+def test_a_time_may_come_twice_but_not_fall(history, tmp_path):
+    history.rows[:, 0] = np.arange(50)
+    history.rows[49, 0] = 48
+    history.write_csv(tmp_path / "run.csv")
+    assert len(History.read_csv(tmp_path / "run.csv").rows) == 50
+    history.rows[49, 0] = 47
+    history.write_csv(tmp_path / "run.csv")
+    with pytest.raises(InputError, match=r"line 51: time: 47\.0 .*at least 48\.0"):
+        History.read_csv(tmp_path / "run.csv")

@@ -1,12 +1,20 @@
 """What a run was: one row of named signals for each sample, in memory and as CSV."""
 
+import math
 from pathlib import Path
 
 import numpy as np
 
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, WHEELS
 from vehicle_roll_sim.simulation.output_file import replaced_file
 from vehicle_roll_sim.simulation.simulation import STATE_NAMES, Simulation
+from vehicle_roll_sim.simulation.table_file import read_table
+
+LARGEST_FILE = 500_000_000
+"""Bytes: an hour with a row every 10 ms takes 360 million."""
+MISSING_SHOWN = 3
+"""Missing columns that a refusal names."""
 
 OUTPUT_QUANTITIES = (
     "normal_force",
@@ -46,6 +54,27 @@ class History:
     def __init__(self, rows: list[np.ndarray] | np.ndarray):
         self.rows = np.array(rows)
 
+    @classmethod
+    def read_csv(cls, path: Path) -> "History":
+        """The rows of a file of `write_csv`; raises InputError naming line and column.
+
+        Columns may stand in any order, and others beside them. All but the time may be nan. A time
+        may come twice, as the last one of a run that diverged does, but none may fall.
+        """
+        header, lines = read_table(path, LARGEST_FILE)
+        places = _places(path, header)
+        rows, time = [], -math.inf
+        for line, texts in lines:
+            row = [_number(path, line, header[place], texts[place]) for place in places]
+            if not (time <= row[0] and math.isfinite(row[0])):
+                wanted = f"a finite number, at least {time!r}" if rows else "a finite number"
+                raise InputError(f"{path}: line {line}: {COLUMNS[0]}", row[0], wanted)
+            rows.append(np.array(row))
+            time = row[0]
+        if not rows:
+            raise InputError(f"file {path}", "", "a header and at least one row", "no rows")
+        return cls(rows)
+
     def __getitem__(self, name: str) -> np.ndarray:
         return self.rows[:, COLUMNS.index(name)]
 
@@ -60,3 +89,24 @@ class History:
             file.write(",".join(COLUMNS) + "\n")
             for row in self.rows.tolist():
                 file.write(",".join(map(repr, row)) + "\n")
+
+
+def _places(path: Path, header: list[str]) -> list[int]:
+    """Where each of `COLUMNS` stands in a line."""
+    missing = [name for name in COLUMNS if name not in header]
+    if missing:
+        more = len(missing) - MISSING_SHOWN
+        names = ", ".join(missing[:MISSING_SHOWN]) + (f" and {more} more" if more > 0 else "")
+        wanted = "the columns of a file of `run --csv`"
+        raise InputError(f"{path}: line 1", "", wanted, f"without {names}")
+    for name in COLUMNS:
+        if header.count(name) > 1:
+            raise InputError(f"{path}: line 1: column", name, "each column once")
+    return [header.index(name) for name in COLUMNS]
+
+
+def _number(path: Path, line: int, name: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise InputError(f"{path}: line {line}: {name}", text, "a number") from None

@@ -63,7 +63,8 @@ def run(
         until = min(_next(now, every), end, _next(now, period) if period else end)
         simulation.step(held or driver, (until - now) / NANOSECONDS)
         ended = simulation.time_ns == end or simulation.condition is not Condition.RUNNING
-        if ended or simulation.time_ns % every == 0:
+        has_moved = simulation.time_ns > now  # not where its first step was given up
+        if has_moved and (ended or simulation.time_ns % every == 0):
             rows.append(row_of(simulation))
         if witness and (ended or simulation.time_ns % period == 0):
             witness.sees_set()

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from vehicle_roll_sim.analysis.drawing import add_legend, new_figure, save_figure
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.analysis.paper.study import (
     ENGINE,
@@ -20,7 +21,7 @@ from vehicle_roll_sim.analysis.paper.study import (
     Response,
     Study,
 )
-from vehicle_roll_sim.analysis.plots import KILO, PANELS, new_figure, save_figure
+from vehicle_roll_sim.analysis.plots import KILO, PANELS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.vehicle.parameters import GRAVITY
@@ -94,7 +95,7 @@ def draw(figure: PaperFigure, study: Study, folder: Path) -> None:
         for axis, panel in zip(axes[:, place], panels, strict=True):
             _draw_panel(axis, panel, responses)
         axes[-1, place].set_xlabel("time (s)")
-    drawing.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
+    add_legend(drawing, list(zip(*axes[0, 0].get_legend_handles_labels(), strict=True)))
     drawing.suptitle(figure.title)
     save_figure(drawing, folder / f"{figure.name}.png")
     samples = {case: _samples(response) for case, response in responses.items()}

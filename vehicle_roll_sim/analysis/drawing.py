@@ -1,0 +1,60 @@
+"""What all figures share: they need no screen, have room for a legend, are the same every time."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from vehicle_roll_sim.simulation.output_file import replaced_file
+
+UNDATED = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+"""Metadata without which the same figure would differ from one run to the next."""
+LEGEND_GAP = 0.01
+"""Room around a legend, as a share of the figure's height."""
+CHARACTERS_PER_INCH, CHARACTERS_OF_AN_EXAMPLE = 13, 8
+"""Of the text in a legend, and what stands beside it."""
+MOST_COLUMNS = 4
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure (inches), drawn without a screen."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def save_figure(figure: Figure, path: Path) -> None:
+    """Write a figure in the format of its name, the same bytes for the same figure."""
+    with replaced_file(path) as partial, matplotlib.rc_context({"svg.hashsalt": "run"}):
+        figure.savefig(partial, dpi=110, metadata=UNDATED.get(path.suffix.lower()))
+
+
+def add_title(figure: Figure, title: str) -> None:
+    """A title above everything, word for word."""
+    figure.suptitle(printable(title), parse_math=False)
+
+
+def add_legend(figure: Figure, entries: Sequence[tuple]) -> None:
+    """Explain each (artist, name) in `entries` below everything else that is in the figure.
+
+    matplotlib 3.6 does not know of legends outside the axes, so the room is made here.
+    """
+    if not entries:
+        return
+    artists = [artist for artist, _ in entries]
+    widest = max(len(name) for _, name in entries) + CHARACTERS_OF_AN_EXAMPLE
+    fitting = int(figure.get_figwidth() * CHARACTERS_PER_INCH) // widest
+    columns = min(max(fitting, 1), MOST_COLUMNS)
+    legend = figure.legend(artists, [""] * len(artists), loc="lower center", ncols=columns)
+    for text, (_, name) in zip(legend.get_texts(), entries, strict=True):
+        text.set(text=printable(name), parse_math=False)  # it may begin with _ and have a $
+    height = legend.get_window_extent(figure.canvas.get_renderer()).height / figure.bbox.height
+    taken = height + LEGEND_GAP
+    figure.get_layout_engine().set(rect=(0.0, taken, 1.0, 1.0 - taken))
+
+
+def printable(text: str) -> str:
+    """A text that no font fails at, whatever name a file has."""
+    return "".join(char if char.isprintable() else "\N{REPLACEMENT CHARACTER}" for char in text)

@@ -1,0 +1,123 @@
+"""`vehicle_roll_sim plot`: the standard figure of recorded runs, one or several over each other."""
+
+import argparse
+import dataclasses
+import math
+import os
+from pathlib import Path
+
+from vehicle_roll_sim.analysis.sampled_events import events_of
+from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
+from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
+from vehicle_roll_sim.simulation.summary import line
+
+DESCRIPTION = "Draw the standard figure of recorded runs."
+LATEST = 1e10
+"""s: beyond all times, also those that count from 1970."""
+
+
+@dataclasses.dataclass(frozen=True)
+class PlotSettings:
+    """What of the runs is drawn."""
+
+    begin: float = parameter("draw from this time on (default: the first)", "s", 0.0, LATEST)
+    end: float = parameter("draw up to this time (default: the last)", "s", 0.0, LATEST)
+    stop_roll: float = parameter(
+        "roll angle that counts as rolled over", "deg", 1.0, 90.0, default=DEFAULT_ROLLOVER_DEGREES
+    )
+
+
+def plot_command(words: list[str], program: str) -> int:
+    """The command, given the words behind its name; returns the exit status."""
+    arguments = _parser(program).parse_args(words)
+    from vehicle_roll_sim.analysis import drawing, plots  # half a second, for a figure only
+
+    files = [named_file(text, "FILE") for text in arguments.files]
+    if len(files) > len(plots.COLOURS):
+        wanted = f"at most {len(plots.COLOURS)}, with a colour for each"
+        raise InputError("FILE", f"{len(files)} files", wanted)
+    settings = {"begin": -math.inf, "end": math.inf} | declared_values(arguments, PlotSettings)
+    if not settings["begin"] < settings["end"]:
+        raise InputError("--end", settings["end"], f"more than --begin, {settings['begin']:g}")
+    output, labels = _output(arguments.output, files), _labels(arguments.label, files)
+    rollover_angle = math.radians(settings.get("stop_roll", DEFAULT_ROLLOVER_DEGREES))
+    runs = []
+    for file, label in zip(files, labels, strict=True):
+        history = history_from(file)
+        part = part_of(history, settings["begin"], settings["end"], file)
+        runs.append(plots.DrawnRun(part, events_of(history, rollover_angle), label))
+    title = arguments.title
+    if len(runs) == 1:  # it needs no legend
+        title = labels[0] if title is None else title
+        runs = [dataclasses.replace(runs[0], label="")]
+    drawing.save_figure(plots.standard_figure(runs, title or ""), output)
+    print(line("plot", output))
+    return 0
+
+
+def history_from(path: Path) -> History:
+    """The samples of a run that was recorded; raises InputError for what is no recording."""
+    if path.is_dir():
+        raise InputError("file", str(path), "a CSV file of `run --csv`")
+    return History.read_csv(path)
+
+
+def part_of(history: History, begin: float, end: float, path: Path) -> History:
+    """The samples from `begin` to `end` (s), of which there must be some."""
+    time = history["time"]
+    part = history.rows[(begin <= time) & (time <= end)]
+    if not len(part):
+        field, value = ("--begin", begin) if begin > time[0] else ("--end", end)
+        raise InputError(field, value, f"samples of {path}, {time[0]:g} to {time[-1]:g} s")
+    return History(part)
+
+
+def _parser(program: str) -> argparse.ArgumentParser:
+    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser.add_argument(
+        "files", metavar="FILE", nargs="+", help="CSV of `run --csv`; several are compared"
+    )
+    add_declared(parser, PlotSettings, "what is drawn")
+    group = parser.add_argument_group("results")
+    group.add_argument(
+        "--output", metavar="FILE", help="PNG, SVG or PDF (default, of one run: its name with .png)"
+    )
+    group.add_argument(
+        "--title", metavar="TEXT", help="above the figure (default: the name of the run)"
+    )
+    group.add_argument(
+        "--label", metavar="TEXT", action="append", help="name of a run, once for each, in order"
+    )
+    return parser
+
+
+def _output(given: str | None, files: list[Path]) -> Path:
+    """Where the figure goes, known to be writable and none of the files it is drawn from."""
+    output = named_file(given, "--output")
+    if output is None:
+        if len(files) > 1:
+            raise InputError("--output", None, "the file for a figure of several runs")
+        output = files[0].parent / f"{_name(files[0])}.png"
+    check_figure_format(output, "--output")
+    check_writable(output, "--output")
+    if any(output.exists() and file.exists() and output.samefile(file) for file in files):
+        raise InputError("--output", str(output), "another file than that of a run")
+    return output
+
+
+def _labels(given: list[str] | None, files: list[Path]) -> list[str]:
+    """What the runs are called: as was said, else by their files."""
+    if given is None:
+        names = [_name(file) for file in files]
+        return names if len(set(names)) == len(names) else [str(file) for file in files]
+    if len(given) != len(files):
+        raise InputError("--label", f"{len(given)} labels", f"one for each of {len(files)} files")
+    return given
+
+
+def _name(path: Path) -> str:
+    """The name of a file or folder without its suffix."""
+    return Path(os.path.abspath(path)).stem
