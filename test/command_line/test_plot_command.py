@@ -210,7 +210,7 @@ def test_what_is_no_csv_file_of_a_run_is_refused(refused, folder, content, words
 def test_neither_is_what_is_not_there_or_a_folder(refused, folder):
     refused(("plot", "none.csv"), "none.csv", "No such file")
     (folder / "results").mkdir()
-    refused(("plot", "results"), "'results'", "a CSV file of `run --csv`")
+    refused(("plot", "results"), "results", "a whole bag of a simulator")
     refused(("plot", ""), "FILE", "''")
     refused(("plot",), "FILE")
 

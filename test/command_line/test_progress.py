@@ -74,7 +74,7 @@ def interrupt(*_args, **_kwargs):
     "where",
     [
         "vehicle_roll_sim.simulation.simulation.Simulation.step",
-        "vehicle_roll_sim.command_line.run.chosen_vehicle",
+        "vehicle_roll_sim.command_line.run.chosen_simulation",
         "vehicle_roll_sim.analysis.plots.plot_run",
         "pathlib.Path.replace",
     ],

@@ -4,12 +4,13 @@ import argparse
 import sys
 
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
-from vehicle_roll_sim.command_line import linearize, paper, parameters, plot, run, series
+from vehicle_roll_sim.command_line import linearize, paper, parameters, plot, replay, run, series
 from vehicle_roll_sim.declaration import unknown_name
 
 PROGRAM = "vehicle_roll_sim"
 COMMANDS = {
     "run": (run.run_command, run.DESCRIPTION),
+    "replay": (replay.replay_command, replay.DESCRIPTION),
     "series": (series.series_command, series.DESCRIPTION),
     "plot": (plot.plot_command, plot.DESCRIPTION),
     "linearize": (linearize.linearize_command, linearize.DESCRIPTION),

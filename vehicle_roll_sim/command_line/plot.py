@@ -8,6 +8,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
+from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
@@ -61,7 +62,10 @@ def plot_command(words: list[str], program: str) -> int:
 def history_from(path: Path) -> History:
     """The samples of a run that was recorded; raises InputError for what is no recording."""
     if path.is_dir():
-        raise InputError("file", str(path), "a CSV file of `run --csv`")
+        need_library("FILE")
+        from vehicle_roll_sim.bags.reading import last_history  # its library is optional
+
+        return last_history(path)
     return History.read_csv(path)
 
 
@@ -78,7 +82,7 @@ def part_of(history: History, begin: float, end: float, path: Path) -> History:
 def _parser(program: str) -> argparse.ArgumentParser:
     parser = OneLineParser(prog=program, description=DESCRIPTION)
     parser.add_argument(
-        "files", metavar="FILE", nargs="+", help="CSV of `run --csv`; several are compared"
+        "files", metavar="FILE", nargs="+", help="CSV of `run --csv`, or bag; several are compared"
     )
     add_declared(parser, PlotSettings, "what is drawn")
     group = parser.add_argument_group("results")

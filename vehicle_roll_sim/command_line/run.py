@@ -16,9 +16,8 @@ from vehicle_roll_sim.arguments import (
 )
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line.vehicle_options import (
-    add_vehicle_options,
-    chosen_options,
-    chosen_vehicle,
+    add_simulation_options,
+    chosen_simulation,
 )
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
@@ -27,21 +26,15 @@ from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import (
     check_figure_format,
     check_new_folder,
     check_writable,
 )
-from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD, Witness, run
 from vehicle_roll_sim.simulation.simulation import (
-    DEFAULT_ROLLOVER_DEGREES,
-    DEFAULT_STEP,
-    LONGEST_STEP,
     SHORTEST_STEP,
     Simulation,
-    compile_model,
     whole_steps,
 )
 from vehicle_roll_sim.simulation.summary import line, summary_lines
@@ -52,12 +45,9 @@ DIVERGED = 1
 
 
 @dataclasses.dataclass(frozen=True)
-class RunSettings:
-    """How a run is integrated and sampled."""
+class Sampling:
+    """When a run is looked at, and when commands are."""
 
-    step: float = parameter(
-        "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
-    )
     sample: float = parameter(
         "interval of the rows", "s", SHORTEST_STEP, 1e3, default=DEFAULT_SAMPLE
     )
@@ -69,9 +59,6 @@ class RunSettings:
         1e3,
         default=0.0,
     )
-    stop_roll: float = parameter(
-        "roll angle that counts as rolled over", "deg", 1.0, 90.0, default=DEFAULT_ROLLOVER_DEGREES
-    )
 
 
 def run_command(words: list[str], program: str) -> int:
@@ -82,25 +69,16 @@ def run_command(words: list[str], program: str) -> int:
     arguments = _parser(program, manoeuvre).parse_args(words)
     if manoeuvre is None:
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
-    settings = RunSettings(**declared_values(arguments, RunSettings))
-    manoeuvre = _adjusted(manoeuvre, arguments, settings)
-    _check_multiples(manoeuvre, settings)
-    csv, plot = _result_files(arguments)
-    bag = _new_bag(arguments, settings)
-    vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
-    compile_model()
-    manoeuvre = manoeuvre.for_vehicle(vehicle, options)
+    sampling = Sampling(**declared_values(arguments, Sampling))
+    csv, plot, bag = _results(arguments)
+    simulation = chosen_simulation(arguments)
+    manoeuvre = _adjusted(manoeuvre, arguments, simulation.step_ns)
+    _check_multiples(manoeuvre, sampling, simulation.step_ns)
+    manoeuvre = manoeuvre.for_vehicle(simulation.vehicle, simulation.options)
     driver = manoeuvre.driver()
-    simulation = Simulation(
-        vehicle,
-        options,
-        step=settings.step,
-        rollover_angle=math.radians(settings.stop_roll),
-        road=Road(**declared_values(arguments, Road)),
-    )
     simulation.reset(manoeuvre.speed)
-    with _recorded(simulation, bag, settings.command_period or HELD_PERIOD) as witness:
-        history = _run_with_progress(simulation, driver, manoeuvre.duration, settings, witness)
+    with _recorded(simulation, bag, sampling.command_period or HELD_PERIOD) as witness:
+        history = _run_with_progress(simulation, driver, manoeuvre.duration, sampling, witness)
     if csv:
         history.write_csv(csv)
     if plot:
@@ -129,10 +107,8 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     parser.add_argument("--commands", metavar="FILE.csv", help="commands instead of a manoeuvre")
     for declaring in [manoeuvre] if manoeuvre else map(type, STANDARD.values()):
         add_declared(parser, declaring, "manoeuvre")
-    add_declared(parser, Options, "model")
-    add_declared(parser, Road, "road")
-    add_vehicle_options(parser)
-    add_declared(parser, RunSettings, "integration")
+    add_simulation_options(parser)
+    add_declared(parser, Sampling, "sampling")
     group = parser.add_argument_group("results")
     group.add_argument("--csv", metavar="FILE", help="write the samples")
     group.add_argument("--bag", metavar="DIR", help="write what the node would have published")
@@ -140,17 +116,16 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     return parser
 
 
-def _check_multiples(manoeuvre: Manoeuvre, settings: RunSettings) -> None:
+def _check_multiples(manoeuvre: Manoeuvre, sampling: Sampling, step_ns: int) -> None:
     """Times that the run is divided into must be multiples of the step."""
-    step_ns = round(settings.step * NANOSECONDS)
     whole_steps(manoeuvre.duration, step_ns, "--duration")
-    whole_steps(settings.sample, step_ns, "--sample")
-    if settings.command_period:
-        whole_steps(settings.command_period, step_ns, "--command-period")
+    whole_steps(sampling.sample, step_ns, "--sample")
+    if sampling.command_period:
+        whole_steps(sampling.command_period, step_ns, "--command-period")
 
 
-def _result_files(arguments: argparse.Namespace) -> tuple[Path | None, Path | None]:
-    """Where the CSV and the figure go, known to be writable."""
+def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
+    """Where CSV, figure and bag go, known to be writable."""
     csv, plot = named_file(arguments.csv, "--csv"), named_file(arguments.plot, "--plot")
     for path, field in ((csv, "--csv"), (plot, "--plot")):
         if path:
@@ -159,18 +134,11 @@ def _result_files(arguments: argparse.Namespace) -> tuple[Path | None, Path | No
         check_figure_format(plot, "--plot")
         if plot == csv:
             raise InputError("--plot", str(plot), "another file than that of --csv")
-    return csv, plot
-
-
-def _new_bag(arguments: argparse.Namespace, settings: RunSettings) -> Path | None:
-    """Where the bag goes, known to be free and writable."""
-    folder = named_file(arguments.bag, "--bag")
-    if folder:
+    bag = named_file(arguments.bag, "--bag")
+    if bag:
         need_library("--bag")
-        check_new_folder(folder, "--bag")
-        period = settings.command_period or HELD_PERIOD
-        whole_steps(period, round(settings.step * NANOSECONDS), "--command-period")
-    return folder
+        check_new_folder(bag, "--bag")
+    return csv, plot, bag
 
 
 def _recorded(
@@ -193,16 +161,14 @@ def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:
     return manoeuvre_named(chosen.manoeuvre) if chosen.manoeuvre else None
 
 
-def _adjusted(
-    manoeuvre: Manoeuvre, arguments: argparse.Namespace, settings: RunSettings
-) -> Manoeuvre:
+def _adjusted(manoeuvre: Manoeuvre, arguments: argparse.Namespace, step_ns: int) -> Manoeuvre:
     """The manoeuvre with the values of the command line."""
     values = declared_values(arguments, manoeuvre)
     if arguments.commands and "duration" not in values:
         if not manoeuvre.duration > 0.0:
             raise InputError("--duration", None, "a file that ends at time 0 does not say how long")
-        steps = math.ceil(manoeuvre.duration / settings.step - 1e-6)
-        values["duration"] = steps * settings.step
+        steps = math.ceil(manoeuvre.duration * NANOSECONDS / step_ns - 1e-6)
+        values["duration"] = steps * step_ns / NANOSECONDS
     return dataclasses.replace(manoeuvre, **values)
 
 
@@ -210,7 +176,7 @@ def _run_with_progress(
     simulation: Simulation,
     driver: Programme | Feedback,
     duration: float,
-    settings: RunSettings,
+    sampling: Sampling,
     witness: Witness | None,
 ) -> History:
     """Run, with a progress bar at a terminal when it takes longer than a second."""
@@ -220,8 +186,8 @@ def _run_with_progress(
             simulation,
             driver,
             duration,
-            sample=settings.sample,
-            command_period=settings.command_period,
+            sample=sampling.sample,
+            command_period=sampling.command_period,
             witness=witness,
             progress=bar.update,
         )

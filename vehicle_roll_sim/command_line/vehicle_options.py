@@ -1,14 +1,59 @@
-"""The options that say which vehicle, and which model of it."""
+"""The options that say what is simulated: vehicle, model, road and integration."""
 
 import argparse
 import dataclasses
+import math
 
-from vehicle_roll_sim.arguments import declared_values, named_file, number
-from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
+from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
+from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.simulation import (
+    DEFAULT_ROLLOVER_DEGREES,
+    DEFAULT_STEP,
+    LONGEST_STEP,
+    SHORTEST_STEP,
+    Simulation,
+    compile_model,
+)
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import load_tire
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
+
+
+@dataclasses.dataclass(frozen=True)
+class Integration:
+    """How a model is integrated, and where that ends."""
+
+    step: float = parameter(
+        "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
+    )
+    stop_roll: float = parameter(
+        "roll angle that counts as rolled over", "deg", 1.0, 90.0, default=DEFAULT_ROLLOVER_DEGREES
+    )
+
+
+def add_simulation_options(parser: argparse.ArgumentParser) -> None:
+    """Everything that `chosen_simulation` needs."""
+    add_declared(parser, Options, "model")
+    add_declared(parser, Road, "road")
+    add_vehicle_options(parser)
+    add_declared(parser, Integration, "integration")
+
+
+def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
+    """The simulation that the options of `add_simulation_options` describe."""
+    integration = Integration(**declared_values(arguments, Integration))
+    vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
+    road = Road(**declared_values(arguments, Road))
+    compile_model()
+    return Simulation(
+        vehicle,
+        options,
+        step=integration.step,
+        rollover_angle=math.radians(integration.stop_roll),
+        road=road,
+    )
 
 
 def add_vehicle_options(parser: argparse.ArgumentParser) -> None:

@@ -39,27 +39,25 @@ class Described:
 
 
 def describe(simulation: Simulation, period_ns: int) -> str:
-    """A simulation whose commands are held for `period_ns`, as JSON in one line.
+    """A simulation whose commands are held for `period_ns`, as JSON in one line."""
+    about = {"package": PACKAGE, "version": VERSION, "machine": MACHINE}
+    period = {"publish_period": period_ns / NANOSECONDS}
+    return json.dumps(about | period | _parts(simulation))
 
-    Limits that a tire does not have, which are infinite, are left out.
-    """
+
+def _parts(simulation: Simulation) -> dict:
+    """What makes a simulation; limits that a tire does not have, infinite, are left out."""
     vehicle = simulation.vehicle
     coefficients = vehicle.tire.coefficients.items()
-    return json.dumps(
-        {
-            "package": PACKAGE,
-            "version": VERSION,
-            "machine": MACHINE,
-            "step": simulation.step_ns / NANOSECONDS,
-            "publish_period": period_ns / NANOSECONDS,
-            "rollover_angle": simulation.rollover_angle,
-            "model": dataclasses.asdict(simulation.options),
-            "road": dataclasses.asdict(simulation.road),
-            "vehicle": {name: getattr(vehicle, name) for name in parameters_of(Vehicle)},
-            "tire": {name: value for name, value in coefficients if math.isfinite(value)},
-            "tire_side": vehicle.tire.side,
-        }
-    )
+    return {
+        "step": simulation.step_ns / NANOSECONDS,
+        "rollover_angle": simulation.rollover_angle,
+        "model": dataclasses.asdict(simulation.options),
+        "road": dataclasses.asdict(simulation.road),
+        "vehicle": {name: getattr(vehicle, name) for name in parameters_of(Vehicle)},
+        "tire": {name: value for name, value in coefficients if math.isfinite(value)},
+        "tire_side": vehicle.tire.side,
+    }
 
 
 def described(text: str) -> Described:
@@ -75,8 +73,26 @@ def described(text: str) -> Described:
             road=Road(**told["road"]),
         )
         return Described(simulation, str(told["version"]), str(told["machine"]))
-    except InputError:
-        raise
-    except (ValueError, KeyError, TypeError) as error:
+    except InputError as error:
+        raise InputError(f"{FIELD}: {error.field}", error.value, error.allowed) from None
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
         allowed = f"what {PACKAGE} writes"
         raise InputError(FIELD, "", allowed, f"{type(error).__name__}: {error}") from None
+
+
+def difference(first: Simulation, second: Simulation) -> tuple[str, object, object] | None:
+    """The first thing in which two simulations differ: its name, and what it is in each."""
+    ours, theirs = _flat(_parts(first)), _flat(_parts(second))
+    for name in ours | theirs:
+        if ours.get(name) != theirs.get(name):
+            return name, ours.get(name), theirs.get(name)
+    return None
+
+
+def _flat(parts: dict) -> dict:
+    """Names of parts within parts joined by a dot."""
+    flat = {}
+    for name, value in parts.items():
+        inner = value.items() if isinstance(value, dict) else ()
+        flat |= {f"{name}.{key}": each for key, each in inner} or {name: value}
+    return flat

@@ -1,0 +1,127 @@
+"""Replaying a recording: to the bit, or by how much not; what cannot be replayed is refused."""
+
+import numpy as np
+import pytest
+from recordings import record
+
+from vehicle_roll_sim import InputError, Options, Simulation, preset
+from vehicle_roll_sim.bags.encoding import TYPES, decode
+from vehicle_roll_sim.bags.reading import last_history, recorded_runs
+from vehicle_roll_sim.bags.replay import replay
+from vehicle_roll_sim.simulation.description import described
+
+ARRAY = "std_msgs/msg/Float64MultiArray"
+
+
+def replayed(bag, namespace=None):
+    """Every run of a bag replayed with the simulation that it describes."""
+    runs = recorded_runs(bag, namespace)
+    return [replay(run, described(run.description).simulation) for run in runs]
+
+
+@pytest.mark.parametrize(
+    ("options", "name", "duration", "end"),
+    [
+        (None, "j_turn", 4.0, 2.965),
+        (Options(steady_state_slip=True), "step_steer", 1.505, 1.505),
+        (Options(model="8dof"), "nhtsa_fishhook", 2.5, 2.5),
+    ],
+    ids=["to the rollover", "with speed hold, ending within a period", "of another model"],
+)
+def test_an_offline_run_is_reproduced_to_the_bit(tmp_path, options, name, duration, end):
+    record(tmp_path / "bag", options, name, duration)
+    (result,) = replayed(tmp_path / "bag")
+    assert result.is_exact
+    assert (result.end, np.isnan(result.missing_from)) == (end, True)
+
+
+def test_a_state_that_is_another_is_found_and_measured(j_turn, changed):
+    def shift(topic, sent, data):
+        if topic == "/state" and sent == 1_500_000_000:
+            message = decode(data, ARRAY)
+            message.data = message.data + 1e-9 * (np.arange(37) == 4)  # rad of roll
+            data = bytes(TYPES.serialize_cdr(message, ARRAY))
+        return [(topic, sent, data)]
+
+    (result,) = replayed(changed(j_turn, shift))
+    assert not result.is_exact
+    assert (result.name, result.time) == ("roll", 1.5)
+    assert result.difference == pytest.approx(1e-9, rel=1e-6)  # roll is some 0.2 rad there
+    assert result.relative == pytest.approx(1e-9 / np.radians(85.0), rel=1e-3)  # over its peak
+
+
+def test_another_command_gives_another_run(j_turn, changed):
+    def steer_more(topic, sent, data):
+        if topic == "/applied_command" and sent == 1_500_000_000:
+            message = decode(data, ARRAY)
+            message.data = message.data + 1e-6 * (np.arange(15) == 1)  # rad of steering
+            data = bytes(TYPES.serialize_cdr(message, ARRAY))
+        return [(topic, sent, data)]
+
+    (result,) = replayed(changed(j_turn, steer_more))
+    assert 0.0 < result.relative < 1e-2
+    assert result.time >= 1.5
+
+
+@pytest.mark.parametrize("topic", ["/state", "/applied_command"])
+def test_where_messages_are_missing_the_comparison_ends_and_says_so(j_turn, changed, topic):
+    def lose(name, sent, data):
+        return [] if (name, sent) == (topic, 1_000_000_000) else [(name, sent, data)]
+
+    (result,) = replayed(changed(j_turn, lose))
+    assert result.is_exact
+    assert (result.end, result.missing_from) == (0.99, 0.99)
+
+
+def test_every_run_from_a_reset_on_is_replayed(j_turn, changed):
+    later = 3_000_000_000
+
+    def once_more(topic, sent, data):
+        return [(topic, sent, data), (topic, sent + later, data)]
+
+    results = replayed(changed(j_turn, once_more))
+    assert [(result.end, result.is_exact) for result in results] == [(2.965, True)] * 2
+
+
+def test_one_vehicle_of_several_is_chosen_by_its_namespace(j_turn, changed):
+    def two(topic, sent, data):
+        return [(f"/{name}{topic}", sent, data) for name in ("a", "b")]
+
+    bag = changed(j_turn, two)
+    with pytest.raises(InputError, match="vehicles found: /a, /b"):
+        recorded_runs(bag)
+    with pytest.raises(InputError, match="namespace"):
+        recorded_runs(bag, "c")
+    for name in ("a", "/b/"):
+        (result,) = replayed(bag, name)
+        assert result.is_exact
+
+
+def test_a_recording_of_another_vehicle_is_refused_by_its_first_state(j_turn):
+    (run,) = recorded_runs(j_turn)
+    with pytest.raises(InputError, match="z at the reset"):
+        replay(run, Simulation(preset().with_values({"cg_height": 0.8})))
+    with pytest.raises(InputError, match="model 8dof"):
+        replay(run, Simulation(preset(), Options(model="8dof")))
+
+
+def test_a_recording_that_begins_under_way_is_refused(j_turn, changed):
+    def from_1_s(topic, sent, data):
+        early = sent < 1_000_000_000 and topic != "/simulation_description"
+        return [] if early else [(topic, sent, data)]
+
+    with pytest.raises(InputError, match="time of the first state"):
+        replayed(changed(j_turn, from_1_s))
+
+
+def test_the_history_of_a_bag_is_that_of_the_run(j_turn):
+    history = last_history(j_turn)
+    simulation = Simulation(preset())
+    times = history["time"]
+    assert (len(times), times[0], times[-1]) == (298, 0.0, 2.965)
+    assert history["roll"][-1] >= simulation.rollover_angle
+    loads = history.wheels("normal_force")
+    assert loads[0] == pytest.approx(simulation.outputs.normal_force, rel=1e-12)  # at rest
+    sprung = history["lateral_acceleration"]
+    assert np.abs(sprung).max() == pytest.approx(9.353, abs=0.01)  # m/s^2, of the run's summary
+    assert history["steering"][-1] == pytest.approx(np.radians(10.0))

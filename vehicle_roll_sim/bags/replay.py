@@ -1,0 +1,115 @@
+"""A recorded run simulated again on the commands that were applied, and compared with it."""
+
+import dataclasses
+import itertools
+
+import numpy as np
+
+from vehicle_roll_sim.bags.reading import RecordedRun
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.simulation.command import Command
+from vehicle_roll_sim.simulation.simulation import Simulation
+
+LONGEST_PERIOD = 1.5
+"""Usual periods between two sets; where it is longer, some are missing between them."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Replay:
+    """How a run compares with its recording.
+
+    end: simulated time (s) up to which it was compared, and missing_from where the recording has a
+    gap, else nan. difference: the largest of any state (in its unit), name and time (s) that state
+    and when, relative what it is of the largest value of that state.
+    """
+
+    end: float
+    missing_from: float
+    difference: float
+    relative: float
+    name: str
+    time: float
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether every state was reproduced to the bit."""
+        return self.difference == 0.0
+
+
+def replay(run: RecordedRun, simulation: Simulation) -> Replay:
+    """Drive `simulation` as the recorded vehicle was, from its reset on.
+
+    Raises InputError for a recording that does not begin at a reset, or as another vehicle would.
+    """
+    recorded = _recorded_states(run, simulation)
+    _reset_as(recorded[0], simulation)
+    own, missing_from = [_state(simulation)], np.nan
+    usual = float(np.median(np.diff(np.unique(recorded[:, 0])))) if len(recorded) > 1 else 0.0
+    for before, now in itertools.pairwise(recorded[:, 0].tolist()):
+        if now not in run.commands or now - before > LONGEST_PERIOD * usual:
+            missing_from = before
+            break
+        steps = round((now - before) * NANOSECONDS / simulation.step_ns)
+        if steps:
+            command = _command(run.commands[now])
+            simulation.step(command, steps * simulation.step_ns / NANOSECONDS)
+        own.append(_state(simulation))
+    return _compared(recorded[: len(own)], np.array(own), simulation.state_names, missing_from)
+
+
+def _recorded_states(run: RecordedRun, simulation: Simulation) -> np.ndarray:
+    """One row for each recorded set: time and states as the model has them."""
+    labels = ["time", *simulation.state_names]
+    found = list(run.states[0])
+    if found != labels:
+        model = simulation.options.model
+        allowed = f"those of model {model}, {len(labels)} with the time"
+        raise InputError("BAG: state", "", allowed, f"other states, {len(found)} with the time")
+    if run.states[0]["time"] != 0.0:
+        allowed = "a recording from a reset on, at time 0"
+        raise InputError("BAG: time of the first state", run.states[0]["time"], allowed)
+    return np.array([list(state.values()) for state in run.states])
+
+
+def _reset_as(first: np.ndarray, simulation: Simulation) -> None:
+    """Reset to the speed of a first state, which must then be that of the simulation."""
+    simulation.reset(float(first[1 + simulation.state_names.index("u")]))
+    own = _state(simulation)
+    differs = ~((first == own) | (np.isnan(first) & np.isnan(own)))
+    if differs.any():
+        name = ("time", *simulation.state_names)[int(np.argmax(differs))]
+        was, is_now = (float(state[np.argmax(differs)]) for state in (first, own))
+        allowed = f"{is_now:.9g}, that of the simulated vehicle: the recorded one is another"
+        raise InputError(f"BAG: {name} at the reset", was, allowed)
+
+
+def _state(simulation: Simulation) -> np.ndarray:
+    return np.array([simulation.time, *simulation.model_state])
+
+
+def _command(values: np.ndarray) -> Command:
+    """The command of an `applied_command`."""
+    _, steering, rear_steering, *rest = map(float, values)
+    torque, brake, force = (rest[k * WHEEL_COUNT : (k + 1) * WHEEL_COUNT] for k in range(3))
+    return Command(steering, rear_steering, tuple(torque), tuple(brake), tuple(force))
+
+
+def _compared(
+    recorded: np.ndarray, own: np.ndarray, names: tuple[str, ...], missing_from: float
+) -> Replay:
+    apart = np.abs(own - recorded)
+    apart[np.isnan(own) & np.isnan(recorded)] = 0.0
+    apart[np.isnan(apart)] = np.inf
+    peaks = np.nanmax(np.abs(recorded), axis=0, initial=0.0)
+    relative = apart / np.where(peaks > 0.0, peaks, 1.0)
+    row, column = np.unravel_index(np.argmax(relative), relative.shape)
+    return Replay(
+        end=float(recorded[-1, 0]),
+        missing_from=missing_from,
+        difference=float(apart[row, column]),
+        relative=float(relative[row, column]),
+        name=("time", *names)[column],
+        time=float(recorded[row, 0]),
+    )
