@@ -1,0 +1,220 @@
+"""Launch files: what they declare is documented, what they name is there, and they end."""
+
+import ast
+import importlib.util
+import itertools
+import os
+import re
+import sys
+from pathlib import Path
+
+import launch_files
+import launch_stand_in
+import pytest
+from mcap.reader import make_reader
+
+from vehicle_roll_sim import preset
+from vehicle_roll_sim.ros.topics import COMMANDS, STATE_SET
+from vehicle_roll_sim.ros.urdf import robot_description
+
+ROOT = Path(__file__).parents[2]
+MANUAL = ROOT / "docs" / "launch.md"
+SCRIPTS = sorted((ROOT / "msg_examples").glob("*.py"))
+
+
+@pytest.fixture
+def launching(monkeypatch, tmp_path):
+    with launch_files.stand_in(monkeypatch, tmp_path / "install") as module:
+        yield module
+
+
+def actions_of(name: str, **given: str) -> dict[str, object]:
+    """The actions of a launch file by their names."""
+    actions = launch_stand_in.actions_of(launch_files.load(name), **given)
+    return {action.name: action for action in actions}
+
+
+def parameters_of(command: list[str]) -> dict[str, str]:
+    """Those that a command line gives after -p."""
+    words = [word for flag, word in itertools.pairwise(command) if flag == "-p"]
+    return dict(word.split(":=", 1) for word in words)
+
+
+def documented() -> dict[str, dict[str, str]]:
+    """Defaults of the arguments in the manual, by launch file and name."""
+    _, _, table = MANUAL.read_text().partition("| argument |")
+    rows = re.findall(r"^\| `(\w+)` \| ([^|]*) \| ([^|]*) \|", table, re.MULTILINE)
+    found = {name: {} for name in launch_files.NAMES}
+    for argument, files, default in rows:
+        for name in launch_files.NAMES if files == "all" else files.replace("`", "").split(", "):
+            found[name][argument] = default.strip("`")
+    return found
+
+
+@pytest.mark.parametrize("name", launch_files.NAMES)
+def test_the_arguments_are_those_of_the_manual_and_described(launching, monkeypatch, name):
+    monkeypatch.delenv(launching.DISCOVERY)
+    declared = [
+        entity
+        for entity in launch_files.load(name).entities
+        if isinstance(entity, launch_stand_in.DeclareLaunchArgument)
+    ]
+    assert len({argument.name for argument in declared}) == len(declared)
+    assert all(argument.description for argument in declared)
+    defaults = {
+        argument.name: re.sub(r"bag_[-\d]+", "bag_DATE-TIME", argument.default_value or "empty")
+        for argument in declared
+    }
+    assert defaults == documented()[name]
+
+
+@pytest.mark.parametrize("name", launch_files.NAMES)
+def test_every_executable_of_the_package_that_is_started_is_installed(launching, name):
+    entries = re.findall(r'f"(\w+) = \{NAME\}\.ros', (ROOT / "setup.py").read_text())
+    started = [a for a in actions_of(name).values() if isinstance(a, launch_stand_in.Node)]
+    own = [node.executable for node in started if node.package == "vehicle_roll_sim"]
+    assert "simulator" in own
+    assert set(own) <= set(entries)
+
+
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
+def test_lockstep_waits_for_what_a_controller_commands(launching, script):
+    texts = {
+        node.value
+        for node in ast.walk(ast.parse(script.read_text()))
+        if isinstance(node, ast.Constant)
+    }
+    commanded = tuple(topic.name for topic in COMMANDS if topic.name in texts)
+    assert launching.CONTROLLERS[script.stem] == commanded
+    actions = actions_of("controller", controller=script.stem, lockstep="true")
+    given = parameters_of(actions["simulator"].cmd)
+    assert given["lockstep_topics"] == f"[{', '.join(('steering_cmd', *commanded))}]"
+    assert Path(actions[script.stem].cmd[1]).samefile(script)
+
+
+def test_a_controller_of_ones_own_is_a_path_with_the_topics_that_it_commands(launching, tmp_path):
+    own = tmp_path / "mine.py"
+    given = {"controller": str(own), "answers": "brake_torque_cmd", "parameters": "gain:=2.0 on:=1"}
+    actions = actions_of("controller", lockstep="true", **given)
+    assert actions["mine"].cmd[:2] == [sys.executable, str(own)]
+    assert parameters_of(actions["mine"].cmd) == {"gain": "2.0", "on": "1"}
+    topics = parameters_of(actions["simulator"].cmd)["lockstep_topics"]
+    assert topics == "[steering_cmd, brake_torque_cmd]"
+
+
+def test_lockstep_waits_for_the_torques_of_a_manoeuvre_that_holds_its_speed(launching):
+    for given in ({"manoeuvre": "step_steer"}, {"options": "--speed-hold 500"}):
+        actions = actions_of("manoeuvre", lockstep="true", **given)
+        topics = parameters_of(actions["simulator"].cmd)["lockstep_topics"]
+        assert topics == "[steering_cmd, wheel_torque_cmd]"
+
+
+def test_arguments_reach_the_simulator_and_what_is_empty_does_not(launching):
+    assert parameters_of(actions_of("simulator")["simulator"].cmd) == {}
+    given = {"model": "1", "initial_speed": "20", "frame_prefix": "a/", "params_file": "p.yaml"}
+    command = actions_of("simulator", **given)["simulator"].cmd
+    # quoted: text stays text where it looks like a number
+    expected = {"model": '"1"', "initial_speed": "20", "frame_prefix": '"a/"'}
+    assert parameters_of(command) == expected
+    assert command[command.index("--params-file") + 1] == "p.yaml"
+    assert command.index("--params-file") < command.index("-p")
+
+
+@pytest.mark.parametrize("installed", [True, False])
+def test_ros2_bag_records_where_it_is_installed(launching, monkeypatch, installed):
+    monkeypatch.setattr(launching.shutil, "which", lambda _: "ros2" if installed else None)
+    monkeypatch.setattr(launching.importlib.util, "find_spec", lambda _: installed or None)
+    actions = actions_of("controller", bag="here")
+    command = actions["ros2" if installed else "recorder"].cmd
+    assert command[command.index("--output") + 1] == "here"
+    if installed:
+        assert command[:3] == ["ros2", "bag", "record"]
+        assert command[command.index("--storage") + 1] == "mcap"
+
+
+def test_nobody_elses_network_is_joined_unless_the_environment_says_so(launching, monkeypatch):
+    monkeypatch.delenv(launching.DISCOVERY)
+    assert actions_of("simulator")[launching.DISCOVERY].value == "LOCALHOST"
+    monkeypatch.setenv(launching.DISCOVERY, "SUBNET")
+    assert actions_of("simulator")[launching.DISCOVERY].value == "SUBNET"
+    given = actions_of("simulator", discovery_range="OFF")
+    assert given[launching.DISCOVERY].value == "OFF"
+
+
+@pytest.mark.parametrize(("model", "suspended"), [("", True), ("1a", True), ("8dof", False)])
+def test_rviz_is_shown_the_vehicle_that_is_simulated(launching, model, suspended):
+    actions = actions_of("rviz", model=model)
+    (parameters,) = actions["robot_state_publisher"].parameters
+    description = parameters["robot_description"]
+    assert description.value == robot_description(preset(), suspended)
+    assert description.value_type is str
+    (shown,) = (Path(word) for word in actions["rviz2"].cmd if word.endswith(".rviz"))
+    assert shown.samefile(launch_files.PACKAGE / "config" / "vehicle.rviz")
+
+
+@pytest.mark.parametrize(
+    ("given", "simulated"),
+    [({}, False), ({"lockstep": "true"}, True), ({"real_time_factor": "0.5"}, True)],
+)
+def test_pictures_go_by_the_clock_of_the_simulator(launching, given, simulated):
+    actions = actions_of("rviz", **given)
+    for name in ("robot_state_publisher", "rviz2"):
+        assert actions[name].parameters[0]["use_sim_time"] is simulated
+
+
+def test_pictures_can_do_without_rviz(launching):
+    assert "rviz2" not in actions_of("rviz", rviz="false")
+
+
+def test_controller_recording_and_manoeuvre_in_lockstep_end_with_the_manoeuvre(
+    launching, domain, tmp_path
+):
+    bag = tmp_path / "bag"
+    results = launch_files.run("controller", domain, lockstep="true", bag=str(bag))
+    assert {name: status for name, (status, _, _) in results.items()} == dict.fromkeys(
+        ("simulator", "recorder", "active_roll_bar", "manoeuvre"), 0
+    )
+    assert "6.000 s, complete" in results["manoeuvre"][1]
+    with next(bag.glob("*.mcap")).open("rb") as file:
+        summary = make_reader(file).get_summary()
+    counts = {
+        summary.channels[number].topic.lstrip("/"): count
+        for number, count in summary.statistics.channel_message_counts.items()
+    }
+    assert {counts[topic.name] for topic in STATE_SET} == {counts["state"]}
+    assert counts["state"] > 600
+    assert counts["steering_cmd"] >= 600
+    assert counts["normal_force_cmd"] >= 600
+
+
+def test_a_launch_ends_when_its_simulator_does_not_start(launching, domain):
+    results = launch_files.run("manoeuvre", domain, publish_rate="-1")
+    status, _, err = results["simulator"]
+    assert status == 2
+    assert "publish_rate" in err
+
+
+def test_what_cannot_be_driven_is_refused(launching):
+    with pytest.raises(RuntimeError, match="manoeuvre"):
+        actions_of("manoeuvre", manoeuvre="j_tum")
+
+
+@pytest.mark.skipif(
+    importlib.util.find_spec("launch") is None, reason="the package launch of ROS is not installed"
+)
+def test_launch_itself_runs_a_manoeuvre_to_its_end(monkeypatch, domain, tmp_path):
+    monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
+    from launch import LaunchDescription, LaunchService
+    from launch.actions import IncludeLaunchDescription
+    from launch.launch_description_sources import PythonLaunchDescriptionSource
+
+    source = PythonLaunchDescriptionSource(
+        os.fspath(launch_files.PACKAGE / "launch" / "manoeuvre.launch.py")
+    )
+    plot = tmp_path / "run.png"
+    given = {"lockstep": "true", "options": f"--duration 1 --plot {plot}"}
+    service = LaunchService()
+    include = IncludeLaunchDescription(source, launch_arguments=given.items())
+    service.include_launch_description(LaunchDescription([include]))
+    assert service.run() == 0
+    assert plot.read_bytes().startswith(b"\x89PNG")
