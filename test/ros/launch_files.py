@@ -9,8 +9,6 @@ from pathlib import Path
 from types import ModuleType
 
 import launch_stand_in
-from mcap.reader import make_reader
-from mcap_ros2.decoder import DecoderFactory
 
 import vehicle_roll_sim.ros
 
@@ -55,13 +53,3 @@ def run(name: str, domain: int, **given: str) -> dict[str, tuple[int, str, str]]
     """Run a launch file to its end: status, stdout and stderr of every process."""
     actions = launch_stand_in.actions_of(load(name), **given)
     return launch_stand_in.run(actions, os.environ | {"ROS_DOMAIN_ID": str(domain)})
-
-
-def read_bag(folder: Path) -> dict[str, list]:
-    """Messages of a bag by topic, decoded by a library that did not write it."""
-    messages = {}
-    with next(folder.glob("*.mcap")).open("rb") as file:
-        reader = make_reader(file, decoder_factories=[DecoderFactory()])
-        for _, channel, _, message in reader.iter_decoded_messages():
-            messages.setdefault(channel.topic, []).append(message)
-    return messages

@@ -12,6 +12,7 @@ import launch_files
 import launch_stand_in
 import numpy as np
 import pytest
+from recordings import read_bag
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.ros.messages import COMMAND_LABELS
@@ -175,7 +176,7 @@ def test_controller_recording_and_manoeuvre_in_lockstep_end_with_the_manoeuvre(
     assert set(results) == {"simulator", "recorder", "active_roll_bar", "manoeuvre"}
     assert "6.000 s, complete" in results["manoeuvre"][1]
     assert results["recorder"][0] == 0
-    messages = launch_files.read_bag(bag)
+    messages = read_bag(bag)
     states = messages["/state"]
     assert [state.data[0] for state in states[-600:]] == pytest.approx(0.01 * np.arange(1, 601))
     assert {len(messages[f"/{topic.name}"]) for topic in STATE_SET} == {len(states)}

@@ -1,4 +1,4 @@
-"""Every topic, field, element and frame that the layouts name is there, and is what it is called."""
+"""What the layouts name is there, and is what it is called: topics, fields, elements, frames."""
 
 import json
 import re
@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 import launch_files
 import pytest
 import yaml
+from recordings import read_bag
 
 from vehicle_roll_sim import WHEELS, Simulation, preset
 from vehicle_roll_sim.ros.messages import COMMAND_LABELS
@@ -173,7 +174,7 @@ def recorded(new_domain, tmp_path_factory) -> dict[str, list]:
         given = {"lockstep": "true", "bag": str(folder / "bag")}
         results = launch_files.run("manoeuvre", new_domain(), **given)
     assert "rolled over" in results["manoeuvre"][1]
-    return launch_files.read_bag(folder / "bag")
+    return read_bag(folder / "bag")
 
 
 @pytest.mark.parametrize(("title", "series"), ALL)
