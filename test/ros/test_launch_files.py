@@ -1,6 +1,5 @@
 """Launch files: what they declare is documented, what they name is there, and they end."""
 
-import ast
 import importlib.util
 import itertools
 import os
@@ -16,12 +15,12 @@ from recordings import read_bag
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.ros.messages import COMMAND_LABELS
-from vehicle_roll_sim.ros.topics import COMMANDS, STATE_SET
+from vehicle_roll_sim.ros.topics import STATE_SET
 from vehicle_roll_sim.ros.urdf import robot_description
 
 ROOT = Path(__file__).parents[2]
 MANUAL = ROOT / "docs" / "launch.md"
-SCRIPTS = sorted((ROOT / "msg_examples").glob("*.py"))
+EXAMPLES = ROOT / "msg_examples"
 
 
 @pytest.fixture
@@ -79,29 +78,44 @@ def test_every_executable_of_the_package_that_is_started_is_installed(launching,
     assert set(own) <= set(entries)
 
 
-@pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
-def test_lockstep_waits_for_what_a_controller_commands(launching, script):
-    texts = {
-        node.value
-        for node in ast.walk(ast.parse(script.read_text()))
-        if isinstance(node, ast.Constant)
-    }
-    commanded = tuple(topic.name for topic in COMMANDS if topic.name in texts)
-    assert launching.CONTROLLERS[script.stem] == commanded
-    actions = actions_of("controller", controller=script.stem, lockstep="true")
+def test_lockstep_waits_for_what_a_controller_commands(launching):
+    actions = actions_of("controller", controller="active_roll_bar", lockstep="true")
     given = parameters_of(actions["simulator"].cmd)
-    assert given["lockstep_topics"] == f"[{', '.join(('steering_cmd', *commanded))}]"
-    assert Path(actions[script.stem].cmd[1]).samefile(script)
+    assert given["lockstep_topics"] == "[steering_cmd, normal_force_cmd]"
+    assert Path(actions["active_roll_bar"].cmd[1]).samefile(EXAMPLES / "active_roll_bar.py")
 
 
-def test_a_controller_of_ones_own_is_a_path_with_the_topics_that_it_commands(launching, tmp_path):
+@pytest.mark.parametrize("script", EXAMPLES.glob("*.py"), ids=lambda path: path.stem)
+def test_what_a_controller_answers_is_said_by_one_that_is_started_before_it(launching, script):
+    foreseeing = "rollover_prediction"
+    if f'"{foreseeing}"' in script.read_text() and script.stem != "rollover_warning":
+        given = {"controller": script.stem, "answers": "brake_torque_cmd"}
+        names = list(actions_of("controller", **given))
+        assert names.index("rollover_warning") < names.index(script.stem)
+
+
+MINE = """
+'Not the docstring: brake_torque_cmd and rear_steering_cmd.'
+COMMAND, WATCHED = "brake_torque_cmd", "tire_normal_forces"
+"""
+
+
+@pytest.mark.parametrize(
+    ("answers", "expected"), [("", "brake_torque_cmd"), ("speed_cmd", "speed_cmd")]
+)
+def test_a_controller_of_ones_own_is_a_path(launching, tmp_path, answers, expected):
     own = tmp_path / "mine.py"
-    given = {"controller": str(own), "answers": "brake_torque_cmd", "parameters": "gain:=2.0 on:=1"}
-    actions = actions_of("controller", lockstep="true", **given)
+    own.write_text(MINE)
+    given = {"controller": f"{own} active_roll_bar", "answers": answers}
+    actions = actions_of("controller", lockstep="true", parameters="gain:=2.0 on:=1", **given)
     assert actions["mine"].cmd[:2] == [sys.executable, str(own)]
     assert parameters_of(actions["mine"].cmd) == {"gain": "2.0", "on": "1"}
+    assert "active_roll_bar" in actions
     topics = parameters_of(actions["simulator"].cmd)["lockstep_topics"]
-    assert topics == "[steering_cmd, brake_torque_cmd]"
+    with_example = ["normal_force_cmd"] if not answers else []
+    assert sorted(topics.strip("[]").split(", ")) == sorted(
+        ["steering_cmd", expected, *with_example]
+    )
 
 
 def test_lockstep_waits_for_the_torques_of_a_manoeuvre_that_holds_its_speed(launching):
@@ -194,9 +208,13 @@ def test_a_launch_ends_when_its_simulator_does_not_start(launching, domain):
     assert "publish_rate" in err
 
 
-def test_what_cannot_be_driven_is_refused(launching):
-    with pytest.raises(RuntimeError, match="manoeuvre"):
-        actions_of("manoeuvre", manoeuvre="j_tum")
+@pytest.mark.parametrize(
+    ("given", "named"),
+    [({"manoeuvre": "j_tum"}, "j_turn"), ({"controller": "bar"}, "active_roll_bar")],
+)
+def test_what_is_not_there_is_refused_with_what_is(launching, given, named):
+    with pytest.raises((RuntimeError, ValueError), match=named):
+        actions_of("controller", **given)
 
 
 @pytest.mark.skipif(

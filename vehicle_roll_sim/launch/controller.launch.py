@@ -1,4 +1,4 @@
-"""A simulator, a controller and a manoeuvre, recorded; ends with the manoeuvre."""
+"""A simulator, controllers and a manoeuvre, recorded; ends with the manoeuvre."""
 
 from vehicle_roll_sim.ros import launching as start
 
@@ -7,7 +7,7 @@ def processes(given):
     return [
         start.simulator(given, start.answers_of(given)),
         *start.recording(given),
-        start.controller(given),
+        *start.controllers(given),
         start.manoeuvre(given),
     ]
 

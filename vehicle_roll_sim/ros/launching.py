@@ -1,5 +1,6 @@
 """What the launch files are made of: arguments, and the processes that they describe."""
 
+import ast
 import importlib.util
 import os
 import shlex
@@ -22,8 +23,9 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterValue
 
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
-from vehicle_roll_sim.ros.settings import PUBLISHED_IN_SETS
+from vehicle_roll_sim.ros.settings import COMMANDED, PUBLISHED_IN_SETS
 from vehicle_roll_sim.ros.urdf import robot_description
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
@@ -32,13 +34,8 @@ PACKAGE = "vehicle_roll_sim"
 DISCOVERY = "ROS_AUTOMATIC_DISCOVERY_RANGE"
 NEARBY = "LOCALHOST"
 """Nobody else's network, unless the environment says otherwise."""
-CONTROLLERS = {
-    "active_roll_bar": ("normal_force_cmd",),
-    "roll_braking": ("wheel_torque_cmd",),
-    "rear_steering": ("rear_steering_cmd",),
-    "rollover_warning": (),
-}
-"""The controllers of msg_examples, and what each commands."""
+NEEDED = {"roll_braking": ("rollover_warning",)}
+"""Controllers of msg_examples that answer what others say, which are started with them."""
 TEXTS = ("model", "vehicle_file", "frame_prefix")
 NUMBERS = ("publish_rate", "initial_speed", "real_time_factor")
 """Arguments that are parameters of the simulator."""
@@ -92,11 +89,14 @@ def controller_arguments() -> list:
     return [
         argument(
             "controller",
-            f"one of {', '.join(CONTROLLERS)}, or the path of a Python script",
-            next(iter(CONTROLLERS)),
+            "a script of msg_examples, or the path of your own; several with spaces between",
+            "active_roll_bar",
         ),
-        argument("parameters", "parameters of the controller, such as 'share:=0.7 smoothing:=0.1'"),
-        argument("answers", "topics that a controller of your own commands, for lockstep"),
+        argument("parameters", "of the controllers, such as 'share:=0.7 smoothing:=0.1'"),
+        argument(
+            "answers",
+            "topics they command, for lockstep; empty: those whose names are texts in the scripts",
+        ),
     ]
 
 
@@ -167,26 +167,47 @@ def manoeuvre(given: Mapping[str, str]) -> Node:
     return _node("manoeuvre", given, arguments=[given["manoeuvre"], *shlex.split(given["options"])])
 
 
-def controller(given: Mapping[str, str]) -> ExecuteProcess:
-    """A script, one of msg_examples unless a path is given, run by this Python."""
-    script = Path(given["controller"])
-    if given["controller"] in CONTROLLERS:
-        share = Path(get_package_share_directory(PACKAGE))
-        script = share / "msg_examples" / f"{given['controller']}.py"
+def controllers(given: Mapping[str, str]) -> list[ExecuteProcess]:
+    """Scripts that this Python runs, those first that others need."""
     words = ["--ros-args", "-r", f"__ns:=/{given['namespace'].strip('/')}"]
     for value in shlex.split(given["parameters"]):
         words += ["-p", value]
-    return ExecuteProcess(
-        cmd=[sys.executable, str(script), *words],
-        name=script.stem,
-        output="screen",
-        on_exit=ends_all(script.stem),
-    )
+    return [
+        ExecuteProcess(
+            cmd=[sys.executable, str(script), *words],
+            name=script.stem,
+            output="screen",
+            on_exit=ends_all(script.stem),
+        )
+        for script in _scripts(given)
+    ]
 
 
-def answers_of(given: Mapping[str, str]) -> tuple[str, ...]:
-    """What the controller commands."""
-    return tuple(given["answers"].split()) or CONTROLLERS.get(given["controller"], ())
+def _scripts(given: Mapping[str, str]) -> list[Path]:
+    names = []
+    for name in given["controller"].split():
+        names += [*NEEDED.get(name, ()), name]
+    return [_script(name) for name in dict.fromkeys(names)]
+
+
+def _script(name: str) -> Path:
+    examples = Path(get_package_share_directory(PACKAGE)) / "msg_examples"
+    for path in (examples / f"{name}.py", Path(name)):
+        if path.is_file():
+            return path
+    there = ", ".join(sorted(path.stem for path in examples.glob("*.py")))
+    raise InputError("controller", name, f"the path of a script, or one of {there}")
+
+
+def answers_of(given: Mapping[str, str]) -> list[str]:
+    """What the controllers command: topics that their scripts name, unless told."""
+    if given["answers"]:
+        return given["answers"].split()
+    named = set()
+    for script in _scripts(given):
+        tree = ast.parse(script.read_text(encoding="utf-8"))
+        named |= {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant)}
+    return [topic for topic in COMMANDED if topic in named]
 
 
 def recording(given: Mapping[str, str]) -> list[ExecuteProcess]:
