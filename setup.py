@@ -20,6 +20,8 @@ setup(
         (SHARE, ["package.xml"]),
         (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
         (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
+        (f"{SHARE}/launch", sorted(glob(f"{NAME}/launch/*.launch.py"))),
+        (f"{SHARE}/config", sorted(glob(f"{NAME}/config/*"))),
     ],
     install_requires=[
         "setuptools",

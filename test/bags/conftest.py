@@ -4,7 +4,7 @@ import itertools
 from pathlib import Path
 
 import pytest
-from recordings import record
+from recorded import record
 from rosbags.rosbag2 import Reader, StoragePlugin, Writer
 
 from vehicle_roll_sim.bags.encoding import TYPES

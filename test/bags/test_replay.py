@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from recordings import record
+from recorded import record
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
 from vehicle_roll_sim.bags.encoding import TYPES, decode

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 import yaml
-from recordings import PERIOD, PERIOD_NS, read_by_another_library, record
+from recorded import PERIOD, PERIOD_NS, read_by_another_library, record
 from rosbags.rosbag2 import Reader
 
 from vehicle_roll_sim import Command, InputError, Options, Simulation, preset

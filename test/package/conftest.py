@@ -20,9 +20,11 @@ def root() -> Path:
 
 @pytest.fixture(scope="session")
 def sources() -> dict[str, str]:
-    """Every Python file of the package: dotted name of the module, and its text."""
+    """Every module of the package: dotted name, and its text. Launch files are none."""
     modules = {}
     for path in sorted((ROOT / PACKAGE).rglob("*.py")):
+        if path.name.endswith(".launch.py"):
+            continue
         parts = path.relative_to(ROOT).with_suffix("").parts
         name = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
         modules[name] = path.read_text(encoding="utf-8")

@@ -17,6 +17,8 @@ MAY_IMPORT = {
 }
 EVERYONE_MAY_IMPORT = "declaration"
 MODEL_MAY_USE = {"numpy", "numba"}
+OF_ROS = {"rclpy", "launch", "launch_ros", "ament_index_python"}
+"""Beside the packages of messages, services and interfaces."""
 
 
 def imports_of(text: str) -> set[str]:
@@ -77,7 +79,7 @@ def test_the_model_is_mathematics_without_declarations_files_or_ros(sources, own
 def test_only_the_part_ros_imports_anything_of_ros_and_only_bags_their_library(sources):
     for name, text in sources.items():
         roots = {imported.partition(".")[0] for imported in imports_of(text)}
-        of_ros = {r for r in roots if r == "rclpy" or r.endswith(("_msgs", "_srvs", "_interfaces"))}
+        of_ros = {r for r in roots if r in OF_ROS or r.endswith(("_msgs", "_srvs", "_interfaces"))}
         assert not of_ros or is_within(name, f"{PACKAGE}.ros"), (name, of_ros)
         assert "rosbags" not in roots or is_within(name, f"{PACKAGE}.bags"), name
 

@@ -42,6 +42,18 @@ def test_presets_are_shared_as_files_for_users_to_copy(installed, root):
     assert shared == {file.name: file.read_bytes() for file in presets.iterdir()}
 
 
+@pytest.mark.parametrize("folder", ["launch", "config"])
+def test_launch_files_and_layouts_lie_where_ros2_launch_and_the_documentation_say(
+    installed, root, folder
+):
+    shared = {
+        file.name: file.read_bytes() for file in (installed / "share" / PACKAGE / folder).iterdir()
+    }
+    there = {file.name: file.read_bytes() for file in (root / PACKAGE / folder).glob("*.*")}
+    assert shared == there
+    assert len(there) >= 3
+
+
 def test_every_module_of_the_checkout_is_installed(site_packages, sources):
     installed = {
         ".".join(path.relative_to(site_packages).with_suffix("").parts).removesuffix(".__init__")

@@ -21,10 +21,16 @@ def local_discovery(monkeypatch, tmp_path):
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "ros_log"))
 
 
+@pytest.fixture(scope="session")
+def new_domain():
+    """new_domain(): a ROS domain that no other test of this run has at the same time."""
+    return lambda: next(_numbers) % LARGEST_DOMAIN + 1
+
+
 @pytest.fixture
-def domain():
-    """A ROS domain that no other test of this run has at the same time."""
-    return next(_numbers) % LARGEST_DOMAIN + 1
+def domain(new_domain):
+    """The ROS domain of a test."""
+    return new_domain()
 
 
 @pytest.fixture

@@ -4,8 +4,7 @@ import re
 import signal
 
 import pytest
-from mcap.reader import make_reader
-from mcap_ros2.decoder import DecoderFactory
+from recordings import read_bag
 
 from vehicle_roll_sim.command_line.main import main as offline
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED
@@ -69,16 +68,6 @@ def test_a_wrong_manoeuvre_ends_with_one_line_and_status_2(start, words, named):
     assert status == 2
     assert len(err.splitlines()) == 1
     assert named in err
-
-
-def read_bag(folder):
-    """Messages of a bag by topic, decoded by a library that did not write it."""
-    messages = {}
-    with next(folder.glob("*.mcap")).open("rb") as file:
-        reader = make_reader(file, decoder_factories=[DecoderFactory()])
-        for _, channel, _, message in reader.iter_decoded_messages():
-            messages.setdefault(channel.topic, []).append(message)
-    return messages
 
 
 def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp_path):

@@ -1,4 +1,4 @@
-"""A minimal robot description (URDF) from the parameters of a vehicle."""
+"""The robot description (URDF) of a vehicle, from its parameters: what RViz and Foxglove draw."""
 
 from xml.etree import ElementTree
 
@@ -10,12 +10,25 @@ WHEEL_WIDTH = 0.2
 """m, for the picture only."""
 BODY_CLEARANCE = 0.25
 """Height of the body's underside above ground (m), for the picture only."""
+SPOKE_WIDTH = 0.2
+"""Width of the bar by which a wheel is seen to spin, over the tire's radius."""
+PROUD = 0.01
+"""How far what is painted on a surface stands out of it (m)."""
 TRAVEL = 0.5
 """Limit of the suspension joints (m)."""
 LOCK = 1.6
 """Limit of the steering joints (rad)."""
 AXES = {"prismatic": "0 0 1", "revolute": "0 0 1", "continuous": "0 1 0"}
 HERE = (0.0, 0.0, 0.0)
+LYING = (1.5707963267948966, 0.0, 0.0)
+"""Attitude of a cylinder whose axis is the axle (rad)."""
+COLOURS = {
+    "paint": (0.15, 0.35, 0.7, 1.0),
+    "glass": (0.08, 0.1, 0.12, 1.0),
+    "rubber": (0.13, 0.13, 0.13, 1.0),
+    "spoke": (0.95, 0.75, 0.1, 1.0),
+}
+"""Red, green, blue and opacity of the materials."""
 
 
 def robot_description(simulation: Simulation) -> str:
@@ -27,41 +40,54 @@ def urdf(vehicle: Vehicle, has_suspension: bool = True) -> str:
     """URDF: base_link is the sprung c.g.; per wheel a suspension, a steering and a wheel joint.
 
     Suspension joints are prismatic along the body's z axis, 0 at rest, or fixed; the wheel is the
-    last link.
+    last link. Wheels have the unloaded radius: their centres are that much above the ground, less
+    the compression of the tire, which is negative once they have lifted.
     """
-    travel = ("prismatic", TRAVEL) if has_suspension else ("fixed", 0.0)
     robot = ElementTree.Element("robot", name="vehicle")
+    for name, colour in COLOURS.items():
+        material = ElementTree.SubElement(robot, "material", name=name)
+        ElementTree.SubElement(material, "color", rgba=_numbers(colour))
     _body(robot, vehicle)
     record = vehicle.record()[0]
+    travel = ("prismatic", TRAVEL) if has_suspension else ("fixed", 0.0)
     for i, wheel in enumerate(WHEELS):
         at_rest = (record.x[i], record.y[i], -record.static_strut_length[i])
         motion, limit = travel
         strut = _joint(robot, f"{wheel}_suspension", motion, "base_link", at_rest, limit)
         knuckle = _joint(robot, f"{wheel}_steering", "revolute", strut, HERE, LOCK)
         _joint(robot, f"{wheel}_wheel", "continuous", knuckle, HERE)
-        geometry = _visual(robot[-1], "0 0 0", "1.5707963267948966 0 0")
-        radius = f"{vehicle.tire_radius:.10g}"
-        ElementTree.SubElement(geometry, "cylinder", radius=radius, length=str(WHEEL_WIDTH))
+        _wheel(robot[-1], vehicle.tire_radius)
     ElementTree.indent(robot)
     return ElementTree.tostring(robot, encoding="unicode", xml_declaration=True)
 
 
 def _body(robot: ElementTree.Element, vehicle: Vehicle) -> None:
-    """A box from the underside to as far above the c.g., over the wheelbase and the track."""
+    """A box from the underside to as far above the c.g., over the wheelbase and the track.
+
+    The windscreen shows where the front is.
+    """
     link = ElementTree.SubElement(robot, "link", name="base_link")
-    middle = (vehicle.cg_to_front_axle - vehicle.cg_to_rear_axle) / 2
-    geometry = _visual(link, f"{middle:.10g} 0 0", "0 0 0")
-    length = vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle
+    front, rear = vehicle.cg_to_front_axle, vehicle.cg_to_rear_axle
+    length = front + rear
     width = max(vehicle.front_track, vehicle.rear_track) - WHEEL_WIDTH
     height = 2 * max(vehicle.cg_height - BODY_CLEARANCE, BODY_CLEARANCE)
-    ElementTree.SubElement(geometry, "box", size=f"{length:.10g} {width:.10g} {height:.10g}")
+    _box(link, "paint", (length, width, height), ((front - rear) / 2, 0.0, 0.0))
+    _box(link, "glass", (PROUD, 0.9 * width, 0.4 * height), (front, 0.0, 0.25 * height))
+
+
+def _wheel(link: ElementTree.Element, radius: float) -> None:
+    """A tire, and a spoke from the axle to the rim by which it is seen to spin."""
+    geometry = _visual(link, "rubber", HERE, LYING)
+    ElementTree.SubElement(geometry, "cylinder", radius=f"{radius:.10g}", length=str(WHEEL_WIDTH))
+    size = (SPOKE_WIDTH * radius, WHEEL_WIDTH + PROUD, 0.9 * radius)
+    _box(link, "spoke", size, (0.0, 0.0, size[2] / 2))
 
 
 def _joint(robot, name: str, motion: str, parent: str, origin, limit: float = 0.0) -> str:
     """Add a joint and the link behind it, the link last; returns the link's name."""
     joint = ElementTree.SubElement(robot, "joint", name=f"{name}_joint", type=motion)
     child = f"{name}_link"
-    ElementTree.SubElement(joint, "origin", xyz=" ".join(f"{x:.10g}" for x in origin))
+    ElementTree.SubElement(joint, "origin", xyz=_numbers(origin), rpy=_numbers(HERE))
     ElementTree.SubElement(joint, "parent", link=parent)
     ElementTree.SubElement(joint, "child", link=child)
     if motion in AXES:
@@ -74,8 +100,18 @@ def _joint(robot, name: str, motion: str, parent: str, origin, limit: float = 0.
     return child
 
 
-def _visual(link: ElementTree.Element, xyz: str, rpy: str) -> ElementTree.Element:
+def _box(link: ElementTree.Element, material: str, size, centre) -> None:
+    ElementTree.SubElement(_visual(link, material, centre, HERE), "box", size=_numbers(size))
+
+
+def _visual(link: ElementTree.Element, material: str, xyz, rpy) -> ElementTree.Element:
     """Add a visual to a link; returns its geometry element."""
     visual = ElementTree.SubElement(link, "visual")
-    ElementTree.SubElement(visual, "origin", xyz=xyz, rpy=rpy)
-    return ElementTree.SubElement(visual, "geometry")
+    ElementTree.SubElement(visual, "origin", xyz=_numbers(xyz), rpy=_numbers(rpy))
+    geometry = ElementTree.SubElement(visual, "geometry")
+    ElementTree.SubElement(visual, "material", name=material)
+    return geometry
+
+
+def _numbers(values) -> str:
+    return " ".join(f"{value:.10g}" for value in values)

@@ -1,0 +1,23 @@
+"""A simulator, controllers and a manoeuvre, recorded; ends with the manoeuvre."""
+
+from vehicle_roll_sim.ros import launching as start
+
+
+def processes(given):
+    return [
+        start.simulator(given, start.answers_of(given)),
+        *start.recording(given),
+        *start.controllers(given),
+        start.manoeuvre(given),
+    ]
+
+
+def generate_launch_description():
+    arguments = [
+        *start.controller_arguments(),
+        *start.manoeuvre_arguments(),
+        *start.recording_arguments(start.new_bag()),
+        *start.simulator_arguments(),
+        *start.name_arguments(),
+    ]
+    return start.launch_description(arguments, processes)

@@ -1,0 +1,17 @@
+"""A simulator and a manoeuvre, recorded if a bag is named; ends with the manoeuvre."""
+
+from vehicle_roll_sim.ros import launching as start
+
+
+def processes(given):
+    return [start.simulator(given), *start.recording(given), start.manoeuvre(given)]
+
+
+def generate_launch_description():
+    arguments = [
+        *start.manoeuvre_arguments(),
+        *start.recording_arguments(),
+        *start.simulator_arguments(),
+        *start.name_arguments(),
+    ]
+    return start.launch_description(arguments, processes)

@@ -1,0 +1,247 @@
+"""What the launch files are made of: arguments, and the processes that they describe."""
+
+import ast
+import importlib.util
+import os
+import shlex
+import shutil
+import sys
+import time
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import (
+    DeclareLaunchArgument,
+    ExecuteProcess,
+    OpaqueFunction,
+    SetEnvironmentVariable,
+    Shutdown,
+)
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.messages.urdf import urdf
+from vehicle_roll_sim.ros.settings import COMMANDED, PUBLISHED_IN_SETS
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
+
+PACKAGE = "vehicle_roll_sim"
+DISCOVERY = "ROS_AUTOMATIC_DISCOVERY_RANGE"
+NEARBY = "LOCALHOST"
+"""Nobody else's network, unless the environment says otherwise."""
+NEEDED = {"roll_braking": ("rollover_warning",)}
+"""Controllers of msg_examples that answer what others say, which are started with them."""
+TEXTS = ("model", "vehicle_file", "frame_prefix")
+NUMBERS = ("publish_rate", "initial_speed", "real_time_factor")
+"""Arguments that are parameters of the simulator."""
+TIME_TO_END = "10"
+"""Seconds that a process may take to end after SIGINT: a recorder has a bag to close."""
+YES, NO = "true", "false"
+
+
+def argument(name: str, description: str, default: str = "", choices: Iterable[str] = ()):
+    """A launch argument, as `--show-args` shows it."""
+    limited = {"choices": list(choices)} if choices else {}
+    return DeclareLaunchArgument(name, default_value=default, description=description, **limited)
+
+
+def simulator_arguments() -> list:
+    own = "; empty: the simulator's default"
+    return [
+        argument("vehicle_file", "vehicle file (YAML); empty: the reference vehicle"),
+        argument("model", "model of the vehicle, as in `vehicle_roll_sim run --model`" + own),
+        argument("initial_speed", "speed after a reset, m/s" + own),
+        argument("publish_rate", "sets published a second, Hz" + own),
+        argument("real_time_factor", "simulated over real time, 0: as fast as possible" + own),
+        argument("params_file", "parameter file (YAML) of the simulator; the other arguments win"),
+        argument("lockstep", "run a period for every answer, not by the clock", NO, (YES, NO)),
+        argument(
+            "discovery_range",
+            f"who is discovered: {DISCOVERY} of all nodes, unless set already {NEARBY}",
+            os.environ.get(DISCOVERY, NEARBY),
+        ),
+    ]
+
+
+def name_arguments() -> list:
+    return [
+        argument("namespace", "namespace of all nodes, for a second vehicle"),
+        argument("frame_prefix", "put before the frames in all messages"),
+    ]
+
+
+def manoeuvre_arguments() -> list:
+    options = argument("options", "options of the manoeuvre, such as '--amplitude 8 --speed 15'")
+    named = argument("manoeuvre", "what is driven; the launch ends with it", "j_turn", STANDARD)
+    return [named, options]
+
+
+def recording_arguments(default: str = "") -> list:
+    return [argument("bag", "folder of the bag, which must not exist; empty: none", default)]
+
+
+def controller_arguments() -> list:
+    return [
+        argument(
+            "controller",
+            "a script of msg_examples, or the path of your own; several with spaces between",
+            "active_roll_bar",
+        ),
+        argument("parameters", "of the controllers, such as 'share:=0.7 smoothing:=0.1'"),
+        argument(
+            "answers",
+            "topics they command, for lockstep; empty: those whose names are texts in the scripts",
+        ),
+    ]
+
+
+def picture_arguments() -> list:
+    return [argument("rviz", "whether RViz is started", YES, (YES, NO))]
+
+
+def new_bag() -> str:
+    return time.strftime("bag_%Y-%m-%d-%H%M%S")
+
+
+def launch_description(
+    arguments: list, processes: Callable[[Mapping[str, str]], list]
+) -> LaunchDescription:
+    """A launch file: its arguments, and `processes`, which is told their values."""
+
+    def start(context) -> list:
+        given = {a.name: LaunchConfiguration(a.name).perform(context) for a in arguments}
+        return [SetEnvironmentVariable(DISCOVERY, given["discovery_range"]), *processes(given)]
+
+    return LaunchDescription([*arguments, OpaqueFunction(function=start)])
+
+
+def ends_all(what: str) -> Shutdown:
+    return Shutdown(reason=f"{what} has ended")
+
+
+def simulator(given: Mapping[str, str], answers: Iterable[str] = ()) -> Node:
+    """The simulator; `answers` are the commands that lockstep waits for beside the manoeuvre's."""
+    words = ["--params-file", given["params_file"]] if given["params_file"] else []
+    values = {name: f'"{given[name]}"' for name in TEXTS if given.get(name)}
+    values |= {name: given[name] for name in NUMBERS if given[name]}
+    if given["lockstep"] == YES:
+        topics = dict.fromkeys((*_commanded_by_manoeuvre(given), *answers))
+        listened = PUBLISHED_IN_SETS if given.get("bag") else ("state",)
+        values |= {
+            "mode": "lockstep",
+            "lockstep_topics": f"[{', '.join(topics)}]",
+            "lockstep_wait": f"[{', '.join(listened)}]",
+        }
+    for name, value in values.items():
+        words += ["-p", f"{name}:={value}"]
+    return _node("simulator", given, ros_arguments=words)
+
+
+def _commanded_by_manoeuvre(given: Mapping[str, str]) -> tuple[str, ...]:
+    """Steering, and torques where the speed is held."""
+    name = given.get("manoeuvre", "")
+    holds = name and (STANDARD[name].speed_hold or "--speed-hold" in given["options"])
+    return ("steering_cmd", "wheel_torque_cmd") if holds else ("steering_cmd",)
+
+
+def _node(executable: str, given: Mapping[str, str], **more) -> Node:
+    """A node of this package, with which the launch ends."""
+    return Node(
+        package=PACKAGE,
+        executable=executable,
+        namespace=given.get("namespace", ""),
+        output="screen",
+        sigterm_timeout=TIME_TO_END,
+        on_exit=ends_all(executable),
+        **more,
+    )
+
+
+def manoeuvre(given: Mapping[str, str]) -> Node:
+    """What drives the vehicle."""
+    return _node("manoeuvre", given, arguments=[given["manoeuvre"], *shlex.split(given["options"])])
+
+
+def controllers(given: Mapping[str, str]) -> list[ExecuteProcess]:
+    """Scripts that this Python runs, those first that others need."""
+    words = ["--ros-args", "-r", f"__ns:=/{given['namespace'].strip('/')}"]
+    for value in shlex.split(given["parameters"]):
+        words += ["-p", value]
+    return [
+        ExecuteProcess(
+            cmd=[sys.executable, str(script), *words],
+            name=script.stem,
+            output="screen",
+            on_exit=ends_all(script.stem),
+        )
+        for script in _scripts(given)
+    ]
+
+
+def _scripts(given: Mapping[str, str]) -> list[Path]:
+    names = []
+    for name in given["controller"].split():
+        names += [*NEEDED.get(name, ()), name]
+    return [_script(name) for name in dict.fromkeys(names)]
+
+
+def _script(name: str) -> Path:
+    examples = Path(get_package_share_directory(PACKAGE)) / "msg_examples"
+    for path in (examples / f"{name}.py", Path(name)):
+        if path.is_file():
+            return path
+    there = ", ".join(sorted(path.stem for path in examples.glob("*.py")))
+    raise InputError("controller", name, f"the path of a script, or one of {there}")
+
+
+def answers_of(given: Mapping[str, str]) -> list[str]:
+    """What the controllers command: topics that their scripts name, unless told."""
+    if given["answers"]:
+        return given["answers"].split()
+    named = set()
+    for script in _scripts(given):
+        tree = ast.parse(script.read_text(encoding="utf-8"))
+        named |= {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant)}
+    return [topic for topic in COMMANDED if topic in named]
+
+
+def recording(given: Mapping[str, str]) -> list[ExecuteProcess]:
+    """What records, if anything does: `ros2 bag record` where it is installed, else `recorder`."""
+    if not given["bag"]:
+        return []
+    if shutil.which("ros2") is None or importlib.util.find_spec("ros2bag") is None:
+        return [_node("recorder", given, arguments=["--output", given["bag"]])]
+    command = ["ros2", "bag", "record", "--all", "--storage", "mcap", "--output", given["bag"]]
+    ending = {"sigterm_timeout": TIME_TO_END, "on_exit": ends_all("ros2 bag record")}
+    return [ExecuteProcess(cmd=command, output="screen", **ending)]
+
+
+def pictures(given: Mapping[str, str]) -> list[Node]:
+    """robot_state_publisher, which moves the wheels, and RViz if it is wanted."""
+    vehicle = load_vehicle(given["vehicle_file"]) if given["vehicle_file"] else preset()
+    options = Options(model=given["model"] or Options().model)
+    simulated = given["lockstep"] == YES or float(given["real_time_factor"] or 1.0) != 1.0
+    clock = {"use_sim_time": simulated}
+    text = urdf(vehicle, not options.has_eight_dof)
+    wheels = Node(
+        package="robot_state_publisher",
+        executable="robot_state_publisher",
+        parameters=[{"robot_description": ParameterValue(text, value_type=str)} | clock],
+        remappings=[("robot_description", "robot_state_publisher/robot_description")],
+    )
+    if given["rviz"] != YES:
+        return [wheels]
+    shown = Path(get_package_share_directory(PACKAGE)) / "config" / "vehicle.rviz"
+    rviz = Node(
+        package="rviz2",
+        executable="rviz2",
+        arguments=["-d", str(shown)],
+        parameters=[clock],
+        on_exit=ends_all("RViz"),
+    )
+    return [wheels, rviz]
