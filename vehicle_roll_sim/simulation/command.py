@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.records import COMMAND, WHEELS
+from vehicle_roll_sim.model.records import COMMAND, LR, WHEELS
 
 NO_FORCE = (0.0,) * len(WHEELS)
 
@@ -81,3 +81,17 @@ def command_at(driver: Programme | Feedback, time: float, state) -> np.ndarray:
     if isinstance(driver, Feedback):
         return driver.command(time, state)
     return driver(np.array([time]))
+
+
+def held_command(driver: Programme | Feedback, time: float, state) -> np.ndarray:
+    """The COMMAND record, in an array, for a whole period that begins at `time` (s) in `state`.
+
+    The torque that holds the speed is that of the beginning, as a command of wheel torques.
+    """
+    command = command_at(driver, time, state).copy()
+    gain = command["speed_hold_gain"]
+    if gain.any():
+        missing = command["speed_hold_target"] - state["u"]
+        command["wheel_torque"][:, LR:] += (gain * missing)[:, np.newaxis]
+        command["speed_hold_gain"] = 0.0
+    return command

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.simulation.command import Feedback, Programme, command_at
+from vehicle_roll_sim.simulation.command import Feedback, Programme, held_command
 from vehicle_roll_sim.simulation.history import History, row_of
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
 
@@ -55,7 +55,7 @@ def run(
 
 def hold(driver: Programme | Feedback, time: float, state=None) -> Programme:
     """The command of `driver` at `time` (s) in that state, held for ever."""
-    command = command_at(driver, time, state)
+    command = held_command(driver, time, state)
     return lambda times: command
 
 
