@@ -1,48 +1,41 @@
 #!/usr/bin/env python3
-"""A controller to start from: active forces in the suspension carry part of the load transfer.
+"""A controller to start from: active roll bars carry part of what rolls the body, and damp it.
 
-Reads `tire_normal_forces`, answers with `normal_force_cmd`. On each axle the outer corner is
-pushed up and the inner one pulled down, so that the body rolls less.
+Answers `imu` with `normal_force_cmd`. The body's roll moment is m h ay, with the lateral specific
+force ay, gravity's share in a rolled body included, and m h the sprung mass times the height of its
+c.g. above the roll axis. Of it, and against the roll rate p, the bars carry
+
+    M = share m h ay + damping p,
+
+as a pair of opposite forces on each axle: M / track, `front_share` of it in front. That more of it
+is in front than the springs have there makes the vehicle understeer.
 """
 
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
+from controller import Controller, run
+from sensor_msgs.msg import Imu
 from std_msgs.msg import Float64MultiArray
 
-AXLES = ((0, 1), (2, 3))
-"""Left and right wheel of each axle in the order lf, rf, lr, rr."""
 
-
-class ActiveRollBar(Node):
+class ActiveRollBar(Controller):
     def __init__(self):
-        super().__init__("active_roll_bar")
-        self.share = self.declare_parameter("share", 0.5).value  # of the load transfer, 0 to 0.8
-        self.smoothing = self.declare_parameter("smoothing", 0.2).value  # weight of a new value
-        self.largest = self.declare_parameter("largest_force", 4000.0).value  # N
-        self.transfer = [0.0, 0.0]
-        self.command = self.create_publisher(Float64MultiArray, "normal_force_cmd", 1)
-        self.create_subscription(Float64MultiArray, "tire_normal_forces", self.answer, 1)
+        super().__init__("active_roll_bar", ("imu", Imu), ("normal_force_cmd", Float64MultiArray))
+        self.share = self.parameter("share", 0.7)  # of the roll moment, below 1
+        self.moment = self.parameter("moment", 900.0)  # m h, kg m
+        self.damping = self.parameter("damping", 4000.0)  # N m s/rad
+        self.front_share = self.parameter("front_share", 0.6)
+        self.track = self.parameter("track", 1.5)  # m
+        self.largest = self.parameter("largest_force", 3000.0)  # N, at a corner
 
-    def answer(self, loads: Float64MultiArray) -> None:
-        forces = [0.0] * 4
-        for axle, (left, right) in enumerate(AXLES):
-            measured = (loads.data[right] - loads.data[left]) / 2
-            self.transfer[axle] += self.smoothing * (measured - self.transfer[axle])
-            force = max(-self.largest, min(self.largest, self.share * self.transfer[axle]))
-            forces[left], forces[right] = -force, force
-        self.command.publish(Float64MultiArray(data=forces))
+    def answer(self, imu: Imu) -> list[float]:
+        moment = self.share * self.moment * imu.linear_acceleration.y
+        moment += self.damping * imu.angular_velocity.x
+        front = self.limited(self.front_share * moment / self.track)
+        rear = self.limited((1 - self.front_share) * moment / self.track)
+        return [-front, front, -rear, rear]
 
-
-def main() -> None:
-    rclpy.init()
-    try:
-        rclpy.spin(ActiveRollBar())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
+    def limited(self, force: float) -> float:
+        return max(-self.largest, min(self.largest, force))
 
 
 if __name__ == "__main__":
-    main()
+    run(ActiveRollBar)

@@ -1,47 +1,41 @@
 #!/usr/bin/env python3
-"""A controller to start from: brake the outer front wheel before the inner wheels lift.
+"""A controller to start from: brake the outer front wheel when a rollover is foreseen.
 
-Reads `tire_normal_forces`, answers with `wheel_torque_cmd`. Beyond a threshold of the load
-transfer ratio the outer front wheel is slowed down: the vehicle turns out of the bend.
+Answers `rollover_prediction`, which rollover_warning.py gives, with `brake_torque_cmd`. The brake
+comes on with the predicted load transfer ratio beyond a threshold, and fully when the inner wheels
+would lift within `full_braking_time`. The braked tire has less side force left, its drag turns the
+vehicle out of the bend, and the speed falls: all three make the lateral acceleration less.
 """
 
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
+from controller import Controller, run
 from std_msgs.msg import Float64MultiArray
 
-LF, RF, LR, RR = range(4)
+LF, RF = 0, 1
+RATIO, TIME_TO_ROLLOVER = 2, 3
+"""Places in `rollover_prediction`."""
 
 
-class RollBraking(Node):
+class RollBraking(Controller):
     def __init__(self):
-        super().__init__("roll_braking")
-        self.threshold = self.declare_parameter("threshold", 0.6).value  # load transfer ratio
-        self.gain = self.declare_parameter("gain", 8000.0).value  # N m per unit beyond it
-        self.largest = self.declare_parameter("largest_torque", 2500.0).value  # N m
-        self.command = self.create_publisher(Float64MultiArray, "wheel_torque_cmd", 1)
-        self.create_subscription(Float64MultiArray, "tire_normal_forces", self.answer, 1)
+        super().__init__(
+            "roll_braking",
+            ("rollover_prediction", Float64MultiArray),
+            ("brake_torque_cmd", Float64MultiArray),
+        )
+        self.threshold = self.parameter("threshold", 0.8)  # predicted load transfer ratio
+        self.gain = self.parameter("gain", 8000.0)  # N m per unit beyond it
+        self.largest = self.parameter("largest_torque", 2000.0)  # N m
+        self.full_braking_time = self.parameter("full_braking_time", 0.3)  # s
 
-    def answer(self, loads: Float64MultiArray) -> None:
-        left, right = loads.data[LF] + loads.data[LR], loads.data[RF] + loads.data[RR]
-        if left + right <= 0.0:
-            return
-        ratio = (right - left) / (left + right)
+    def answer(self, prediction: Float64MultiArray) -> list[float]:
+        ratio = prediction.data[RATIO]
         torque = min(self.largest, max(0.0, self.gain * (abs(ratio) - self.threshold)))
+        if prediction.data[TIME_TO_ROLLOVER] <= self.full_braking_time:
+            torque = self.largest
         torques = [0.0] * 4
-        torques[RF if ratio > 0.0 else LF] = -torque
-        self.command.publish(Float64MultiArray(data=torques))
-
-
-def main() -> None:
-    rclpy.init()
-    try:
-        rclpy.spin(RollBraking())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
+        torques[RF if ratio > 0.0 else LF] = torque
+        return torques
 
 
 if __name__ == "__main__":
-    main()
+    run(RollBraking)

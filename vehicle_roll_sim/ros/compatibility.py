@@ -4,6 +4,7 @@ The middleware would tell, by events that every wait of the node had to watch.
 """
 
 from rclpy.node import Node
+from rclpy.publisher import Publisher
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
@@ -28,6 +29,14 @@ def incompatible_partners(node: Node) -> list[str]:
                 elif reason and _is_of(node, listener):
                     misfits.append(f"{topic}: the publisher of {publisher.node_name}: {reason}")
     return misfits
+
+
+def fitting_listeners(node: Node, publisher: Publisher) -> int:
+    """How many subscriptions there are, as far as is known, that a publisher of `node` fits."""
+    topic = publisher.topic_name
+    own = [each for each in node.get_publishers_info_by_topic(topic) if _is_of(node, each)]
+    listeners = node.get_subscriptions_info_by_topic(topic)
+    return sum(not any(_mismatch(each, listener) for each in own) for listener in listeners)
 
 
 def _is_of(node: Node, endpoint: TopicEndpointInfo) -> bool:

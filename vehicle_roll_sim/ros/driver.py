@@ -1,0 +1,188 @@
+"""The node that drives a running simulator through a manoeuvre, in real time or in lockstep."""
+
+import math
+import time
+from collections.abc import Iterable
+
+from rclpy.node import Node
+from rclpy.publisher import Publisher
+from std_msgs.msg import Float64, Float64MultiArray
+
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.manoeuvres.manoeuvre import Manoeuvre
+from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
+from vehicle_roll_sim.ros.collector import Collector
+from vehicle_roll_sim.ros.compatibility import UNNAMED, fitting_listeners
+from vehicle_roll_sim.ros.lockstep import SETTLING
+from vehicle_roll_sim.ros.settings import LOCKSTEP
+from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
+from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
+from vehicle_roll_sim.ros.topics import COMMANDING
+from vehicle_roll_sim.simulation.command import command_at
+from vehicle_roll_sim.simulation.simulation import compile_model
+
+STEERING, TORQUE = "steering_cmd", "wheel_torque_cmd"
+ROUNDING = 1e-9
+"""s"""
+DISCOVERY = 3.5
+"""Wall seconds until all nodes should be known: usually at once, else with their next announcement,
+which the middleware sends every 3 s."""
+STANDING_STILL = 3
+"""States without progress after which the simulator has stopped."""
+
+
+class Driver(Node):
+    """Plays a manoeuvre: answers every state with the commands for the period that begins there.
+
+    It commands nothing before its reset. In lockstep its publishers, which the simulator may be
+    waiting for to begin, are made after the reset, so that the set of time 0 comes once.
+    """
+
+    def __init__(self, manoeuvre: Manoeuvre, simulator: str):
+        super().__init__("manoeuvre")
+        self.manoeuvre = manoeuvre
+        self._commands: dict[str, Publisher] = {}
+        self.collector = Collector(self, self._on_state)
+        self._simulator = SimulatorClient(self, simulator)
+        self._forget()
+
+    def _forget(self) -> None:
+        self.collector.forget()
+        self._time, self._still, self._states = -1.0, 0, 0
+        self.state, self.sent = None, {}
+        self.driver = self.manoeuvre.driver()
+        self.finished = self.disturbed = self._driving = False
+
+    def prepare(self) -> None:
+        """Set the speed, connect, reset; raises NoAnswerError, or InputError if it cannot drive."""
+        simulator = self._simulator
+        names = ["rollover_angle", "steady_state_slip", "mode", "lockstep_topics"]
+        self.rollover_angle, steady, mode, awaited = simulator.get(names)
+        self._slowest = MINIMUM_SPEED if steady else -math.inf
+        self._awaited = awaited if mode == LOCKSTEP else []
+        if mode == LOCKSTEP:
+            self._check_awaited()
+        if self.manoeuvre.needs_vehicle:
+            compile_model()
+            self.manoeuvre = self.manoeuvre.for_vehicle(*simulated_vehicle(simulator.get))
+        simulator.set("initial_speed", self.manoeuvre.speed)
+        simulator.wait(self._hears, "a connection to its topics")
+        if mode == LOCKSTEP:
+            commanded = self._answered()
+            self._refuse_others(commanded)
+            simulator.reset(before=self._forget)
+            self._connect(commanded)
+        else:
+            self._connect(self._needed)
+            simulator.reset(before=self._forget)
+
+    @property
+    def _needed(self) -> list[str]:
+        """What the manoeuvre commands."""
+        return [STEERING, TORQUE] if self.manoeuvre.speed_hold else [STEERING]
+
+    def _check_awaited(self) -> None:
+        """Raise InputError unless lockstep waits for all that the manoeuvre commands."""
+        missing = [name for name in self._needed if name not in self._awaited]
+        if not missing:
+            return
+        wanted = [*self._awaited, *missing]
+        allowed = f"start the simulator with -p lockstep_topics:=[{', '.join(wanted)}]"
+        if missing == [TORQUE]:
+            allowed += ", or drive with --speed-hold 0"
+        problem = f"without {' and '.join(missing)}, which the manoeuvre commands"
+        raise InputError("lockstep_topics", "", allowed, problem)
+
+    def _answered(self) -> list[str]:
+        """What it commands in lockstep: torques, if need be 0, also where nobody else does."""
+        if self.manoeuvre.speed_hold or TORQUE not in self._awaited:
+            return self._needed
+        until = time.monotonic() + DISCOVERY
+        while not (is_theirs := self.count_publishers(TORQUE)) and time.monotonic() < until:
+            self._simulator.linger(SETTLING)
+        return self._needed if is_theirs else [STEERING, TORQUE]
+
+    def _refuse_others(self, topics: Iterable[str]) -> None:
+        """Raise InputError if another node is known to command one of `topics`."""
+        for name in topics:
+            if self.count_publishers(name) <= (name in self._commands):
+                continue
+            self._simulator.linger(SETTLING)  # its name may be found a little later
+            found = self.get_publishers_info_by_topic(self.resolve_topic_name(name))
+            others = sorted({each.node_name for each in found} - {self.get_name(), UNNAMED})
+            allowed = "in lockstep the manoeuvre alone may; end the other node"
+            if name == TORQUE:
+                allowed += ", or drive with --speed-hold 0"
+            problem = f"{', '.join(others) or 'another node'} commands it already"
+            raise InputError(name, "", allowed, problem)
+
+    def _connect(self, topics: list[str]) -> None:
+        """Make the publishers and wait until all who listen are matched."""
+        kinds = {STEERING: Float64, TORQUE: Float64MultiArray}
+        for name in topics:
+            self._commands[name] = self.create_publisher(kinds[name], name, COMMANDING)
+        self._simulator.wait(self._is_heard, "a connection to its topics")
+        self._simulator.linger(SETTLING)  # they may find us a little later
+
+    def _hears(self) -> bool:
+        return all(each.get_publisher_count() for each in self.collector.subscriptions)
+
+    def _is_heard(self) -> bool:
+        """Whether everybody known to listen to a command is matched, and somebody is."""
+        return all(
+            publisher.get_subscription_count() >= max(1, fitting_listeners(self, publisher))
+            for publisher in self._commands.values()
+        )
+
+    def play(self) -> None:
+        """Drive to the end, or until the simulator stops; raises what `prepare` does."""
+        self._driving = True
+        if self.state is not None:
+            self._answer()
+        while not self.finished:
+            seen = self._states
+            self._simulator.wait(lambda: self._states > seen, self._missing())  # noqa: B023
+            if self._awaited:
+                self._refuse_others(self._commands)  # found late: see DISCOVERY
+            if self.disturbed:
+                raise NoAnswerError(f"`{self._simulator.name}` was reset by somebody else")
+        self._simulator.wait(self.collector.is_complete, "the rest of its last set")
+
+    def _missing(self) -> str:
+        """What keeps the next state away."""
+        silent = [name for name in self._awaited if not self.count_publishers(name)]
+        if silent:
+            return f"its next state, in lockstep: nobody publishes {', '.join(silent)}"
+        return "its next state (is it paused?)"
+
+    def _on_state(self, state: dict) -> None:
+        now = state["time"]
+        is_again = now == self._time
+        self.disturbed = self.disturbed or now < self._time
+        self.state, self._time = state, now
+        self._states += 1
+        self._still = self._still + 1 if is_again else 0
+        if self._driving and not (is_again and now == 0.0):  # a reset that was asked for twice
+            self._answer()
+
+    def _answer(self) -> None:
+        if self._time >= self.manoeuvre.duration - ROUNDING or self._still >= STANDING_STILL:
+            self.finished = True
+        else:
+            self._command(self._time)
+
+    def _command(self, when: float) -> None:
+        command = command_at(self.driver, when, self.state)
+        self.sent[when] = command.steering
+        self._commands[STEERING].publish(Float64(data=command.steering))
+        if TORQUE in self._commands:
+            self._commands[TORQUE].publish(Float64MultiArray(data=command.wheel_torque))
+
+    @property
+    def condition(self) -> Condition:
+        """How the run ended, as far as the last state shows it."""
+        if abs(self.state["roll"]) >= self.rollover_angle:
+            return Condition.ROLLED_OVER
+        if self._time >= self.manoeuvre.duration - ROUNDING:
+            return Condition.RUNNING
+        return Condition.TOO_SLOW if self.state["u"] < self._slowest else Condition.DIVERGED
