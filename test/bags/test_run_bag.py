@@ -126,7 +126,7 @@ def test_a_run_that_is_broken_off_leaves_nothing(tmp_path):
         raise KeyboardInterrupt
 
     def interrupted():
-        with run_bag(simulation, tmp_path / "bag", PERIOD_NS, "--bag") as witness:
+        with run_bag(simulation, ("steering",), tmp_path / "bag", PERIOD_NS, "--bag") as witness:
             run(simulation, STANDARD["j_turn"], 1.0, witness=witness, progress=interrupt)
 
     with pytest.raises(KeyboardInterrupt):
@@ -138,7 +138,7 @@ def test_what_is_there_already_is_left_alone(tmp_path):
     (tmp_path / "bag").mkdir()
     with (
         pytest.raises(InputError, match="does not exist yet"),
-        run_bag(Simulation(preset()), tmp_path / "bag", PERIOD_NS, "--bag"),
+        run_bag(Simulation(preset()), ("steering",), tmp_path / "bag", PERIOD_NS, "--bag"),
     ):
         pass
     assert list((tmp_path / "bag").iterdir()) == []

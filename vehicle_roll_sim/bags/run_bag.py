@@ -1,7 +1,7 @@
 """The bag of an offline run: what a recording of the node would have been."""
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from vehicle_roll_sim.bags.encoding import encode
@@ -24,27 +24,27 @@ from vehicle_roll_sim.simulation.command_inbox import channels
 from vehicle_roll_sim.simulation.description import describe
 from vehicle_roll_sim.simulation.simulation import Simulation
 
-STEERING_COMMAND = COMMANDS[0]
-
 
 @contextlib.contextmanager
-def run_bag(simulation: Simulation, folder: Path, period_ns: int, field: str) -> Iterator["RunBag"]:
+def run_bag(
+    simulation: Simulation, commanded: Iterable[str], folder: Path, period_ns: int, field: str
+) -> Iterator["RunBag"]:
     """The witness of a run whose commands are held for `period_ns`; its bag is whole in the end.
 
     Raises InputError naming `field` if it cannot be written.
     """
     with whole_bag(folder, field) as bag:
-        yield RunBag(simulation, bag, period_ns)
+        yield RunBag(simulation, commanded, bag, period_ns)
 
 
 class RunBag:
     """Witness of a run that writes every set into a bag, stamped and logged in simulated time.
 
-    It has the topics of a recording, and on command topics what each period was driven with: the
-    steering, and the others from their first value that is not 0. Diagnostics stay empty.
+    It has the topics of a recording, with what each period was driven with on those of the
+    `commanded` fields of a Command. Diagnostics stay empty.
     """
 
-    def __init__(self, simulation: Simulation, bag: Bag, period_ns: int):
+    def __init__(self, simulation: Simulation, commanded: Iterable[str], bag: Bag, period_ns: int):
         self._simulation, self._bag = simulation, bag
         self._connections = {
             topic.name: bag.add_topic(topic, "/" + topic.name.lstrip("/"))
@@ -55,7 +55,8 @@ class RunBag:
         self._set = [
             (topic.name, messages.builder(topic.name)) for topic in (CLOCK, *STATE_SET, TRANSFORMS)
         ]
-        self._channels, self._commanded = channels(), {STEERING_COMMAND.name}
+        fields = set(commanded)
+        self._commands = {name: c.field for name, c in channels().items() if c.field in fields}
         self._rolled_over = None
         description = describe(simulation, period_ns)
         bag.describe(description)
@@ -73,12 +74,8 @@ class RunBag:
 
     def sees_command(self, command: Command) -> None:
         self._messages.applied = command
-        for name, channel in self._channels.items():
-            value = getattr(command, channel.field, 0.0)
-            if value not in (0.0, (0.0,) * channel.size):
-                self._commanded.add(name)
-            if name in self._commanded:
-                self._write(name, {"data": value})
+        for name, field in self._commands.items():
+            self._write(name, {"data": getattr(command, field)})
 
     def _write(self, name: str, fields: dict) -> None:
         data = encode(self._types[name], fields)

@@ -77,7 +77,8 @@ def run_command(words: list[str], program: str) -> int:
     manoeuvre = manoeuvre.for_vehicle(simulation.vehicle, simulation.options)
     driver = manoeuvre.driver()
     simulation.reset(manoeuvre.speed)
-    with _recorded(simulation, bag, sampling.command_period or HELD_PERIOD) as witness:
+    period = sampling.command_period or HELD_PERIOD
+    with _recorded(simulation, manoeuvre.commanded, bag, period) as witness:
         history = _run_with_progress(simulation, driver, manoeuvre.duration, sampling, witness)
     if csv:
         history.write_csv(csv)
@@ -142,14 +143,14 @@ def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
 
 
 def _recorded(
-    simulation: Simulation, bag: Path | None, period: float
+    simulation: Simulation, commanded: tuple[str, ...], bag: Path | None, period: float
 ) -> AbstractContextManager[Witness | None]:
     """The witness that writes the bag, if there is to be one."""
     if bag is None:
         return nullcontext()
     from vehicle_roll_sim.bags.run_bag import run_bag  # its library is optional
 
-    return run_bag(simulation, bag, round(period * NANOSECONDS), "--bag")
+    return run_bag(simulation, commanded, bag, round(period * NANOSECONDS), "--bag")
 
 
 def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:

@@ -39,6 +39,11 @@ class Manoeuvre(abc.ABC):
     throttle_dropped = math.inf
     """Time (s) from which on the speed is not held any more."""
 
+    @property
+    def commanded(self) -> tuple[str, ...]:
+        """Fields of a Command that it has a say in: steering, and what holds the speed."""
+        return ("steering", "wheel_torque") if self.speed_hold else ("steering",)
+
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "Manoeuvre":
         """The manoeuvre with what depends on the vehicle and its model filled in."""
         return self

@@ -33,6 +33,10 @@ class CommandTable(OpenLoop):
     times: np.ndarray
     columns: dict[str, np.ndarray]
 
+    @property
+    def commanded(self) -> tuple[str, ...]:
+        return (*super().commanded, *(COLUMNS[name][0] for name in self.columns))
+
     def drive(self, times: np.ndarray, commands: np.ndarray) -> None:
         for name, values in self.columns.items():
             field, wheel = COLUMNS[name]

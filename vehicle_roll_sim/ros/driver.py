@@ -19,9 +19,11 @@ from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
 from vehicle_roll_sim.ros.topics import COMMANDING
 from vehicle_roll_sim.simulation.command import command_at
+from vehicle_roll_sim.simulation.command_inbox import channels
 from vehicle_roll_sim.simulation.simulation import compile_model
 
 STEERING, TORQUE = "steering_cmd", "wheel_torque_cmd"
+FIELDS = {name: channel.field for name, channel in channels().items()}
 ROUNDING = 1e-9
 """s"""
 DISCOVERY = 3.5
@@ -79,7 +81,7 @@ class Driver(Node):
     @property
     def _needed(self) -> list[str]:
         """What the manoeuvre commands."""
-        return [STEERING, TORQUE] if self.manoeuvre.speed_hold else [STEERING]
+        return [name for name in (STEERING, TORQUE) if FIELDS[name] in self.manoeuvre.commanded]
 
     def _check_awaited(self) -> None:
         """Raise InputError unless lockstep waits for all that the manoeuvre commands."""
@@ -95,7 +97,7 @@ class Driver(Node):
 
     def _answered(self) -> list[str]:
         """What it commands in lockstep: torques, if need be 0, also where nobody else does."""
-        if self.manoeuvre.speed_hold or TORQUE not in self._awaited:
+        if TORQUE in self._needed or TORQUE not in self._awaited:
             return self._needed
         until = time.monotonic() + DISCOVERY
         while not (is_theirs := self.count_publishers(TORQUE)) and time.monotonic() < until:
