@@ -1,11 +1,13 @@
 """What the main functions of all nodes share: start, spin, end without a traceback."""
 
 import argparse
-from collections.abc import Callable
+import contextlib
+from collections.abc import Callable, Iterator
 
 import rclpy
 from rclpy.exceptions import NameValidationException
 from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
 from rclpy.utilities import remove_ros_args
 
 from vehicle_roll_sim.arguments import exit_status
@@ -33,9 +35,19 @@ def node_main(
         except (KeyboardInterrupt, ExternalShutdownException):
             return 0
         finally:
-            rclpy.try_shutdown()
+            with contextlib.suppress(RuntimeError):  # a signal is shutting down just now
+                rclpy.try_shutdown()
 
     return exit_status(command, parser.prog)
+
+
+@contextlib.contextmanager
+def living(node: Node) -> Iterator[Node]:
+    """A node that is destroyed in the end, before what it stands on is."""
+    try:
+        yield node
+    finally:
+        node.destroy_node()
 
 
 def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespace) -> int:

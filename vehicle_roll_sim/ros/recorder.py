@@ -13,7 +13,7 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
-from vehicle_roll_sim.ros.process import node_main
+from vehicle_roll_sim.ros.process import living, node_main
 from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
 
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
@@ -53,12 +53,13 @@ def record(folder: Path, duration: float | None) -> int:
 
     bag = Bag(folder, "--output")
     try:
-        executor = SingleThreadedExecutor()
-        executor.add_node(Recorder(bag))
-        print(f"recorder: recording to {folder}", flush=True)
-        until = time.monotonic() + duration if duration else float("inf")
-        while (left := until - time.monotonic()) > 0.0:
-            executor.spin_once(timeout_sec=min(1.0, left))
+        with living(Recorder(bag)) as node:
+            executor = SingleThreadedExecutor()
+            executor.add_node(node)
+            print(f"recorder: recording to {folder}", flush=True)
+            until = time.monotonic() + duration if duration else float("inf")
+            while (left := until - time.monotonic()) > 0.0:
+                executor.spin_once(timeout_sec=min(1.0, left))
     finally:
         bag.close()
         print(f"recorder: {bag.message_count} messages in {folder}", flush=True)

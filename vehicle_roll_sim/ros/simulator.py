@@ -18,7 +18,7 @@ from vehicle_roll_sim.model import jit
 from vehicle_roll_sim.ros import parameters
 from vehicle_roll_sim.ros.diagnostics import Reporter
 from vehicle_roll_sim.ros.lockstep import Lockstep, UnansweredError
-from vehicle_roll_sim.ros.process import node_main
+from vehicle_roll_sim.ros.process import living, node_main
 from vehicle_roll_sim.ros.publications import LONGEST_UNNOTICED_NS, Publications
 from vehicle_roll_sim.ros.real_time import RealTime
 from vehicle_roll_sim.ros.settings import Settings
@@ -213,7 +213,8 @@ def main() -> int:
 
     def body(_) -> int:
         try:
-            Simulator().run()
+            with living(Simulator()) as simulator:
+                simulator.run()
         except UnansweredError as error:
             print(f"simulator: error: {error}", file=sys.stderr)
             return NO_ANSWER
