@@ -7,6 +7,10 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.base import LONGEST, STEEPEST, Manoeuvre, OpenLoop
+from vehicle_roll_sim.manoeuvres.double_lane_change import (
+    ISO_DOUBLE_LANE_CHANGE,
+    ISO_SEVERE_DOUBLE_LANE_CHANGE,
+)
 from vehicle_roll_sim.manoeuvres.iso_step_steer import ISO_STEP_STEER
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
 from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL
@@ -42,6 +46,8 @@ STANDARD = {
     "nhtsa_fishhook": NHTSA_FISHHOOK,
     "sine_with_dwell": SINE_WITH_DWELL,
     "iso_step_steer": ISO_STEP_STEER,
+    "iso_double_lane_change": ISO_DOUBLE_LANE_CHANGE,
+    "iso_severe_double_lane_change": ISO_SEVERE_DOUBLE_LANE_CHANGE,
     "steady_state_circle": STEADY_STATE_CIRCLE,
 }
 """All manoeuvres, with the conditions of the source or of the standard (docs/manoeuvres.md)."""

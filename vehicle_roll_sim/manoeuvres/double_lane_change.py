@@ -1,0 +1,176 @@
+"""The double lane changes of ISO 3888: between cones, by a driver who follows a path."""
+
+import dataclasses
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.manoeuvres.body_outline import Outline
+from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift_line
+from vehicle_roll_sim.manoeuvres.handwheel import HOLD
+from vehicle_roll_sim.manoeuvres.lane_change_track import (
+    Track,
+    double_lane_change_track,
+    obstacle_avoidance_track,
+)
+from vehicle_roll_sim.manoeuvres.path_following import PathFollowing
+from vehicle_roll_sim.simulation.command import Feedback
+from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+
+SIDES = {"left": 1.0, "right": -1.0}
+SPACING = 0.1
+"""m between points of the path, which bends within 5 m or more: straight lines do between them."""
+BESIDE = 5.0
+"""m of the path before the place of the vehicle and beyond its preview that the driver sees too."""
+KMH = 3.6
+"""km/h in a m/s."""
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class DoubleLaneChange(PathFollowing):
+    """Into the second lane and back; `for_vehicle` brings track and outline.
+
+    The vehicle begins on the middle line of the first lane, its front `approach` m ahead of it. The
+    path is that of the sprung c.g. (of the roll axis below it in the 8 DOF model).
+    """
+
+    side: str = parameter("side of the first lane change", choices=tuple(SIDES), default="left")
+    approach: float = parameter("straight ahead of the track", "m", 0.0, 1e4, default=10.0)
+    vehicle_width: float = parameter(
+        "width of the body; 0: the larger track and 0.205 m of tire", "m", 0.0, 10.0, default=0.0
+    )
+    front_overhang: float = parameter("body ahead of the front axle", "m", 0.0, 10.0, default=0.8)
+    rear_overhang: float = parameter("body behind the rear axle", "m", 0.0, 10.0, default=0.9)
+    layout: Callable[[float, float], Track]
+    release: float = math.inf
+    """m into the first lane at which the front is when the throttle is released."""
+    track: Track | None = None
+    outline: Outline | None = None
+
+    def for_vehicle(self, vehicle: Vehicle, options: Options) -> "DoubleLaneChange":
+        ready = super().for_vehicle(vehicle, options)
+        overhangs = self.front_overhang, self.rear_overhang
+        outline = Outline.of(vehicle, self.vehicle_width, *overhangs)
+        track = self.layout(outline.width, SIDES[self.side])
+        return dataclasses.replace(ready, outline=outline, track=track)
+
+    @property
+    def track_begins(self) -> float:
+        """x (m) on the ground; the c.g. is at 0 at the reset."""
+        return self.outline.ahead + self.approach
+
+    @property
+    def cones(self) -> np.ndarray:
+        """Their places on the ground, shape (n, 2) (m)."""
+        return self.track.cones + np.array([self.track_begins, 0.0])
+
+    def path_ahead(self, x: float, y: float, distance: float) -> np.ndarray:
+        places = np.arange(x - BESIDE, x + distance + BESIDE, SPACING)
+        return np.column_stack((places, self.track.path(places - self.track_begins)))
+
+    def driver(self) -> "LaneChangeDriver":
+        return LaneChangeDriver(self)
+
+    def result(self, history: History) -> "LaneChangeResult":
+        """What became of the cones, and how closely the path was followed."""
+        times = self.outline.strike_times(history, self.cones)
+        on_track = history["x"] - self.track_begins
+        away = np.abs(history["y"] - self.track.path(on_track))
+        away = np.where((on_track >= 0.0) & (on_track <= self.track.end), away, 0.0)
+        is_out = on_track - self.outline.behind > self.track.end
+        out = int(np.argmax(is_out)) if is_out.any() else None
+        return LaneChangeResult(
+            strikes=times,
+            deviation=(float(away.max()), float(on_track[np.argmax(away)])),
+            finished=float(history["time"][out]) if out is not None else math.nan,
+            final_speed=float(history["u"][out]) if out is not None else math.nan,
+        )
+
+    def report(self, history: History, driver: Feedback) -> dict[str, str]:
+        result = self.result(history)
+        away, where = result.deviation
+        end = "not reached"
+        if not math.isnan(result.finished):
+            end = f"{result.finished:.3f} s at {result.final_speed * KMH:.1f} km/h"
+        return {
+            "vehicle width": f"{self.outline.width:.3f} m",
+            "cones struck": self._cones_struck(result),
+            "deviation from the path": f"{away:.3f} m, {where:.1f} m into the track",
+            "end of the track": end,
+            "verdict": "passed" if result.is_passed else "failed",
+            **two_wheel_lift_line(history),
+        }
+
+    def _cones_struck(self, result: "LaneChangeResult") -> str:
+        text = f"{result.struck} of {len(result.strikes)}"
+        if not result.struck:
+            return text
+        first = int(np.nanargmin(result.strikes))
+        x, y = self.track.cones[first].tolist()
+        return f"{text}, first at {result.strikes[first]:.3f} s: the one at {x:.1f} m, {y:.2f} m"
+
+
+@dataclasses.dataclass(frozen=True)
+class LaneChangeResult:
+    """strikes: when each cone was struck (s), nan for those that were not. deviation: the largest
+    one of the path's follower from the path, sideways, and where on the track (m). finished: when
+    the rear left the track (s), and the forward speed then (m/s); nan if it did not."""
+
+    strikes: np.ndarray
+    deviation: tuple[float, float]
+    finished: float
+    final_speed: float
+
+    @property
+    def struck(self) -> int:
+        return int(np.count_nonzero(~np.isnan(self.strikes)))
+
+    @property
+    def is_passed(self) -> bool:
+        """To the end of the track without a cone."""
+        return self.struck == 0 and not math.isnan(self.finished)
+
+
+class LaneChangeDriver(Feedback):
+    """Holds the speed up to where the throttle is released, and follows the path.
+
+    `released` is the time (s) of the first period that begins beyond that place, inf until then.
+    """
+
+    def __init__(self, manoeuvre: DoubleLaneChange):
+        self.manoeuvre, self.steering = manoeuvre, manoeuvre.steering()
+        self.released = math.inf
+
+    def command(self, time: float, state) -> np.ndarray:
+        manoeuvre = self.manoeuvre
+        commands = manoeuvre.straight_ahead(np.array([time]))
+        front = float(state["x"]) + manoeuvre.outline.ahead * math.cos(float(state["yaw"]))
+        if front >= manoeuvre.track_begins + manoeuvre.release:
+            self.released = min(self.released, time)
+        if time >= self.released:
+            commands["speed_hold_gain"] = 0.0
+        commands["steering"] = self.steering.angle(time, state)
+        return commands
+
+
+ISO_DOUBLE_LANE_CHANGE = DoubleLaneChange(
+    speed=80 / KMH,
+    duration=10.0,
+    speed_hold=HOLD,
+    preview_time=0.8,
+    layout=double_lane_change_track,
+)
+"""80 km/h, held."""
+ISO_SEVERE_DOUBLE_LANE_CHANGE = DoubleLaneChange(
+    speed=50 / KMH,
+    duration=10.0,
+    speed_hold=HOLD,
+    preview_time=0.65,
+    layout=obstacle_avoidance_track,
+    release=2.0,
+)
+"""50 km/h, the throttle released 2 m into the first lane."""
