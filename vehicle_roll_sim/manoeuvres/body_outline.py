@@ -4,12 +4,39 @@ import dataclasses
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 TIRE_WIDTH = 0.205
 """m: that of a 205/60R15, the reference vehicle's tire; vehicle files have none."""
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class BodySettings:
+    """How wide and how long the body is, which vehicle files do not say."""
+
+    vehicle_width: float = parameter(
+        f"width of the body; 0: the larger track and {TIRE_WIDTH:g} m of tire",
+        "m",
+        0.0,
+        10.0,
+        default=0.0,
+    )
+    front_overhang: float = parameter("body ahead of the front axle", "m", 0.0, 10.0, default=0.8)
+    rear_overhang: float = parameter("body behind the rear axle", "m", 0.0, 10.0, default=0.9)
+
+    def outline_of(self, vehicle: Vehicle) -> "Outline":
+        """Raises InputError for a body that is narrower than the larger track."""
+        track = max(vehicle.front_track, vehicle.rear_track)
+        if self.vehicle_width and self.vehicle_width < track:
+            allowed = f"at least the larger track, {track:g} m"
+            raise InputError("vehicle_width", self.vehicle_width, allowed)
+        return Outline(
+            width=self.vehicle_width or track + TIRE_WIDTH,
+            ahead=vehicle.cg_to_front_axle + self.front_overhang,
+            behind=vehicle.cg_to_rear_axle + self.rear_overhang,
+        )
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,19 +49,6 @@ class Outline:
     width: float
     ahead: float
     behind: float
-
-    @classmethod
-    def of(cls, vehicle: Vehicle, width: float, front: float, rear: float) -> "Outline":
-        """With overhangs (m) ahead of the front axle and behind the rear one.
-
-        width: 0 for the larger track and the width of a tire. Raises InputError for less than the
-        larger track.
-        """
-        track = max(vehicle.front_track, vehicle.rear_track)
-        if width and width < track:
-            raise InputError("vehicle_width", width, f"at least the larger track, {track:g} m")
-        ahead, behind = vehicle.cg_to_front_axle + front, vehicle.cg_to_rear_axle + rear
-        return cls(width or track + TIRE_WIDTH, ahead, behind)
 
     def strike_times(self, history: History, cones: np.ndarray) -> np.ndarray:
         """When each of the cones (n, 2), points on the ground, comes to be inside (s); nan: never.

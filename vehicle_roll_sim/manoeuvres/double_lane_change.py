@@ -7,7 +7,8 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
-from vehicle_roll_sim.manoeuvres.body_outline import Outline
+from vehicle_roll_sim.manoeuvres.base import SIDES
+from vehicle_roll_sim.manoeuvres.body_outline import BodySettings, Outline
 from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift_line
 from vehicle_roll_sim.manoeuvres.handwheel import HOLD
 from vehicle_roll_sim.manoeuvres.lane_change_track import (
@@ -21,7 +22,6 @@ from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-SIDES = {"left": 1.0, "right": -1.0}
 SPACING = 0.1
 """m between points of the path, which bends within 5 m or more: straight lines do between them."""
 BESIDE = 5.0
@@ -31,7 +31,7 @@ KMH = 3.6
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class DoubleLaneChange(PathFollowing):
+class DoubleLaneChange(BodySettings, PathFollowing):
     """Into the second lane and back; `for_vehicle` brings track and outline.
 
     The vehicle begins on the middle line of the first lane, its front `approach` m ahead of it. The
@@ -40,11 +40,6 @@ class DoubleLaneChange(PathFollowing):
 
     side: str = parameter("side of the first lane change", choices=tuple(SIDES), default="left")
     approach: float = parameter("straight ahead of the track", "m", 0.0, 1e4, default=10.0)
-    vehicle_width: float = parameter(
-        "width of the body; 0: the larger track and 0.205 m of tire", "m", 0.0, 10.0, default=0.0
-    )
-    front_overhang: float = parameter("body ahead of the front axle", "m", 0.0, 10.0, default=0.8)
-    rear_overhang: float = parameter("body behind the rear axle", "m", 0.0, 10.0, default=0.9)
     layout: Callable[[float, float], Track]
     release: float = math.inf
     """m into the first lane at which the front is when the throttle is released."""
@@ -53,8 +48,7 @@ class DoubleLaneChange(PathFollowing):
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "DoubleLaneChange":
         ready = super().for_vehicle(vehicle, options)
-        overhangs = self.front_overhang, self.rear_overhang
-        outline = Outline.of(vehicle, self.vehicle_width, *overhangs)
+        outline = self.outline_of(vehicle)
         track = self.layout(outline.width, SIDES[self.side])
         return dataclasses.replace(ready, outline=outline, track=track)
 

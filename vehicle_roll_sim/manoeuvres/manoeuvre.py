@@ -15,7 +15,11 @@ from vehicle_roll_sim.manoeuvres.iso_step_steer import ISO_STEP_STEER
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
 from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import SLOWLY_INCREASING_STEER
-from vehicle_roll_sim.manoeuvres.steady_state_circle import STEADY_STATE_CIRCLE
+from vehicle_roll_sim.manoeuvres.steady_state_circle import (
+    CONSTANT_HANDWHEEL_CIRCLE,
+    CONSTANT_RADIUS_CIRCLE,
+    STEADY_STATE_CIRCLE,
+)
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -49,6 +53,8 @@ STANDARD = {
     "iso_double_lane_change": ISO_DOUBLE_LANE_CHANGE,
     "iso_severe_double_lane_change": ISO_SEVERE_DOUBLE_LANE_CHANGE,
     "steady_state_circle": STEADY_STATE_CIRCLE,
+    "constant_radius_circle": CONSTANT_RADIUS_CIRCLE,
+    "constant_handwheel_circle": CONSTANT_HANDWHEEL_CIRCLE,
 }
 """All manoeuvres, with the conditions of the source or of the standard (docs/manoeuvres.md)."""
 

@@ -16,8 +16,8 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class PathFollowing(Manoeuvre):
-    """What is known of the driver; `for_vehicle` brings what he expects of the vehicle."""
+class DriverSettings:
+    """What is known of the driver."""
 
     preview_time: float = parameter("how far the driver sees ahead", "s", 0.05, 5.0)
     driver_delay: float = parameter("delay of the driver's hands", "s", 0.0, 2.0, default=0.0)
@@ -31,6 +31,12 @@ class PathFollowing(Manoeuvre):
         LARGEST_HANDWHEEL,
         default=360.0,
     )
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class PathFollowing(DriverSettings, Manoeuvre):
+    """A driver on a path; `for_vehicle` brings what he expects of the vehicle."""
+
     steering_ratio: float = math.nan
     model: SingleTrack | None = None
 
