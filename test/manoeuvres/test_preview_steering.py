@@ -70,9 +70,9 @@ def test_its_rates_are_those_of_the_text_book_where_wheels_weigh_nothing(speed):
         [-moment / (inertia * u), -(a**2 * front + b**2 * rear) / (inertia * u)],
     ]
     rates, steer = SingleTrack.of(light).rates(speed)
-    # four wheels of 10 g, the smallest that there are
-    np.testing.assert_allclose(rates, expected, rtol=1e-4)
-    np.testing.assert_allclose(steer, [front / m, a * front / inertia], rtol=1e-4)
+    # four wheels of 10 g, the lightest that there are, far from the c.g.
+    np.testing.assert_allclose(rates, expected, rtol=1e-3)
+    np.testing.assert_allclose(steer, [front / m, a * front / inertia], rtol=1e-3)
 
 
 @pytest.mark.parametrize("speed", [4.0, 8.0, 40.0])
@@ -85,7 +85,7 @@ def test_the_prediction_is_the_exponential_of_the_expected_motion(speed, preview
     motion = np.array([0.3, 0.4])
     free, response = driver(preview=preview).prediction(speed, motion)
     exact = [expm(system * preview * (k + 1) / POINTS)[0] for k in range(POINTS)]
-    # of the last value: the approximant's error, at 4 m/s where the motion decays within three steps
+    # of the last value: the approximant's error, at 4 m/s where the motion decays within 3 steps
     for found, expected in (
         (free, [e[2:4] @ motion for e in exact]),
         (response, [e[4] for e in exact]),

@@ -26,7 +26,11 @@ CONDITIONS = {
     "nhtsa_fishhook": (35 * MPH, 10.0),
     "sine_with_dwell": (80 / 3.6, 6.0),
     "iso_step_steer": (100 / 3.6, 6.0),
+    "iso_double_lane_change": (80 / 3.6, 15.0),
+    "iso_severe_double_lane_change": (50 / 3.6, 10.0),
     "steady_state_circle": (100 / 3.6, 62.0),
+    "constant_radius_circle": (8.0, 250.0),
+    "constant_handwheel_circle": (8.0, 250.0),
 }
 
 

@@ -153,7 +153,7 @@ class LaneChangeDriver(Feedback):
 
 ISO_DOUBLE_LANE_CHANGE = DoubleLaneChange(
     speed=80 / KMH,
-    duration=10.0,
+    duration=15.0,
     speed_hold=HOLD,
     preview_time=0.8,
     layout=double_lane_change_track,
