@@ -85,7 +85,7 @@ def test_at_small_accelerations_the_understeer_is_that_of_the_cornering_stiffnes
         needed = manoeuvre.wheelbase * history["yaw_rate"] / history["u"]
         beyond = (history["steering"] - needed)[band]
         slope = np.polyfit(acceleration[band], beyond, 1)[0]
-        # the bend has made it 5 % at 1 m/s^2 (of steady turns), and the torque of the rise some more
+        # the bend makes it 5 % more at 1 m/s^2, and the torque of the rise as much again
         assert slope == pytest.approx(closed_form, rel=0.12)
 
 
