@@ -36,8 +36,7 @@ def test_slowly_driven_with_a_short_preview_the_path_is_followed_within_5_cm(nam
     # the preview is two metres of path: what is cut off a bend grows with its square
     slow = ready(name, speed=20 * KMH, preview_time=0.35, duration=28.0, side=side)
     history, _ = driven(slow)
-    away, _ = slow.result(history).deviation
-    assert away < 0.05
+    assert slow.result(history).deviation < 0.05
     assert slow.result(history).is_passed
 
 
@@ -45,12 +44,12 @@ def test_slowly_driven_with_a_short_preview_the_path_is_followed_within_5_cm(nam
 def test_the_deviation_is_the_largest_distance_from_the_path_on_the_track(name):
     manoeuvre = ready(name)
     history, _ = driven(manoeuvre)
-    away, where = manoeuvre.result(history).deviation
+    result = manoeuvre.result(history)
     on_track = history["x"] - manoeuvre.track_begins
     sideways = np.abs(history["y"] - manoeuvre.track.path(on_track))
     there = (on_track >= 0.0) & (on_track <= manoeuvre.track.end)
-    assert away == sideways[there].max()
-    assert sideways[np.argmin(np.abs(on_track - where))] == away
+    assert result.deviation == sideways[there].max()
+    assert sideways[on_track == result.deviation_at] == [result.deviation]
 
 
 @pytest.mark.parametrize("name", BOTH)
@@ -70,7 +69,8 @@ def test_to_the_other_side_all_is_mirrored(name):
         np.testing.assert_allclose(one[signal], -other[signal], rtol=0, atol=1e-7)
     for signal in ("x", "u"):
         np.testing.assert_allclose(one[signal], other[signal], rtol=0, atol=1e-7)
-    assert left.result(one).deviation == pytest.approx(right.result(other).deviation, abs=1e-7)
+    deviations = [left.result(one).deviation, right.result(other).deviation]
+    assert deviations[0] == pytest.approx(deviations[1], abs=1e-7)
 
 
 def test_too_fast_it_strikes_the_same_cones_to_either_side():
@@ -139,6 +139,30 @@ def test_a_run_that_ends_on_the_track_is_not_passed_and_says_so(name):
     report = manoeuvre.report(history, driver)
     assert report["end of the track"] == "not reached"
     assert report["verdict"] == "failed"
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_straight_on_no_cone_is_struck_but_the_second_lane_is_missed(side):
+    # who looks 5 s ahead, beyond the track, cuts all of it off
+    straight = ready(SEVERE, speed=300 * KMH, preview_time=5.0, duration=1.5, side=side)
+    result = straight.result(driven(straight)[0])
+    assert (result.struck, result.missed) == (0, 1)
+    assert not result.is_passed
+
+
+def test_with_samples_too_far_apart_it_says_that_it_does_not_know():
+    manoeuvre = ready(SEVERE)
+    for sample, is_known in ((0.05, True), (0.1, False)):
+        history, driver = driven(manoeuvre, sample=sample)
+        report = manoeuvre.report(history, driver)
+        assert report["verdict"] == ("passed" if is_known else "not known")
+        assert ("not known" in report["cones struck"]) != is_known
+
+
+def test_a_run_that_does_not_get_to_the_track_has_no_deviation():
+    manoeuvre = ready(SEVERE, duration=0.2)
+    history, driver = driven(manoeuvre)
+    assert manoeuvre.report(history, driver)["deviation from the path"] == "not on the track"
 
 
 def test_the_report_names_the_first_cone():

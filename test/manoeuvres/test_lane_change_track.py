@@ -95,3 +95,16 @@ def test_the_path_has_no_step_in_direction_or_curvature(layout):
         for before, after in zip(track.lanes, track.lanes[1:], strict=False)
     )
     assert np.abs(np.diff(bend)).max() <= 1.01 * steepest * spacing
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_lane_is_missed_by_who_is_beside_it_anywhere_along_it(layout, side):
+    track = layout(1.7, side)
+    x = np.linspace(-5.0, track.end + 5.0, 2001)
+    assert track.missed_lanes(x, track.path(x)) == [False, False, False]
+    assert track.missed_lanes(x, np.zeros(len(x))) == [False, True, False]
+    last = track.lanes[2]
+    aside = np.where(x > last.end - 1.0, side * (last.left + 0.01), track.path(x))
+    assert track.missed_lanes(x, aside) == [False, False, True]
+    assert track.missed_lanes(x, np.where(x > last.end, 50.0, track.path(x))) == [False] * 3

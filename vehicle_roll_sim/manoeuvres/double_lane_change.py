@@ -9,7 +9,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.base import SIDES
 from vehicle_roll_sim.manoeuvres.body_outline import BodySettings, Outline
-from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift_line
+from vehicle_roll_sim.manoeuvres.criteria import ROUNDING, two_wheel_lift_line
 from vehicle_roll_sim.manoeuvres.handwheel import HOLD
 from vehicle_roll_sim.manoeuvres.lane_change_track import (
     Track,
@@ -26,6 +26,8 @@ SPACING = 0.1
 """m between points of the path, which bends within 5 m or more: straight lines do between them."""
 BESIDE = 5.0
 """m of the path before the place of the vehicle and beyond its preview that the driver sees too."""
+COARSEST = 0.05
+"""s between samples, up to which the strikes are exact to 5 mm."""
 KMH = 3.6
 """km/h in a m/s."""
 
@@ -70,36 +72,42 @@ class DoubleLaneChange(BodySettings, PathFollowing):
         return LaneChangeDriver(self)
 
     def result(self, history: History) -> "LaneChangeResult":
-        """What became of the cones, and how closely the path was followed."""
-        times = self.outline.strike_times(history, self.cones)
-        on_track = history["x"] - self.track_begins
-        away = np.abs(history["y"] - self.track.path(on_track))
-        away = np.where((on_track >= 0.0) & (on_track <= self.track.end), away, 0.0)
-        is_out = on_track - self.outline.behind > self.track.end
+        """What became of the cones and lanes, and how closely the path was followed."""
+        x, y = history["x"] - self.track_begins, history["y"]
+        on_track = (x >= 0.0) & (x <= self.track.end)
+        away = np.where(on_track, np.abs(y - self.track.path(x)), -1.0)
+        is_out = x - self.outline.behind > self.track.end
         out = int(np.argmax(is_out)) if is_out.any() else None
         return LaneChangeResult(
-            strikes=times,
-            deviation=(float(away.max()), float(on_track[np.argmax(away)])),
+            strikes=self.outline.strike_times(history, self.cones),
+            missed=int(np.count_nonzero(self.track.missed_lanes(x, y))),
+            deviation=float(away.max()) if on_track.any() else math.nan,
+            deviation_at=float(x[np.argmax(away)]) if on_track.any() else math.nan,
             finished=float(history["time"][out]) if out is not None else math.nan,
             final_speed=float(history["u"][out]) if out is not None else math.nan,
+            interval=float(np.diff(history["time"]).max(initial=0.0)),
         )
 
     def report(self, history: History, driver: Feedback) -> dict[str, str]:
         result = self.result(history)
-        away, where = result.deviation
-        end = "not reached"
+        end, away = "not reached", "not on the track"
         if not math.isnan(result.finished):
             end = f"{result.finished:.3f} s at {result.final_speed * KMH:.1f} km/h"
+        if not math.isnan(result.deviation):
+            away = f"{result.deviation:.3f} m, {result.deviation_at:.1f} m into the track"
         return {
             "vehicle width": f"{self.outline.width:.3f} m",
             "cones struck": self._cones_struck(result),
-            "deviation from the path": f"{away:.3f} m, {where:.1f} m into the track",
+            "lanes missed": f"{result.missed} of {len(self.track.lanes)}",
+            "deviation from the path": away,
             "end of the track": end,
-            "verdict": "passed" if result.is_passed else "failed",
+            "verdict": _verdict(result),
             **two_wheel_lift_line(history),
         }
 
     def _cones_struck(self, result: "LaneChangeResult") -> str:
+        if not result.is_known:
+            return f"not known: samples are more than {COARSEST:g} s apart"
         text = f"{result.struck} of {len(result.strikes)}"
         if not result.struck:
             return text
@@ -110,23 +118,39 @@ class DoubleLaneChange(BodySettings, PathFollowing):
 
 @dataclasses.dataclass(frozen=True)
 class LaneChangeResult:
-    """strikes: when each cone was struck (s), nan for those that were not. deviation: the largest
-    one of the path's follower from the path, sideways, and where on the track (m). finished: when
-    the rear left the track (s), and the forward speed then (m/s); nan if it did not."""
+    """strikes: when each cone was struck (s), nan for those that were not. missed: lanes that were
+    not driven through. deviation: the largest one from the path, sideways, and where on the track
+    (m), nan if it was not entered. finished: when the rear left the track (s), and the forward
+    speed then (m/s), nan if it did not. interval: the longest between two samples (s)."""
 
     strikes: np.ndarray
-    deviation: tuple[float, float]
+    missed: int
+    deviation: float
+    deviation_at: float
     finished: float
     final_speed: float
+    interval: float
 
     @property
     def struck(self) -> int:
         return int(np.count_nonzero(~np.isnan(self.strikes)))
 
     @property
+    def is_known(self) -> bool:
+        """Whether the samples are close enough together to tell which cones were struck."""
+        return self.interval <= COARSEST + ROUNDING
+
+    @property
     def is_passed(self) -> bool:
-        """To the end of the track without a cone."""
-        return self.struck == 0 and not math.isnan(self.finished)
+        """Through every lane to the end of the track without a cone."""
+        is_through = self.missed == 0 and not math.isnan(self.finished)
+        return self.is_known and is_through and self.struck == 0
+
+
+def _verdict(result: LaneChangeResult) -> str:
+    if not result.is_known:
+        return "not known"
+    return "passed" if result.is_passed else "failed"
 
 
 class LaneChangeDriver(Feedback):

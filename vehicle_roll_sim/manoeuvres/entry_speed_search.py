@@ -30,8 +30,8 @@ class EntrySpeedSearch(Series):
     that fails of those between it and the one before.
 
     slowest, fastest: the first and the last entry speed (km/h). A run fails that strikes a cone,
-    does not come to the end of the track, or rolls over. The result is the highest speed below
-    every failure; speeds that were not driven are not spoken of.
+    misses a lane, does not come to the end of the track, or rolls over. The result is the highest
+    speed below every failure; speeds that were not driven are not spoken of.
     """
 
     slowest: int
@@ -71,9 +71,11 @@ class EntrySpeedSearch(Series):
         ending = ending_of(simulation)
         if ending == COMPLETE and math.isnan(result.finished):
             ending = "unfinished"
+        if ending == COMPLETE and result.missed:
+            ending = "missed_lane"
         peak = math.degrees(simulation.events.peak_roll[VALUE])
         lift, final_speed = two_wheel_lift(history), result.final_speed * KMH
-        return speed, result.struck, result.deviation[0], peak, lift, final_speed, ending
+        return speed, result.struck, result.deviation, peak, lift, final_speed, ending
 
     def verdict(self, rows: list[tuple]) -> str:
         parts = [self._to_a_side([row for row in rows if row[0] == side]) for side in SIDES]

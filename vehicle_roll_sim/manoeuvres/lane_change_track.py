@@ -53,6 +53,14 @@ class Track:
         ]
         return np.array(places)
 
+    def missed_lanes(self, x: np.ndarray, y: np.ndarray) -> list[bool]:
+        """For each lane whether a way through these places (m) is beside it at any of them."""
+        y = self.side * y
+        return [
+            bool(np.any((x >= lane.start) & (x <= lane.end) & ((y < lane.right) | (y > lane.left))))
+            for lane in self.lanes
+        ]
+
     def path(self, x: np.ndarray) -> np.ndarray:
         """y of the path: the middle of each lane, and between two lanes the curve
 

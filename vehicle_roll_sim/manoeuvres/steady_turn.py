@@ -23,6 +23,8 @@ class SteadyTurn(Manoeuvre):
     """A turn so slow to change that every moment is steady; `for_vehicle` brings the wheelbase."""
 
     wheelbase: float = math.nan
+    steady_from = 0.0
+    """Time (s) from which on the data counts."""
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "SteadyTurn":
         """With the wheelbase (m)."""
@@ -37,7 +39,8 @@ class SteadyTurn(Manoeuvre):
         radius the second term does not change, at constant handwheel angle the first does not.
         nan without data.
         """
-        band = band_of_the_fit(history)
+        history = History(history.rows[history["time"] >= self.steady_from])
+        band = band_of_the_fit(history) if len(history.rows) else None
         if band is None:
             return math.nan, math.nan
         acceleration = history["lateral_acceleration"][band]
@@ -60,6 +63,11 @@ class RisingSpeed(SteadyTurn):
 
     acceleration: float = parameter("rate of the speed", "m/s^2", 1e-4, 10.0, default=0.05)
     rises_from: float = parameter("when the speed begins to rise", "s", 0.0, LONGEST, default=5.0)
+
+    @property
+    def steady_from(self) -> float:
+        """Then the turn that was begun has settled."""
+        return self.rises_from
 
 
 class RisingSpeedDriver(Feedback):
