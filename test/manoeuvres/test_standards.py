@@ -162,6 +162,14 @@ def test_without_a_vehicle_there_is_no_steering_ratio_to_steer_by():
     assert np.isnan(manoeuvre(np.array([3.0]))["steering"]).all()
 
 
+@pytest.mark.parametrize("name", ["iso_double_lane_change", "constant_radius_circle"])
+def test_without_a_vehicle_a_driver_does_not_know_how_to_steer(name):
+    state = Simulation(preset()).state
+    driver = STANDARD[name].driver()
+    for time in (0.0, 0.01):
+        assert np.isnan(driver.command(time, state)["steering"]).all()
+
+
 @pytest.mark.parametrize(
     ("ratio", "scalar", "largest"), [(16.0, 50.0, "960 deg"), (30.0, 80.0, "1440 deg")]
 )

@@ -27,7 +27,9 @@ SPACING = 0.1
 BESIDE = 5.0
 """m of the path before the place of the vehicle and beyond its preview that the driver sees too."""
 COARSEST = 0.05
-"""s between samples, up to which the strikes are exact to 5 mm."""
+"""s between samples, up to which the strikes are exact to a centimetre."""
+UNKNOWN = Outline(math.nan, math.nan, math.nan)
+"""The outline before `for_vehicle`."""
 KMH = 3.6
 """km/h in a m/s."""
 
@@ -46,7 +48,7 @@ class DoubleLaneChange(BodySettings, PathFollowing):
     release: float = math.inf
     """m into the first lane at which the front is when the throttle is released."""
     track: Track | None = None
-    outline: Outline | None = None
+    outline: Outline = UNKNOWN
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "DoubleLaneChange":
         ready = super().for_vehicle(vehicle, options)

@@ -39,12 +39,13 @@ class PreviewSteering:
 
     It takes effect after a delay, as far as the handwheel's rate and angle allow.
 
-    preview, delay: times (s). rate, limit: of the road-wheel angle (rad/s, rad).
+    preview, delay: times (s). rate, limit: of the road-wheel angle (rad/s, rad). Without a model no
+    angle is known, and all are nan.
     """
 
     def __init__(
         self,
-        model: SingleTrack,
+        model: SingleTrack | None,
         path: PathAhead,
         *,
         preview: float,
@@ -71,6 +72,8 @@ class PreviewSteering:
 
     def best_angle(self, state) -> float:
         """delta (rad), without delay and limits."""
+        if self.model is None:
+            return math.nan
         speed = max(float(state["u"]), SLOWEST)
         motion = np.array([float(state["v"]), float(state["yaw_rate"])])
         free, response = self.prediction(speed, motion)
