@@ -47,16 +47,23 @@ class EntrySpeedSearch(Series):
         self, ready: DoubleLaneChange, direction: str, vehicle: Vehicle, options: Options
     ) -> Iterator[tuple]:
         ready = dataclasses.replace(ready, side=direction).for_vehicle(vehicle, options)
-        first, last, step = self.slowest, self.fastest, COARSE
-        while step:
-            for speed in range(first, last + 1, step):
-                row = self._row(ready, speed, vehicle, options)
-                yield row
-                if not _is_passed(row):
-                    break
-            is_to_be_refined = step == COARSE and not _is_passed(row) and speed > self.slowest
-            first, last = speed - COARSE + FINE, speed - FINE
-            step = FINE if is_to_be_refined else 0
+        coarse = range(self.slowest, self.fastest + 1, COARSE)
+        for row in self._climb(ready, coarse, vehicle, options):
+            yield row
+        speed = row[SPEED - 1]
+        if not _is_passed(row) and speed > self.slowest:
+            between = range(speed - COARSE + FINE, speed, FINE)
+            yield from self._climb(ready, between, vehicle, options)
+
+    def _climb(
+        self, ready: DoubleLaneChange, speeds: range, vehicle: Vehicle, options: Options
+    ) -> Iterator[tuple]:
+        """Runs at these speeds (km/h) up to the first that fails."""
+        for speed in speeds:
+            row = self._row(ready, speed, vehicle, options)
+            yield row
+            if not _is_passed(row):
+                return
 
     def _row(
         self, ready: DoubleLaneChange, speed: int, vehicle: Vehicle, options: Options
