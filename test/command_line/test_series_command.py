@@ -58,7 +58,30 @@ def test_options_of_the_model_are_those_of_run(command):
         (("nhtsa_j_turn", "--csv", ""), ("--csv",)),
         (("nhtsa_j_turn", "--model", "8dof", "--csv", "x.csv"), ("--model", "8dof", "heights")),
         (("nhtsa_j_turn", "--set", "cg_height=-1"), ("--set cg_height", "-1")),
+        (("nhtsa_j_turn", "--preview-time", "1"), ("--preview-time",)),
+        (("iso_double_lane_change", "--preview-time", "0"), ("--preview-time", "from 0.05")),
+        (("iso_double_lane_change", "--vehicle-width", "1"), ("vehicle_width", "1.5 m")),
+        (("iso_double_lane_change", "--speed", "20"), ("--speed",)),
     ],
 )
 def test_what_is_wrong_is_refused_in_one_line(refused, words, named):
     refused(("series", *words), *named)
+
+
+def test_a_double_lane_change_takes_the_options_of_body_and_driver(command):
+    narrow = ("--preview-time", "0.3", "--vehicle-width", "1.9", "--set", "cg_height=0.5")
+    result = command("series", "iso_severe_double_lane_change", *narrow)
+    assert (result.status, result.err) == (0, "")
+    plain = command("series", "iso_severe_double_lane_change", "--set", "cg_height=0.5")
+    assert result.value["verdict"] != plain.value["verdict"]
+    first = result.out.splitlines()[1].split()
+    assert first[:2] == ["left", "20"]
+    assert first[2].isdigit()
+
+
+@pytest.mark.parametrize("words", [(), ("iso_double_lane_change",)])
+def test_help_has_the_options_of_the_series(command, capsys, words):
+    with pytest.raises(SystemExit) as end:
+        command("series", *words, "--help")
+    assert end.value.code == 0
+    assert "--preview-time" in capsys.readouterr().out

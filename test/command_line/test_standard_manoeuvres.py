@@ -12,7 +12,11 @@ REPORTED = {
     "nhtsa_j_turn": ("handwheel angle at 0.3 g", "handwheel amplitude", "two-wheel lift"),
     "nhtsa_fishhook": ("handwheel amplitude", "two-wheel lift", "steering reversal"),
     "sine_with_dwell": ("yaw rate after 1.00 s", "lateral displacement", "verdict"),
+    "iso_double_lane_change": ("cones struck", "deviation from the path", "verdict"),
+    "iso_severe_double_lane_change": ("cones struck", "end of the track", "two-wheel lift"),
     "steady_state_circle": ("understeer gradient", "roll gradient"),
+    "constant_radius_circle": ("understeer gradient", "roll gradient"),
+    "constant_handwheel_circle": ("understeer gradient", "roll gradient"),
     "iso_step_steer": ("handwheel angle", "steady acceleration", "yaw rate response"),
 }
 
@@ -91,6 +95,15 @@ def test_a_fishhook_is_driven_every_10_ms_unless_told_otherwise(command):
         (("sine_with_dwell", "--steering-at-03g", "-1"), ("--steering-at-03g", "from 0")),
         (("slowly_increasing_steer", "--handwheel-angle", "1e4"), ("--handwheel-angle",)),
         (("iso_step_steer", "--lateral-acceleration", "12"), ("lateral_acceleration", "12")),
+        (("iso_double_lane_change", "--side", "up"), ("--side", "'up'", "one of left, right")),
+        (("iso_double_lane_change", "--vehicle-width", "1"), ("vehicle_width", "1.5 m")),
+        (("iso_double_lane_change", "--preview-time", "0"), ("--preview-time", "from 0.05")),
+        (("iso_severe_double_lane_change", "--driver-delay", "-1"), ("--driver-delay", "from 0")),
+        (("iso_severe_double_lane_change", "--scalar", "3"), ("--scalar",)),
+        (("constant_radius_circle", "--radius", "0"), ("radius", "at least 10 m")),
+        (("constant_radius_circle", "--handwheel-angle", "30"), ("--handwheel-angle",)),
+        (("constant_handwheel_circle", "--handwheel-angle", "1000"), ("at most 960 deg",)),
+        (("constant_handwheel_circle", "--acceleration", "0"), ("--acceleration",)),
     ],
 )
 def test_what_is_wrong_is_refused_in_one_line(refused, words, named):

@@ -26,7 +26,11 @@ CONDITIONS = {
     "nhtsa_fishhook": (35 * MPH, 10.0),
     "sine_with_dwell": (80 / 3.6, 6.0),
     "iso_step_steer": (100 / 3.6, 6.0),
+    "iso_double_lane_change": (80 / 3.6, 15.0),
+    "iso_severe_double_lane_change": (50 / 3.6, 10.0),
     "steady_state_circle": (100 / 3.6, 62.0),
+    "constant_radius_circle": (8.0, 250.0),
+    "constant_handwheel_circle": (8.0, 250.0),
 }
 
 
@@ -156,6 +160,14 @@ def test_a_handwheel_that_stays_below_that_has_its_speed_held_to_the_end():
 def test_without_a_vehicle_there_is_no_steering_ratio_to_steer_by():
     manoeuvre = STANDARD["slowly_increasing_steer"]
     assert np.isnan(manoeuvre(np.array([3.0]))["steering"]).all()
+
+
+@pytest.mark.parametrize("name", ["iso_double_lane_change", "constant_radius_circle"])
+def test_without_a_vehicle_a_driver_does_not_know_how_to_steer(name):
+    state = Simulation(preset()).state
+    driver = STANDARD[name].driver()
+    for time in (0.0, 0.01):
+        assert np.isnan(driver.command(time, state)["steering"]).all()
 
 
 @pytest.mark.parametrize(

@@ -2,16 +2,23 @@
 
 import csv
 import math
+from collections.abc import Iterable
 from pathlib import Path
 
 from tqdm import tqdm
 
-from vehicle_roll_sim.arguments import OneLineParser, add_declared, named_file
+from vehicle_roll_sim.arguments import (
+    OneLineParser,
+    add_declared,
+    declared_values,
+    named_file,
+)
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
     chosen_options,
     chosen_vehicle,
 )
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.series import SERIES, series_named
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_writable, replaced_file
@@ -23,13 +30,16 @@ DESCRIPTION = "Drive the test series of a standard and print its table and verdi
 
 def series_command(words: list[str], program: str) -> int:
     """The command, given the words behind its name; returns the exit status."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
-    parser.add_argument("manoeuvre", metavar="MANOEUVRE", help=", ".join(SERIES))
-    add_declared(parser, Options, "model")
-    add_vehicle_options(parser)
-    parser.add_argument("--csv", metavar="FILE", help="write the table, numbers in full precision")
-    arguments = parser.parse_args(words)
-    series = series_named(arguments.manoeuvre)
+    every = dict.fromkeys(pair for series in SERIES.values() for pair in series.settings)
+    first = _parser(program, every)
+    named, _ = first.parse_known_args([word for word in words if word not in ("-h", "--help")])
+    if named.manoeuvre is None:
+        first.parse_args(words)  # for its help
+        raise InputError("MANOEUVRE", None, "one of " + ", ".join(SERIES) + "; --help shows how")
+    series = series_named(named.manoeuvre)
+    arguments = _parser(program, series.settings).parse_args(words)
+    for _, declaring in series.settings:
+        series = series.with_values(declared_values(arguments, declaring))
     path = named_file(arguments.csv, "--csv")
     if path:
         check_writable(path, "--csv")
@@ -46,8 +56,25 @@ def series_command(words: list[str], program: str) -> int:
     return 0
 
 
+def _parser(program: str, settings: Iterable[tuple[str, type]]) -> OneLineParser:
+    """The parser with the options that these classes declare, under their titles."""
+    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser.add_argument(
+        "manoeuvre",
+        metavar="MANOEUVRE",
+        nargs="?",
+        help=", ".join(SERIES) + "; with its name, --help shows its options",
+    )
+    for title, declaring in settings:
+        add_declared(parser, declaring, title)
+    add_declared(parser, Options, "model")
+    add_vehicle_options(parser)
+    parser.add_argument("--csv", metavar="FILE", help="write the table, numbers in full precision")
+    return parser
+
+
 def table(columns: tuple[str, ...], rows: list[tuple]) -> str:
-    """Columns side by side, numbers with three decimals."""
+    """Columns side by side, numbers with three decimals, whole ones with none."""
     cells = [columns, *([_cell(value) for value in row] for row in rows)]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     lines = (
@@ -58,8 +85,8 @@ def table(columns: tuple[str, ...], rows: list[tuple]) -> str:
 
 
 def _cell(value: float | str) -> str:
-    if isinstance(value, str):
-        return value
+    if isinstance(value, str | int):
+        return str(value)
     return "-" if math.isnan(value) else f"{value:.3f}"
 
 

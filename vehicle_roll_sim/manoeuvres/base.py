@@ -18,6 +18,8 @@ STEEPEST = 60.0
 """deg: road-wheel angles beyond it belong to no road vehicle."""
 LONGEST = 86_400.0
 """s"""
+SIDES = {"left": 1.0, "right": -1.0}
+"""To which a manoeuvre begins, and the sign of its first turn."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)

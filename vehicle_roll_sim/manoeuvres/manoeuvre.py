@@ -7,11 +7,19 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.base import LONGEST, STEEPEST, Manoeuvre, OpenLoop
+from vehicle_roll_sim.manoeuvres.double_lane_change import (
+    ISO_DOUBLE_LANE_CHANGE,
+    ISO_SEVERE_DOUBLE_LANE_CHANGE,
+)
 from vehicle_roll_sim.manoeuvres.iso_step_steer import ISO_STEP_STEER
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
 from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import SLOWLY_INCREASING_STEER
-from vehicle_roll_sim.manoeuvres.steady_state_circle import STEADY_STATE_CIRCLE
+from vehicle_roll_sim.manoeuvres.steady_state_circle import (
+    CONSTANT_HANDWHEEL_CIRCLE,
+    CONSTANT_RADIUS_CIRCLE,
+    STEADY_STATE_CIRCLE,
+)
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -42,7 +50,11 @@ STANDARD = {
     "nhtsa_fishhook": NHTSA_FISHHOOK,
     "sine_with_dwell": SINE_WITH_DWELL,
     "iso_step_steer": ISO_STEP_STEER,
+    "iso_double_lane_change": ISO_DOUBLE_LANE_CHANGE,
+    "iso_severe_double_lane_change": ISO_SEVERE_DOUBLE_LANE_CHANGE,
     "steady_state_circle": STEADY_STATE_CIRCLE,
+    "constant_radius_circle": CONSTANT_RADIUS_CIRCLE,
+    "constant_handwheel_circle": CONSTANT_HANDWHEEL_CIRCLE,
 }
 """All manoeuvres, with the conditions of the source or of the standard (docs/manoeuvres.md)."""
 

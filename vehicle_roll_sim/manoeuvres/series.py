@@ -1,6 +1,5 @@
 """Test series: a manoeuvre again and again, faster or with more steering, and the verdict."""
 
-import abc
 import dataclasses
 import math
 from collections.abc import Iterator
@@ -8,51 +7,26 @@ from collections.abc import Iterator
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, unknown_name
+from vehicle_roll_sim.manoeuvres.base import SIDES
 from vehicle_roll_sim.manoeuvres.criteria import has_wheel_heights, two_wheel_lift
+from vehicle_roll_sim.manoeuvres.double_lane_change import (
+    ISO_DOUBLE_LANE_CHANGE,
+    ISO_SEVERE_DOUBLE_LANE_CHANGE,
+)
+from vehicle_roll_sim.manoeuvres.entry_speed_search import EntrySpeedSearch
 from vehicle_roll_sim.manoeuvres.handwheel import METRES_PER_SECOND_OF_A_MPH
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
+from vehicle_roll_sim.manoeuvres.series_of_runs import COMPLETE, Series, driven, ending_of
 from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL, SineWithDwellResult
-from vehicle_roll_sim.model.events import VALUE, Condition
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.model.events import VALUE
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.run import run
-from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-COMPLETE = "complete"
-DIRECTIONS = {"left": 1.0, "right": -1.0}
 LADDER_FROM, LADDER_STEP, LADDER_TO = 1.5, 0.5, 6.5
 """Amplitudes of the sine with dwell over the handwheel angle at 0.3 g."""
 LEAST_FINAL, LARGEST_FINAL = 270.0, 300.0
 """deg: the final amplitude is 6.5 times that angle, but not below and not above these."""
-
-
-@dataclasses.dataclass(frozen=True)
-class Series(abc.ABC):
-    """Runs of a manoeuvre to the left, then to the right; a row of results for each."""
-
-    manoeuvre: ScaledManoeuvre
-
-    columns = ()
-    """Names of what a row has; SI units unless the name ends in another."""
-
-    def rows(self, vehicle: Vehicle, options: Options) -> Iterator[tuple]:
-        """Drive the runs one by one, on a level road."""
-        ready = self.manoeuvre.for_vehicle(vehicle, options)
-        for direction, side in DIRECTIONS.items():
-            for row in self.rows_to_a_side(ready, side, vehicle, options):
-                yield (direction, *row)
-
-    @abc.abstractmethod
-    def rows_to_a_side(
-        self, ready: ScaledManoeuvre, side: float, vehicle: Vehicle, options: Options
-    ) -> Iterator[tuple]:
-        """Runs to the left (side 1) or right (-1), without the direction in front."""
-
-    @abc.abstractmethod
-    def verdict(self, rows: list[tuple]) -> str:
-        """What the rows mean."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,8 +38,9 @@ class SpeedSeries(Series):
     columns = ("direction", "speed_mph", "amplitude_deg", "peak_roll_deg", "two_wheel_lift", "end")
 
     def rows_to_a_side(
-        self, ready: ScaledManoeuvre, side: float, vehicle: Vehicle, options: Options
+        self, ready: ScaledManoeuvre, direction: str, vehicle: Vehicle, options: Options
     ) -> Iterator[tuple]:
+        side = SIDES[direction]
         for speed in self.speeds:
             manoeuvre = dataclasses.replace(
                 ready, speed=speed * METRES_PER_SECOND_OF_A_MPH, scalar=side * ready.scalar
@@ -75,10 +50,9 @@ class SpeedSeries(Series):
                 raise InputError("--model", options.model, "a model that has wheel heights")
             lift = two_wheel_lift(history)
             peak = math.degrees(simulation.events.peak_roll[VALUE])
-            is_complete = simulation.condition is Condition.RUNNING
-            ending = COMPLETE if is_complete else simulation.condition.name.lower()
+            ending = ending_of(simulation)
             yield speed, manoeuvre.amplitude, peak, lift, ending
-            if not (math.isnan(lift) and is_complete):
+            if not (math.isnan(lift) and ending == COMPLETE):
                 return
 
     def verdict(self, rows: list[tuple]) -> str:
@@ -100,8 +74,9 @@ class AmplitudeLadder(Series):
     )
 
     def rows_to_a_side(
-        self, ready: ScaledManoeuvre, side: float, vehicle: Vehicle, options: Options
+        self, ready: ScaledManoeuvre, direction: str, vehicle: Vehicle, options: Options
     ) -> Iterator[tuple]:
+        side = SIDES[direction]
         for scalar in ladder(ready.steering_at_03g):
             manoeuvre = dataclasses.replace(ready, scalar=side * scalar).checked()
             _, history = driven(manoeuvre, vehicle, options)
@@ -114,7 +89,7 @@ class AmplitudeLadder(Series):
         failed = [row for row in rows if row[-1] != "passed"]
         if not failed:
             return "passed"
-        first = [next((r for r in failed if r[0] == side), None) for side in DIRECTIONS]
+        first = [next((r for r in failed if r[0] == side), None) for side in SIDES]
         where = [f"from {abs(row[2]):.1f} deg to the {row[0]}" for row in first if row]
         return f"failed {', '.join(where)}: {len(failed)} of {len(rows)} runs"
 
@@ -123,6 +98,8 @@ SERIES = {
     "nhtsa_j_turn": SpeedSeries(NHTSA_J_TURN, (35.0, 40.0, 45.0, 50.0, 55.0, 60.0)),
     "nhtsa_fishhook": SpeedSeries(NHTSA_FISHHOOK, (35.0, 40.0, 45.0, 47.5, 50.0)),
     "sine_with_dwell": AmplitudeLadder(SINE_WITH_DWELL),
+    "iso_double_lane_change": EntrySpeedSearch(ISO_DOUBLE_LANE_CHANGE, 40, 200),
+    "iso_severe_double_lane_change": EntrySpeedSearch(ISO_SEVERE_DOUBLE_LANE_CHANGE, 20, 150),
 }
 """The manoeuvres whose standard has a series."""
 
@@ -141,12 +118,3 @@ def ladder(steering_at_03g: float) -> list[float]:
     """
     final = min(max(LADDER_TO * steering_at_03g, LEAST_FINAL), LARGEST_FINAL) / steering_at_03g
     return [*np.arange(LADDER_FROM, final - 1e-9, LADDER_STEP).tolist(), final]
-
-
-def driven(
-    manoeuvre: ScaledManoeuvre, vehicle: Vehicle, options: Options
-) -> tuple[Simulation, History]:
-    """A run of its own with a manoeuvre that is ready for the vehicle."""
-    simulation = Simulation(vehicle, options)
-    simulation.reset(manoeuvre.speed)
-    return simulation, run(simulation, manoeuvre.driver(), manoeuvre.duration)

@@ -1,56 +1,90 @@
-"""The steady-state circle of ISO 4138 at constant speed: understeer and roll gradients."""
+"""The steady-state circles of ISO 4138: at constant speed, radius or handwheel angle."""
 
 import dataclasses
 import math
 
 import numpy as np
 
-from vehicle_roll_sim.manoeuvres.handwheel import HOLD
-from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import (
-    SlowlyIncreasingSteer,
-    band_of_the_fit,
+from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.manoeuvres.handwheel import (
+    HOLD,
+    LARGEST_HANDWHEEL,
+    HandwheelManoeuvre,
+    ramp,
 )
-from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.manoeuvres.path_following import PathFollowing
+from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import SlowlyIncreasingSteer
+from vehicle_roll_sim.manoeuvres.steady_turn import RisingSpeed, RisingSpeedDriver, SteadyTurn
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
+SMALLEST_RADIUS, LARGEST_RADIUS = 10.0, 1e4
+"""m"""
+POINT_EVERY = 0.01
+"""rad along the circle: between two points a straight line is R / 80000 inside of it."""
+
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class SteadyStateCircle(SlowlyIncreasingSteer):
-    """A steer so slow that every moment is a steady turn; `for_vehicle` brings the wheelbase."""
+class SteadyStateCircle(SteadyTurn, SlowlyIncreasingSteer):
+    """At constant speed: the handwheel turns slowly."""
 
-    wheelbase: float = math.nan
 
-    def filled_in(self, vehicle: Vehicle, options: Options) -> "SteadyStateCircle":
-        """With the wheelbase (m), and the time at which the vehicle passes 0.375 g."""
-        wheelbase = vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle
-        return dataclasses.replace(super().filled_in(vehicle, options), wheelbase=wheelbase)
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class ConstantRadiusCircle(RisingSpeed, PathFollowing):
+    """On a circle that is followed from the reset on, where the vehicle is tangential to it."""
 
-    def gradients(self, history: History) -> tuple[float, float]:
-        """Understeer gradient, at the road wheels, and roll gradient (deg per m/s^2).
+    radius: float = parameter(
+        "radius of the circle, left positive", "m", -LARGEST_RADIUS, LARGEST_RADIUS
+    )
 
-        Slopes over lateral acceleration of steering - wheelbase * yaw rate / speed, which is 0 in
-        a turn as the wheels point, and of the roll angle, between 0.1 and 0.375 g. nan without.
-        """
-        band = band_of_the_fit(history)
-        if band is None:
-            return math.nan, math.nan
-        acceleration = history["lateral_acceleration"][band]
-        needed = self.wheelbase * history["yaw_rate"] / history["u"]
-        angles = (history["steering"] - needed, history["roll"])
-        slopes = [np.polyfit(acceleration, angle[band], 1)[0] for angle in angles]
-        return math.degrees(slopes[0]), math.degrees(slopes[1])
+    def for_vehicle(self, vehicle: Vehicle, options: Options) -> "ConstantRadiusCircle":
+        if abs(self.radius) < SMALLEST_RADIUS:
+            allowed = f"at least {SMALLEST_RADIUS:g} m, or at most -{SMALLEST_RADIUS:g} m"
+            raise InputError("radius", self.radius, allowed)
+        return super().for_vehicle(vehicle, options)
 
-    def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
-        labels = ("understeer gradient", "roll gradient")
-        return {
-            label: "0.375 g not reached" if math.isnan(slope) else f"{slope:.4f} deg/(m/s^2)"
-            for label, slope in zip(labels, self.gradients(history), strict=True)
-        }
+    def path_ahead(self, x: float, y: float, distance: float) -> np.ndarray:
+        """From a quarter of the circle behind the vehicle to as much beyond the distance."""
+        beside = math.atan2(x, (self.radius - y) * math.copysign(1.0, self.radius))
+        last = math.pi / 2 + distance / abs(self.radius)
+        angles = beside + np.arange(-math.pi / 2, last, POINT_EVERY)
+        across = self.radius * (1.0 - np.cos(angles))
+        return np.column_stack((abs(self.radius) * np.sin(angles), across))
+
+    def driver(self) -> RisingSpeedDriver:
+        return RisingSpeedDriver(self, self.steering().angle)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class ConstantHandwheelCircle(RisingSpeed, HandwheelManoeuvre):
+    """With the handwheel turned once and then held."""
+
+    handwheel_angle: float = parameter(
+        "handwheel angle that is held, left positive", "deg", -LARGEST_HANDWHEEL, LARGEST_HANDWHEEL
+    )
+    handwheel_rate: float = parameter("rate of the handwheel", "deg/s", 1e-3, 1e5)
+
+    @property
+    def amplitude(self) -> float:
+        return self.handwheel_angle
+
+    def driver(self) -> RisingSpeedDriver:
+        return RisingSpeedDriver(self, self._steer)
+
+    def _steer(self, time: float, state) -> float:
+        turned = ramp(np.array([time]), self.start, self.handwheel_rate, self.handwheel_angle)
+        return float(self.road_wheel(turned)[0])
 
 
 STEADY_STATE_CIRCLE = SteadyStateCircle(
     speed=100 / 3.6, handwheel_angle=30.0, handwheel_rate=0.5, duration=62.0, speed_hold=HOLD
 )
 """100 km/h, and 0.5 deg/s up to 30 deg."""
+CONSTANT_RADIUS_CIRCLE = ConstantRadiusCircle(
+    speed=8.0, radius=100.0, preview_time=0.65, duration=250.0, speed_hold=HOLD
+)
+"""100 m, from 8 m/s on."""
+CONSTANT_HANDWHEEL_CIRCLE = ConstantHandwheelCircle(
+    speed=8.0, handwheel_angle=30.0, handwheel_rate=30.0, duration=250.0, speed_hold=HOLD
+)
+"""30 deg, from 8 m/s on: with the reference vehicle a circle of 78 to 85 m."""

@@ -1,0 +1,91 @@
+"""What the steady-state circles of ISO 4138 have in common: gradients, and a speed that rises."""
+
+import dataclasses
+import math
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.manoeuvres.base import LONGEST, Manoeuvre
+from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import band_of_the_fit
+from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+
+ENOUGH = 0.4 * GRAVITY
+"""m/s^2: speed times yaw rate at which the speed rises no more, just beyond the data's 0.375 g."""
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class SteadyTurn(Manoeuvre):
+    """A turn so slow to change that every moment is steady; `for_vehicle` brings the wheelbase."""
+
+    wheelbase: float = math.nan
+    steady_from = 0.0
+    """Time (s) from which on the data counts."""
+
+    def for_vehicle(self, vehicle: Vehicle, options: Options) -> "SteadyTurn":
+        """With the wheelbase (m)."""
+        wheelbase = vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle
+        return dataclasses.replace(super().for_vehicle(vehicle, options), wheelbase=wheelbase)
+
+    def gradients(self, history: History) -> tuple[float, float]:
+        """Understeer gradient, at the road wheels, and roll gradient (deg per m/s^2).
+
+        Slopes over lateral acceleration of steering - wheelbase * yaw rate / speed, which is 0 in
+        a turn as the wheels point, and of the roll angle, between 0.1 and 0.375 g. At constant
+        radius the second term does not change, at constant handwheel angle the first does not.
+        nan without data.
+        """
+        history = History(history.rows[history["time"] >= self.steady_from])
+        band = band_of_the_fit(history) if len(history.rows) else None
+        if band is None:
+            return math.nan, math.nan
+        acceleration = history["lateral_acceleration"][band]
+        needed = self.wheelbase * history["yaw_rate"] / history["u"]
+        angles = (history["steering"] - needed, history["roll"])
+        slopes = [np.polyfit(acceleration, angle[band], 1)[0] for angle in angles]
+        return math.degrees(slopes[0]), math.degrees(slopes[1])
+
+    def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
+        labels = ("understeer gradient", "roll gradient")
+        return {
+            label: "0.375 g not reached" if math.isnan(slope) else f"{slope:.4f} deg/(m/s^2)"
+            for label, slope in zip(labels, self.gradients(history), strict=True)
+        }
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class RisingSpeed(SteadyTurn):
+    """A turn at a speed that rises slowly."""
+
+    acceleration: float = parameter("rate of the speed", "m/s^2", 1e-4, 10.0, default=0.05)
+    rises_from: float = parameter("when the speed begins to rise", "s", 0.0, LONGEST, default=5.0)
+
+    @property
+    def steady_from(self) -> float:
+        """Then the turn that was begun has settled."""
+        return self.rises_from
+
+
+class RisingSpeedDriver(Feedback):
+    """Raises the speed until there is data enough, then holds it.
+
+    steer: the road-wheel angle (rad) for a time (s) and a state. `enough` is the time (s) from
+    which on the speed is held, inf until then.
+    """
+
+    def __init__(self, manoeuvre: RisingSpeed, steer: Callable[[float, Mapping], float]):
+        self.manoeuvre, self.steer = manoeuvre, steer
+        self.enough = math.inf
+
+    def command(self, time: float, state) -> np.ndarray:
+        commands = self.manoeuvre.straight_ahead(np.array([time]))
+        if abs(state["u"] * state["yaw_rate"]) > ENOUGH:
+            self.enough = min(self.enough, time)
+        rising = max(min(time, self.enough) - self.manoeuvre.rises_from, 0.0)
+        commands["speed_hold_target"] += self.manoeuvre.acceleration * rising
+        commands["steering"] = self.steer(time, state)
+        return commands
