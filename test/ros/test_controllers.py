@@ -74,6 +74,8 @@ def test_each_gives_one_answer_for_every_set(start, peer):
     for name, kept in answers.items():
         peer.node.create_subscription(kinds[name], name, kept.append, PERIODS)
     peer.listen("state")
+    peer.wait(lambda: all(map(peer.node.count_publishers, ANSWERS)), "all controllers")
+    peer.publisher("steering_cmd")  # and lockstep begins
     for period in range(PERIODS):
         peer.wait(lambda period=period: len(peer.received["state"]) > period, "the next set")
         for name, kept in answers.items():
