@@ -7,6 +7,7 @@ simulator on, and nobody misses the first set.
 """
 
 import rclpy
+from rcl_interfaces.msg import ParameterDescriptor
 from rcl_interfaces.srv import GetParameters
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
@@ -37,8 +38,9 @@ class Controller(Node):
         raise NotImplementedError
 
     def parameter(self, name: str, default: float) -> float:
-        """The value of a ROS parameter."""
-        return float(self.declare_parameter(name, default).value)
+        """The value of a ROS parameter, for which an integer serves as well."""
+        any_number = ParameterDescriptor(dynamic_typing=True)
+        return float(self.declare_parameter(name, default, any_number).value)
 
     def prepare(self) -> None:
         """What else is to be done before the first message."""
