@@ -7,7 +7,7 @@ BIN := $(VENV)/bin
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
-.PHONY: setup run test bench lint format build clean
+.PHONY: setup run test bench controllers lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -27,6 +27,10 @@ test: setup
 # Ten minutes; OPTIONS=--quick is rougher, --only NAME ... does a part.
 bench: setup
 	$(BIN)/python -m benchmarks $(OPTIONS)
+
+# What each example controller does, in lockstep; brings the README's table up to date.
+controllers: setup
+	$(BIN)/python msg_examples/compare.py README.md
 
 lint: setup
 	$(BIN)/ruff check .

@@ -26,7 +26,7 @@ FOLDER = Path(__file__).parent
 ROLLED_OVER = math.radians(85.0)
 INNER_WHEELS_OFF = 0.999
 """Load transfer ratio; 1 but for rounding."""
-WARNED = re.compile(r"at (\d+\.\d+) s: inner wheels lift")
+WARNED = re.compile(r"at (\d+\.\d+) s: the (\w+) wheels lift")
 HEADER = (
     *("controller", "manoeuvre", "peak roll", "largest load transfer ratio", "two-wheel lift"),
     *("rollover", "off the path", "sideways", "speed"),
@@ -71,10 +71,10 @@ CONTROLLERS = {
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """What a run was, and when the warning came (s, nan without one)."""
+    """What a run was; warnings: when they came (s), and of the wheels of which side."""
 
     history: History
-    warned: float
+    warnings: tuple[tuple[float, str], ...]
 
     @property
     def peak_roll(self) -> float:
@@ -82,13 +82,24 @@ class Outcome:
 
     @property
     def ratios(self) -> np.ndarray:
-        return np.abs(load_transfer_ratio(self.history.wheels("normal_force")))
+        return load_transfer_ratio(self.history.wheels("normal_force"))
+
+    @property
+    def largest_ratio(self) -> float:
+        return float(np.abs(self.ratios).max())
 
     @property
     def inner_wheels_off(self) -> float:
         """When neither inner wheel carries anything any more (s), nan if never."""
-        off = np.flatnonzero(self.ratios >= INNER_WHEELS_OFF)
+        off = np.flatnonzero(np.abs(self.ratios) >= INNER_WHEELS_OFF)
         return float(self.history["time"][off[0]]) if len(off) else math.nan
+
+    @property
+    def warned(self) -> float:
+        """The first warning (s) of the wheels that come off, nan if none."""
+        off = self.history["time"] == self.inner_wheels_off
+        side = "left" if (self.ratios[off] > 0.0).all() else "right"
+        return min((time for time, warned in self.warnings if warned == side), default=math.nan)
 
     @property
     def two_wheel_lift(self) -> float:
@@ -126,9 +137,9 @@ def drive(scenario: Scenario, chain: Chain) -> Outcome:
         text = said.read()
         if status:
             raise RuntimeError(f"the manoeuvre ended with status {status}:\n{text}")
-        warned = WARNED.search(text)
+        warnings = tuple((float(time), side) for time, side in WARNED.findall(text))
         history = History(np.loadtxt(rows, delimiter=",", skiprows=1))
-    return Outcome(history, float(warned[1]) if warned else math.nan)
+    return Outcome(history, warnings)
 
 
 def ros_arguments(parameters) -> list[str]:
@@ -147,7 +158,7 @@ def row(controller: str, manoeuvre: str, without: Outcome, found: Outcome) -> li
     )
     pairs = [
         *((f"{without.peak_roll:.1f}", f"{found.peak_roll:.1f}°"),),
-        *((f"{without.ratios.max():.2f}", f"{found.ratios.max():.2f}"),),
+        *((f"{without.largest_ratio:.2f}", f"{found.largest_ratio:.2f}"),),
         *((moment(without.two_wheel_lift), moment(found.two_wheel_lift)),),
         *((moment(without.rollover), moment(found.rollover)),),
     ]

@@ -1,22 +1,32 @@
 """What the controllers here have in common: one answer for every message of one topic.
 
-That is all that lockstep wants. The answer's publisher is made when the topic that is listened to
-has one, because lockstep begins as soon as all commands have publishers; so a chain of controllers
-connects from the simulator on, and the first set finds all of them.
+That is all that lockstep wants. It begins as soon as every command has a publisher, so a controller
+makes its own when everything else is connected: the topic that it listens to has a publisher, whose
+node has found it, and the answer has a listener. A chain of controllers thus connects from the
+simulator on, and nobody misses the first set.
 """
 
 import rclpy
+from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.srv import GetParameters
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
 LOOK = 0.02
-"""s between two looks for a publisher."""
+"""s between two looks for the others."""
+ASK_AGAIN = 1.0
+"""s after which a question is repeated: a node that has not found us yet drops its answer."""
+UNNAMED = "_NODE_NAME_UNKNOWN_"
+"""Node of an endpoint that was found before its node."""
 KEPT = 10
 """Messages that wait to be handled; in lockstep there is never more than one."""
 
 
 class Controller(Node):
     """A node `name` that answers messages of a topic; both topics as (name, message type)."""
+
+    needs_listener = True
+    """Whether it waits for somebody to listen to its answers."""
 
     def __init__(self, name: str, heard: tuple[str, type], said: tuple[str, type]):
         super().__init__(name)
@@ -28,19 +38,41 @@ class Controller(Node):
         raise NotImplementedError
 
     def parameter(self, name: str, default: float) -> float:
-        """The value of a ROS parameter, which may be given as an integer."""
-        return float(self.declare_parameter(name, default).value)
+        """The value of a ROS parameter, for which an integer serves as well."""
+        any_number = ParameterDescriptor(dynamic_typing=True)
+        return float(self.declare_parameter(name, default, any_number).value)
 
     def prepare(self) -> None:
-        """What is to be done between the first publisher and the first message."""
+        """What else is to be done before the first message."""
 
     def run(self) -> None:
         """Connect, then answer until the end."""
-        while not self._heard.get_publisher_count():
+        while not self._others_are_there():
             rclpy.spin_once(self, timeout_sec=LOOK)
+        self._make_known()
         self.prepare()
         self._publisher = self.create_publisher(self._said[1], self._said[0], KEPT)
         rclpy.spin(self)
+
+    def _others_are_there(self) -> bool:
+        publishers = self.get_publishers_info_by_topic(self._heard.topic_name)
+        is_named = bool(publishers) and publishers[0].node_name != UNNAMED
+        return is_named and (self.count_subscribers(self._said[0]) > 0 or not self.needs_listener)
+
+    def _make_known(self) -> None:
+        """Ask the node that we listen to for a parameter until it answers.
+
+        Endpoints are made known in order, so that it has then found our subscription, too.
+        """
+        other = self.get_publishers_info_by_topic(self._heard.topic_name)[0]
+        name = f"{other.node_namespace.rstrip('/')}/{other.node_name}/get_parameters"
+        client = self.create_client(GetParameters, name)
+        answer = None
+        while not (answer and answer.done()):
+            client.wait_for_service(ASK_AGAIN)
+            answer = client.call_async(GetParameters.Request(names=["use_sim_time"]))
+            rclpy.spin_until_future_complete(self, answer, timeout_sec=ASK_AGAIN)
+        self.destroy_client(client)
 
     def _listen(self, message) -> None:
         if self._publisher:

@@ -13,7 +13,11 @@ from controller import Controller, run
 from sensor_msgs.msg import Imu
 from std_msgs.msg import Bool, Float64MultiArray
 
-from vehicle_roll_sim.analysis.rollover_prediction import Foresight, RolloverPredictor
+from vehicle_roll_sim.analysis.rollover_prediction import (
+    Foresight,
+    Prediction,
+    RolloverPredictor,
+)
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.simulator_client import SimulatorClient
@@ -23,6 +27,8 @@ FORESIGHT = parameters_of(Foresight)
 
 
 class RolloverWarning(Controller):
+    needs_listener = False
+
     def __init__(self):
         super().__init__(
             "rollover_warning", ("imu", Imu), ("rollover_prediction", Float64MultiArray)
@@ -45,7 +51,7 @@ class RolloverWarning(Controller):
         roll = roll_of(imu.orientation)
         lateral = math.cos(roll) * specific.y - math.sin(roll) * specific.z  # along the ground
         found = self.predictor.update(time, roll, rates.x, lateral)
-        self.warn(time, found.time_to_rollover)
+        self.warn(time, found)
         return [
             time,
             found.load_transfer_ratio,
@@ -53,11 +59,13 @@ class RolloverWarning(Controller):
             found.time_to_rollover,
         ]
 
-    def warn(self, time: float, left: float) -> None:
+    def warn(self, time: float, found: Prediction) -> None:
+        left = found.time_to_rollover
         is_near = left <= self.warning_time
         self.warning.publish(Bool(data=is_near))
         if is_near and not self.warned:
-            self.get_logger().warning(f"at {time:.2f} s: inner wheels lift in {left:.2f} s")
+            side = "left" if found.predicted_load_transfer_ratio > 0.0 else "right"
+            self.get_logger().warning(f"at {time:.2f} s: the {side} wheels lift in {left:.2f} s")
         self.warned = is_near
 
 

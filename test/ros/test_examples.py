@@ -61,18 +61,3 @@ def test_the_readme_has_the_line_for_every_message():
         kind = topic.type
         line = f'ros2 topic pub --rate 50 {topic.name} {kind} "$(cat {topic.name}.yaml)"'
         assert line in text
-
-
-@pytest.mark.parametrize(
-    ("name", "answer"),
-    [("active_roll_bar", "normal_force_cmd"), ("roll_braking", "wheel_torque_cmd")],
-)
-def test_the_example_controller_prevents_the_rollover_of_the_j_turn(start, peer, name, answer):
-    start("simulator")
-    start("", program=str(EXAMPLES / f"{name}.py"))
-    peer.wait_for_listener("tire_normal_forces", name)
-    peer.listen(answer)
-    peer.newest(answer)  # the controller hears the simulator
-    status, out, _ = start("manoeuvre", "j_turn").finish()
-    assert status == 0
-    assert "6.000 s, complete" in out
