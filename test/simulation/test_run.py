@@ -118,17 +118,6 @@ def test_a_programme_that_is_held_is_its_command_of_that_time_with_the_torque_of
     assert answer.speed_hold_gain == 0.0
 
 
-def test_the_torque_that_holds_the_speed_is_held_too_as_that_of_the_beginning():
-    def drive(times):
-        commands = turn(6.0)(times)
-        commands["speed_hold_gain"], commands["speed_hold_target"] = 200.0, 20.0
-        return commands
-
-    without, held = turn(6.0)(np.array([0.0])), hold(drive, 0.0, {"u": 19.0})(np.array([5.0]))
-    assert (held["wheel_torque"] - without["wheel_torque"]).tolist() == [[0.0, 0.0, 200.0, 200.0]]
-    assert held["speed_hold_gain"].tolist() == [0.0]
-
-
 @pytest.mark.parametrize("value", [0.0015, 1e-4, -0.01, math.nan, math.inf])
 @pytest.mark.parametrize("argument", ["duration", "sample", "command_period"])
 def test_times_that_are_no_multiples_of_the_step_are_refused_by_name(simulation, argument, value):
