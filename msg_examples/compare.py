@@ -149,25 +149,25 @@ def ros_arguments(parameters) -> list[str]:
 def row(controller: str, manoeuvre: str, without: Outcome, found: Outcome) -> list[str]:
     """Cells of the table, without the controller and with it, up to the rollover without it."""
     end = without.rollover
-    times = without.history["time"]
-    apart = np.hypot(
-        *(
-            np.interp(times, found.history["time"], found.history[name]) - without.history[name]
-            for name in ("x", "y")
-        )
+    pairs = (
+        (f"{without.peak_roll:.1f}", f"{found.peak_roll:.1f}°"),
+        (f"{without.largest_ratio:.2f}", f"{found.largest_ratio:.2f}"),
+        (moment(without.two_wheel_lift), moment(found.two_wheel_lift)),
+        (moment(without.rollover), moment(found.rollover)),
     )
-    pairs = [
-        *((f"{without.peak_roll:.1f}", f"{found.peak_roll:.1f}°"),),
-        *((f"{without.largest_ratio:.2f}", f"{found.largest_ratio:.2f}"),),
-        *((moment(without.two_wheel_lift), moment(found.two_wheel_lift)),),
-        *((moment(without.rollover), moment(found.rollover)),),
-    ]
-    path = [
-        f"{apart.max():.1f} m",
+    path = (
+        f"{apart(without, found):.1f} m",
         f"{without.at('y', end):.1f} → {found.at('y', end):.1f} m",
         f"{without.at('u', end):.1f} → {found.at('u', end):.1f} m/s",
-    ]
+    )
     return [f"`{controller}`", manoeuvre, *(" → ".join(pair) for pair in pairs), *path]
+
+
+def apart(without: Outcome, found: Outcome) -> float:
+    """The largest distance (m) between the places at the same time, while both runs last."""
+    rows = min(len(run.history.rows) for run in (without, found))
+    distances = (found.history[name][:rows] - without.history[name][:rows] for name in ("x", "y"))
+    return float(np.hypot(*distances).max())
 
 
 def warning_line(manoeuvre: str, without: Outcome) -> str:
