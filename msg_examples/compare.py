@@ -110,8 +110,9 @@ class Outcome:
         over = np.abs(self.history["roll"][-1]) >= ROLLED_OVER
         return float(self.history["time"][-1]) if over else math.nan
 
-    def at(self, name: str, time: float) -> float:
-        return float(np.interp(time, self.history["time"], self.history[name]))
+    def at(self, name: str, time):
+        """A signal at a time (s) or at several, linear between samples."""
+        return np.interp(time, self.history["time"], self.history[name])
 
 
 def drive(scenario: Scenario, chain: Chain) -> Outcome:
@@ -164,10 +165,10 @@ def row(controller: str, manoeuvre: str, without: Outcome, found: Outcome) -> li
 
 
 def apart(without: Outcome, found: Outcome) -> float:
-    """The largest distance (m) between the places at the same time, while both runs last."""
-    rows = min(len(run.history.rows) for run in (without, found))
-    distances = (found.history[name][:rows] - without.history[name][:rows] for name in ("x", "y"))
-    return float(np.hypot(*distances).max())
+    """The largest distance (m) between the places at the same time, until the rollover without."""
+    times = without.history["time"]  # its last row is that of the rollover, within a period
+    x, y = (found.at(name, times) - without.history[name] for name in ("x", "y"))
+    return float(np.hypot(x, y).max())
 
 
 def warning_line(manoeuvre: str, without: Outcome) -> str:
