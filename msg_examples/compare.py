@@ -110,8 +110,9 @@ class Outcome:
         over = np.abs(self.history["roll"][-1]) >= ROLLED_OVER
         return float(self.history["time"][-1]) if over else math.nan
 
-    def at(self, name: str, time: float) -> float:
-        return float(np.interp(time, self.history["time"], self.history[name]))
+    def at(self, name: str, time):
+        """A signal at a time (s) or at several, linear between samples."""
+        return np.interp(time, self.history["time"], self.history[name])
 
 
 def drive(scenario: Scenario, chain: Chain) -> Outcome:
@@ -149,25 +150,25 @@ def ros_arguments(parameters) -> list[str]:
 def row(controller: str, manoeuvre: str, without: Outcome, found: Outcome) -> list[str]:
     """Cells of the table, without the controller and with it, up to the rollover without it."""
     end = without.rollover
-    times = without.history["time"]
-    apart = np.hypot(
-        *(
-            np.interp(times, found.history["time"], found.history[name]) - without.history[name]
-            for name in ("x", "y")
-        )
+    pairs = (
+        (f"{without.peak_roll:.1f}", f"{found.peak_roll:.1f}°"),
+        (f"{without.largest_ratio:.2f}", f"{found.largest_ratio:.2f}"),
+        (moment(without.two_wheel_lift), moment(found.two_wheel_lift)),
+        (moment(without.rollover), moment(found.rollover)),
     )
-    pairs = [
-        *((f"{without.peak_roll:.1f}", f"{found.peak_roll:.1f}°"),),
-        *((f"{without.largest_ratio:.2f}", f"{found.largest_ratio:.2f}"),),
-        *((moment(without.two_wheel_lift), moment(found.two_wheel_lift)),),
-        *((moment(without.rollover), moment(found.rollover)),),
-    ]
-    path = [
-        f"{apart.max():.1f} m",
+    path = (
+        f"{apart(without, found):.1f} m",
         f"{without.at('y', end):.1f} → {found.at('y', end):.1f} m",
         f"{without.at('u', end):.1f} → {found.at('u', end):.1f} m/s",
-    ]
+    )
     return [f"`{controller}`", manoeuvre, *(" → ".join(pair) for pair in pairs), *path]
+
+
+def apart(without: Outcome, found: Outcome) -> float:
+    """The largest distance (m) between the places at the same time, until the rollover without."""
+    times = without.history["time"]  # its last row is that of the rollover, within a period
+    x, y = (found.at(name, times) - without.history[name] for name in ("x", "y"))
+    return float(np.hypot(x, y).max())
 
 
 def warning_line(manoeuvre: str, without: Outcome) -> str:
