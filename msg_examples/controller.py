@@ -6,6 +6,8 @@ node has found it, and the answer has a listener. A chain of controllers thus co
 simulator on, and nobody misses the first set.
 """
 
+import contextlib
+
 import rclpy
 from rcl_interfaces.msg import ParameterDescriptor
 from rcl_interfaces.srv import GetParameters
@@ -87,4 +89,5 @@ def run(kind: type[Controller]) -> None:
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:
-        rclpy.try_shutdown()
+        with contextlib.suppress(RuntimeError):  # a signal is shutting down just now
+            rclpy.try_shutdown()

@@ -10,7 +10,9 @@ from peers import TOPICS
 from vehicle_roll_sim.command_line.main import main as offline
 from vehicle_roll_sim.manoeuvres.manoeuvre import manoeuvre_named
 from vehicle_roll_sim.ros.driver import Driver
-from vehicle_roll_sim.ros.topics import recording_qos
+from vehicle_roll_sim.ros.process import lifetime
+from vehicle_roll_sim.ros.simulator_client import SimulatorClient
+from vehicle_roll_sim.ros.topics import message_class, recording_qos
 
 VEHICLE = {"cg_height": 0.55, "steering_ratio": 20.0}
 STEERING, BOTH = (
@@ -154,7 +156,7 @@ def driver(domain):
     """The node of a short manoeuvre with speed hold, in this process."""
     rclpy.init(args=[], domain_id=domain)
     manoeuvre = dataclasses.replace(manoeuvre_named("step_steer"), duration=1.5)
-    yield Driver(manoeuvre, "simulator")
+    yield Driver(manoeuvre)
     rclpy.try_shutdown()
 
 
@@ -165,11 +167,12 @@ def test_whoever_is_known_to_listen_gets_every_command_and_none_from_before_the_
     start("simulator", *lockstep(BOTH))
     commands = {"steering_cmd": [], "wheel_torque_cmd": []}
     for name, kept in commands.items():
-        topic = TOPICS[name]
-        peer.node.create_subscription(topic.type, name, kept.append, recording_qos(topic))
+        kind, qos = message_class(TOPICS[name].type), recording_qos(TOPICS[name])
+        peer.node.create_subscription(kind, name, kept.append, qos)
     peer.wait(lambda: driver.count_subscribers("wheel_torque_cmd") == 2, "all to be known")
-    driver.prepare()
-    driver.play()
+    with lifetime(driver) as executor:
+        driver.prepare(SimulatorClient(driver, executor, "simulator"))
+        driver.play()
     periods = len(driver.sent)
     assert periods == 150
     for name, kept in commands.items():

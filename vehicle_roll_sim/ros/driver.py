@@ -40,12 +40,11 @@ class Driver(Node):
     waiting for to begin, are made after the reset, so that the set of time 0 comes once.
     """
 
-    def __init__(self, manoeuvre: Manoeuvre, simulator: str):
+    def __init__(self, manoeuvre: Manoeuvre):
         super().__init__("manoeuvre")
         self.manoeuvre = manoeuvre
         self._commands: dict[str, Publisher] = {}
         self.collector = Collector(self, self._on_state)
-        self._simulator = SimulatorClient(self, simulator)
         self._forget()
 
     def _forget(self) -> None:
@@ -55,9 +54,9 @@ class Driver(Node):
         self.driver = self.manoeuvre.driver()
         self.finished = self.disturbed = self._driving = False
 
-    def prepare(self) -> None:
+    def prepare(self, simulator: SimulatorClient) -> None:
         """Set the speed, connect, reset; raises NoAnswerError, or InputError if it cannot drive."""
-        simulator = self._simulator
+        self._simulator = simulator
         names = ["rollover_angle", "steady_state_slip", "mode", "lockstep_topics"]
         self.rollover_angle, steady, mode, awaited = simulator.get(names)
         self._slowest = MINIMUM_SPEED if steady else -math.inf

@@ -16,8 +16,8 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.ros.driver import ROUNDING, Driver
-from vehicle_roll_sim.ros.process import living, node_main
-from vehicle_roll_sim.ros.simulator_client import NoAnswerError
+from vehicle_roll_sim.ros.process import lifetime, node_main
+from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
 from vehicle_roll_sim.simulation.summary import line, summary_lines
@@ -38,9 +38,10 @@ def drive(
     name: str, manoeuvre: Manoeuvre, simulator: str, csv: Path | None, plot: Path | None
 ) -> int:
     """Play the manoeuvre, write its files and print its summary; the exit status."""
+    driver = Driver(manoeuvre)
     try:
-        with living(Driver(manoeuvre, simulator)) as driver:
-            driver.prepare()
+        with lifetime(driver) as executor:
+            driver.prepare(SimulatorClient(driver, executor, simulator))
             driver.play()
     except NoAnswerError as error:
         print(f"manoeuvre: error: {error}", file=sys.stderr)

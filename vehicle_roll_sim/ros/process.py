@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import rclpy
 from rclpy.exceptions import NameValidationException
-from rclpy.executors import ExternalShutdownException
+from rclpy.executors import Executor, ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.utilities import remove_ros_args
 
@@ -42,12 +42,24 @@ def node_main(
 
 
 @contextlib.contextmanager
-def living(node: Node) -> Iterator[Node]:
-    """A node that is destroyed in the end, before what it stands on is."""
+def executor_of(node: Node) -> Iterator[Executor]:
+    """An executor for a node, which in the end is shut down before what it stands on is."""
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
     try:
-        yield node
+        yield executor
     finally:
-        node.destroy_node()
+        executor.shutdown()
+
+
+@contextlib.contextmanager
+def lifetime(node: Node) -> Iterator[Executor]:
+    """An executor for a node; in the end both are gone."""
+    with executor_of(node) as executor:
+        try:
+            yield executor
+        finally:
+            node.destroy_node()
 
 
 def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespace) -> int:

@@ -5,7 +5,6 @@ import sys
 import time
 from pathlib import Path
 
-from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.serialization import deserialize_message
 
@@ -13,7 +12,7 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
-from vehicle_roll_sim.ros.process import living, node_main
+from vehicle_roll_sim.ros.process import lifetime, node_main
 from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
 
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
@@ -53,9 +52,7 @@ def record(folder: Path, duration: float | None) -> int:
 
     bag = Bag(folder, "--output")
     try:
-        with living(Recorder(bag)) as node:
-            executor = SingleThreadedExecutor()
-            executor.add_node(node)
+        with lifetime(Recorder(bag)) as executor:
             print(f"recorder: recording to {folder}", flush=True)
             until = time.monotonic() + duration if duration else float("inf")
             while (left := until - time.monotonic()) > 0.0:

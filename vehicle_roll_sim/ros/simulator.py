@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from rclpy.clock import Clock as RosClock
 from rclpy.clock import ClockType
 from rclpy.event_handler import SubscriptionEventCallbacks
-from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from std_srvs.srv import SetBool, Trigger
 
@@ -18,7 +17,7 @@ from vehicle_roll_sim.model import jit
 from vehicle_roll_sim.ros import parameters
 from vehicle_roll_sim.ros.diagnostics import Reporter
 from vehicle_roll_sim.ros.lockstep import Lockstep, UnansweredError
-from vehicle_roll_sim.ros.process import living, node_main
+from vehicle_roll_sim.ros.process import lifetime, node_main
 from vehicle_roll_sim.ros.publications import LONGEST_UNNOTICED_NS, Publications
 from vehicle_roll_sim.ros.real_time import RealTime
 from vehicle_roll_sim.ros.settings import Settings
@@ -65,12 +64,6 @@ class Simulator(Node):
         report = Reporter(self, self.session, self.driver, self._publications, self.lock).report
         steady = RosClock(clock_type=ClockType.STEADY_TIME)
         self.create_timer(DIAGNOSTICS_PERIOD, report, clock=steady)
-
-    def run(self) -> None:
-        """Until the context is shut down; raises UnansweredError in lockstep."""
-        executor = SingleThreadedExecutor(context=self.context)
-        executor.add_node(self)
-        self.driver.run(self, executor)
 
     def begin(self) -> None:
         """Publish the first set, of time 0; what was commanded before it is forgotten."""
@@ -213,8 +206,9 @@ def main() -> int:
 
     def body(_) -> int:
         try:
-            with living(Simulator()) as simulator:
-                simulator.run()
+            simulator = Simulator()
+            with lifetime(simulator) as executor:
+                simulator.driver.run(simulator, executor)
         except UnansweredError as error:
             print(f"simulator: error: {error}", file=sys.stderr)
             return NO_ANSWER

@@ -4,7 +4,7 @@ import time
 from collections.abc import Callable, Sequence
 
 from rcl_interfaces.srv import GetParameters, SetParameters
-from rclpy.executors import SingleThreadedExecutor
+from rclpy.executors import Executor
 from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from std_srvs.srv import Trigger
@@ -27,10 +27,8 @@ class SimulatorClient:
     All methods raise NoAnswerError if the simulator does not answer in time.
     """
 
-    def __init__(self, node: Node, name: str):
-        self._node, self.name = node, name
-        self._executor = SingleThreadedExecutor()
-        self._executor.add_node(node)
+    def __init__(self, node: Node, executor: Executor, name: str):
+        self._node, self._executor, self.name = node, executor, name
 
     def get(self, names: Sequence[str]) -> list:
         """Values of parameters."""
