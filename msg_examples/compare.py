@@ -20,10 +20,9 @@ from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift
 from vehicle_roll_sim.ros.demo import LOCAL, start, stop
 from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.simulation import compile_model
+from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE, compile_model
 
 FOLDER = Path(__file__).parent
-ROLLED_OVER = math.radians(85.0)
 INNER_WHEELS_OFF = 0.999
 """Load transfer ratio; 1 but for rounding."""
 WARNED = re.compile(r"at (\d+\.\d+) s: the (\w+) wheels lift")
@@ -107,7 +106,7 @@ class Outcome:
 
     @property
     def rollover(self) -> float:
-        over = np.abs(self.history["roll"][-1]) >= ROLLED_OVER
+        over = np.abs(self.history["roll"][-1]) >= DEFAULT_ROLLOVER_ANGLE
         return float(self.history["time"][-1]) if over else math.nan
 
     def at(self, name: str, time):
@@ -139,7 +138,7 @@ def drive(scenario: Scenario, chain: Chain) -> Outcome:
         if status:
             raise RuntimeError(f"the manoeuvre ended with status {status}:\n{text}")
         warnings = tuple((float(time), side) for time, side in WARNED.findall(text))
-        history = History(np.loadtxt(rows, delimiter=",", skiprows=1))
+        history = History.read_csv(rows)
     return Outcome(history, warnings)
 
 

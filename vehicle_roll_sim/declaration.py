@@ -19,7 +19,7 @@ class InputError(ValueError):
     def __init__(self, field: str, value, allowed: str, problem: str = ""):
         problem = problem or ("missing" if value is None else f"{_shown(value)} is not allowed")
         super().__init__(_in_one_line(f"{field}: {problem}: {allowed}"))
-        self.field, self.value, self.allowed = field, value, allowed
+        self.field, self.value, self.allowed, self.problem = field, value, allowed, problem
 
 
 def _in_one_line(text: str) -> str:

@@ -1,5 +1,8 @@
 """Replaying a recording: to the bit, or by how much not; what cannot be replayed is refused."""
 
+import contextlib
+import shutil
+
 import numpy as np
 import pytest
 from recorded import record
@@ -69,8 +72,9 @@ def test_where_messages_are_missing_the_comparison_ends_and_says_so(j_turn, chan
         return [] if (name, sent) == (topic, 1_000_000_000) else [(name, sent, data)]
 
     (result,) = replayed(changed(j_turn, lose))
-    assert result.is_exact
+    assert result.is_exact  # as far as it goes
     assert (result.end, result.missing_from) == (0.99, 0.99)
+    assert not result.is_complete
 
 
 def test_every_run_from_a_reset_on_is_replayed(j_turn, changed):
@@ -88,7 +92,7 @@ def test_one_vehicle_of_several_is_chosen_by_its_namespace(j_turn, changed):
         return [(f"/{name}{topic}", sent, data) for name in ("a", "b")]
 
     bag = changed(j_turn, two)
-    with pytest.raises(InputError, match="vehicles found: /a, /b"):
+    with pytest.raises(InputError, match="one of /a, /b"):
         recorded_runs(bag)
     with pytest.raises(InputError, match="namespace"):
         recorded_runs(bag, "c")
@@ -105,13 +109,58 @@ def test_a_recording_of_another_vehicle_is_refused_by_its_first_state(j_turn):
         replay(run, Simulation(preset(), Options(model="8dof")))
 
 
-def test_a_recording_that_begins_under_way_is_refused(j_turn, changed):
-    def from_1_s(topic, sent, data):
+def test_a_run_whose_beginning_is_not_recorded_is_told_from_the_others(j_turn, changed):
+    def in_the_midst(topic, sent, data):
+        later = [(topic, sent + 3_000_000_000, data)]
         early = sent < 1_000_000_000 and topic != "/simulation_description"
-        return [] if early else [(topic, sent, data)]
+        return later if early else [(topic, sent, data), *later]
 
-    with pytest.raises(InputError, match="time of the first state"):
-        replayed(changed(j_turn, from_1_s))
+    fragment, whole = recorded_runs(changed(j_turn, in_the_midst))
+    assert (fragment.begins_at_a_reset, whole.begins_at_a_reset) == (False, True)
+    assert replay(whole, described(whole.description).simulation).is_complete
+
+
+def test_one_set_alone_shows_nothing(j_turn, changed):
+    def first_only(topic, sent, data):
+        return [(topic, sent, data)] if sent == 0 else []
+
+    (result,) = replayed(changed(j_turn, first_only))
+    assert (result.periods, result.is_complete) == (0, False)
+
+
+def test_the_history_is_the_same_where_messages_of_a_set_arrive_in_any_order(j_turn, changed):
+    numbers = np.random.default_rng(1)
+
+    def arrive_late(topic, sent, data):
+        return [(topic, sent + int(numbers.integers(300_000)), data)]  # ns
+
+    whole, received = last_history(j_turn), last_history(changed(j_turn, arrive_late))
+    np.testing.assert_array_equal(received.rows, whole.rows)
+
+
+def test_what_is_not_a_state_of_a_simulator_is_refused(j_turn, changed):
+    def without_labels(topic, sent, data):
+        if topic == "/state":
+            message = decode(data, ARRAY)
+            message.layout.dim = []
+            data = bytes(TYPES.serialize_cdr(message, ARRAY))
+        return [(topic, sent, data)]
+
+    with pytest.raises(InputError, match="a state that is none"):
+        recorded_runs(changed(j_turn, without_labels))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_damaged_bag_is_read_or_refused_and_no_more(j_turn, tmp_path, seed):
+    damaged = tmp_path / "j_turn"
+    shutil.copytree(j_turn, damaged)
+    file = damaged / ("metadata.yaml" if seed % 3 == 0 else "j_turn.mcap")
+    data, numbers = bytearray(file.read_bytes()), np.random.default_rng(seed)
+    for place in numbers.integers(len(data), size=30):
+        data[place] = numbers.integers(256)
+    file.write_bytes(data)
+    with contextlib.suppress(InputError):
+        assert recorded_runs(damaged)
 
 
 def test_the_history_of_a_bag_is_that_of_the_run(j_turn):

@@ -4,6 +4,8 @@ import shutil
 
 import pytest
 
+from vehicle_roll_sim.bags.reading import RecordedRun
+from vehicle_roll_sim.bags.replay import Replay
 from vehicle_roll_sim.command_line import replay as replay_module
 
 SHORT = ("run", "j_turn", "--duration", "1.2")
@@ -44,6 +46,19 @@ def test_what_is_not_exact_is_told_and_with_strict_an_error(command, bag, monkey
     assert result.value["recorded with"].startswith("version 0.1.0 on ")
 
 
+def test_a_recording_that_begins_under_way_is_left_out(command, bag, monkeypatch):
+    monkeypatch.setattr(RecordedRun, "begins_at_a_reset", False)
+    result = command("replay", bag)
+    assert (result.status, len(result.err.splitlines())) == (2, 1)
+    assert "begins under way" in result.err
+
+
+def test_with_strict_a_gap_is_an_error_too(command, bag, monkeypatch):
+    monkeypatch.setattr(Replay, "is_complete", False)
+    assert command("replay", bag).status == 0
+    assert command("replay", bag, "--strict").status == 1
+
+
 def test_a_bag_is_drawn_as_the_csv_is(command, folder, bag):
     result = command("plot", bag)
     assert result.status == 0
@@ -52,6 +67,17 @@ def test_a_bag_is_drawn_as_the_csv_is(command, folder, bag):
 
 def test_a_bag_that_is_there_already_is_not_replaced(refused, bag):
     refused([*SHORT, "--bag", bag], "--bag", "does not exist yet")
+
+
+def test_results_of_one_name_are_refused(refused, folder):
+    refused([*SHORT, "--csv", "x.png", "--plot", str(folder / "x.png")], "--plot", "--csv")
+    refused([*SHORT, "--csv", "x", "--bag", "x"], "--bag", "--csv")
+    refused([*SHORT, "--bag", "none/.."], "--bag", "does not exist yet")
+
+
+def test_a_bag_of_several_vehicles_wants_a_namespace_in_plot_too(refused, bag):
+    refused(["plot", bag, "--namespace", "a"], "--namespace", "one of /")
+    refused(["replay", bag, "--namespace", "a"], "--namespace", "one of /")
 
 
 def test_a_period_that_is_no_multiple_of_the_step_is_refused(refused):

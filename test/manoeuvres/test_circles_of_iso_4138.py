@@ -153,7 +153,7 @@ def test_to_the_right_all_is_mirrored(name, mirrored):
 def test_a_vehicle_that_does_not_get_to_0_375_g_has_no_gradients(name):
     short = circle(name)
     report = short.report(driven(short, 20.0), short.driver())
-    assert set(report.values()) == {"0.375 g not reached"}
+    assert set(report.values()) == {"not enough samples between 0.1 and 0.375 g"}
 
 
 @pytest.mark.parametrize("radius", [0.0, 9.9, -5.0])

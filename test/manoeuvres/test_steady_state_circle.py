@@ -86,4 +86,6 @@ def test_a_vehicle_that_does_not_get_to_0_375_g_has_no_gradients():
     straight = circle(handwheel_angle=3.0, duration=12.0)
     history = driven(straight)
     assert np.isnan(straight.gradients(history)).all()
-    assert set(straight.report(history, straight).values()) == {"0.375 g not reached"}
+    assert set(straight.report(history, straight).values()) == {
+        "not enough samples between 0.1 and 0.375 g"
+    }

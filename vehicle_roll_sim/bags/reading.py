@@ -1,18 +1,18 @@
 """The runs of a simulator in a bag, whoever recorded it: rosbag2, this package, other libraries."""
 
 import dataclasses
+import math
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from rosbags.rosbag2 import Reader, ReaderError
-from rosbags.serde import SerdeError
+from rosbags.rosbag2 import Reader
 
 from vehicle_roll_sim.bags.encoding import decode
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.collected import COLLECTED, COMMAND, STATE, Collected, by_name
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS
-from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION
+from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.simulation.history import History
 
 A_BAG = "a whole bag of a simulator: metadata.yaml, and the file that it names"
@@ -36,8 +36,16 @@ class RecordedRun:
         """Every `state`, by name, in order."""
         return [state for _, state in self.kept.states]
 
-    def history(self) -> History:
-        return self.kept.history()
+    @property
+    def begins_at_a_reset(self) -> bool:
+        """Whether it is known from time 0 on."""
+        return self.states[0]["time"] == 0.0
+
+    def keep(self, topic: str, sent: int, message) -> None:
+        """Note a message of another topic than `state`."""
+        self.kept.keep(topic, sent, message)
+        if topic == COMMAND:
+            self.commands[float(message.data[0])] = message.data
 
 
 def recorded_runs(path: Path, namespace: str | None = None) -> list[RecordedRun]:
@@ -45,21 +53,16 @@ def recorded_runs(path: Path, namespace: str | None = None) -> list[RecordedRun]
 
     Raises InputError for what is no bag, is damaged, or has no states and commands.
     """
-    try:
-        runs = list(_runs(path, namespace))
-    except (ReaderError, SerdeError, OSError, KeyError) as error:
-        reason = getattr(error, "strerror", None) or error
-        problem = f"{path}: {reason}"
-        raise InputError("BAG", str(path), A_BAG, problem) from None
+    runs = list(_runs(path, namespace))
     for name, found in ((STATE, "states"), (COMMAND, "commands")):
         if not any(getattr(run, found) for run in runs):
             raise InputError("BAG", str(path), A_BAG, f"{path}: no messages on {name}")
     return runs
 
 
-def last_history(path: Path) -> History:
+def last_history(path: Path, namespace: str | None = None) -> History:
     """The samples of the last run in a bag; raises InputError as `recorded_runs` does."""
-    history = recorded_runs(path)[-1].history()
+    history = recorded_runs(path, namespace)[-1].kept.history()
     if not len(history.rows):
         wanted = ", ".join(topic.name for topic in COLLECTED)
         raise InputError("BAG", str(path), f"sets of {wanted}", f"{path}: no complete set")
@@ -67,49 +70,82 @@ def last_history(path: Path) -> History:
 
 
 def _runs(path: Path, namespace: str | None) -> Iterator[RecordedRun]:
-    """Every run; one ends where the time of the states falls."""
+    """Every run; one ends where the time of the states falls.
+
+    What was logged before the first state may belong to it: receivers log in the order of arrival.
+    """
+    run, early, last_time, description = None, [], math.inf, ""
+    for topic, sent, message in _messages(path, namespace):
+        _check(topic, message, path)
+        if topic is SIMULATION_DESCRIPTION:
+            description = message.data
+            if run is not None and not run.description:
+                run.description = description
+        elif topic.name == STATE:
+            state = by_name(message)
+            if state["time"] < last_time:
+                if run is not None:
+                    yield run
+                run = RecordedRun(description)
+                for entry in early:
+                    run.keep(*entry)
+                early = []
+            last_time = state["time"]
+            run.kept.states.append((sent, state))
+        elif run is None:
+            early.append((topic.name, sent, message))
+        else:
+            run.keep(topic.name, sent, message)
+    if run is not None:
+        yield run
+
+
+def _check(topic: Topic, message, path: Path) -> None:
+    """Raise InputError for a message that no simulator sends."""
+    if topic.name == STATE:
+        labels = [dimension.label for dimension in message.layout.dim]
+        is_ours = labels[:1] == ["time"] and len(labels) == len(message.data)
+        is_ours = is_ours and math.isfinite(message.data[0])
+    elif topic.name == COMMAND:
+        is_ours = len(message.data) == len(COMMAND_LABELS)
+    else:
+        return
+    if not is_ours:
+        raise InputError("BAG", str(path), A_BAG, f"{path}: a {topic.name} that is none")
+
+
+def _messages(path: Path, namespace: str | None) -> Iterator[tuple[Topic, int, object]]:
+    """Topic, log time (ns) and message of all that is read of a bag."""
     if not path.is_dir():
         raise InputError("BAG", str(path), A_BAG)
-    with Reader(path) as reader:
-        names = _names(reader, path, namespace)
-        wanted = [connection for connection in reader.connections if connection.topic in names]
-        run, last_time, description = None, np.inf, ""
-        for connection, sent, data in reader.messages(wanted) if wanted else ():
-            topic = names[connection.topic]
-            message = decode(data, topic.type)
-            if topic is SIMULATION_DESCRIPTION:
-                description = message.data
-                if run is not None and not run.description:
-                    run.description = description
-                continue
-            if topic.name == STATE:
-                state = by_name(message)
-                if state["time"] < last_time:
-                    if run:
-                        yield run
-                    run = RecordedRun(description)
-                last_time = state["time"]
-                run.kept.states.append((sent, state))
-            elif run:
-                run.kept.keep(topic.name, sent, message)
-                if topic.name == COMMAND and len(message.data) == len(COMMAND_LABELS):
-                    run.commands[float(message.data[0])] = message.data
-        if run:
-            yield run
+    try:
+        with Reader(path) as reader:
+            names = _names(reader, path, namespace)
+            wanted = [each for each in reader.connections if each.topic in names]
+            for connection, sent, data in reader.messages(wanted):
+                topic = names[connection.topic]
+                yield topic, sent, decode(data, topic.type)
+    except InputError:
+        raise
+    except Exception as error:  # the library raises whatever it meets in a damaged file
+        reason = getattr(error, "strerror", None) or error or type(error).__name__
+        raise InputError("BAG", str(path), A_BAG, f"{path}: {reason}") from None
 
 
-def _names(reader: Reader, path: Path, namespace: str | None) -> dict:
+def _names(reader: Reader, path: Path, namespace: str | None) -> dict[str, Topic]:
     """The topics that are read, by their full names in the bag."""
     types = {connection.topic: connection.msgtype for connection in reader.connections}
     suffix = f"/{COMMAND}"
     found = sorted(name.removesuffix(suffix) for name in types if name.endswith(suffix))
+    if not found:
+        raise InputError("BAG", str(path), A_BAG, f"{path}: no topic {COMMAND}")
+    chosen = found
     if namespace is not None:
-        found = [name for name in found if name.strip("/") == namespace.strip("/")]
-    if len(found) != 1:
-        vehicles = ", ".join(name or "/" for name in found) or "none"
-        allowed = "the namespace of a vehicle in the bag" if found or namespace else A_BAG
-        raise InputError("--namespace", namespace, allowed, f"{path}: vehicles found: {vehicles}")
-    names = {f"{found[0]}/{topic.name}": topic for topic in READ}
+        chosen = [name for name in found if name.strip("/") == namespace.strip("/")]
+    if len(chosen) != 1:
+        allowed = "one of " + ", ".join(name or "/" for name in found)
+        raise InputError("--namespace", namespace, f"{allowed}, the vehicles in {path}")
+    names = {f"{chosen[0]}/{topic.name}": topic for topic in READ}
     for name, topic in names.items():
         if name in types and types[name] != topic.type:
             raise InputError(f"{path}: {name}", types[name], topic.type)

@@ -2,6 +2,7 @@
 
 import dataclasses
 import itertools
+import math
 
 import numpy as np
 
@@ -20,12 +21,13 @@ LONGEST_PERIOD = 1.5
 class Replay:
     """How a run compares with its recording.
 
-    end: simulated time (s) up to which it was compared, and missing_from where the recording has a
-    gap, else nan. difference: the largest of any state (in its unit), name and time (s) that state
-    and when, relative what it is of the largest value of that state.
+    end: simulated time (s) up to which it was compared, after `periods` periods; missing_from:
+    where the recording has a gap, else nan. difference: the largest of any state (in its unit),
+    name and time (s) that state and when, relative what it is of the largest value of that state.
     """
 
     end: float
+    periods: int
     missing_from: float
     difference: float
     relative: float
@@ -34,14 +36,19 @@ class Replay:
 
     @property
     def is_exact(self) -> bool:
-        """Whether every state was reproduced to the bit."""
+        """Whether every state that was compared was reproduced to the bit."""
         return self.difference == 0.0
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether the whole recording was compared, and there is something in it."""
+        return self.periods > 0 and math.isnan(self.missing_from)
 
 
 def replay(run: RecordedRun, simulation: Simulation) -> Replay:
     """Drive `simulation` as the recorded vehicle was, from its reset on.
 
-    Raises InputError for a recording that does not begin at a reset, or as another vehicle would.
+    Raises InputError for a recording that does not begin as this vehicle at a reset.
     """
     recorded = _recorded_states(run, simulation)
     _reset_as(recorded[0], simulation)
@@ -67,9 +74,6 @@ def _recorded_states(run: RecordedRun, simulation: Simulation) -> np.ndarray:
         model = simulation.options.model
         allowed = f"those of model {model}, {len(labels)} with the time"
         raise InputError("BAG: state", "", allowed, f"other states, {len(found)} with the time")
-    if run.states[0]["time"] != 0.0:
-        allowed = "a recording from a reset on, at time 0"
-        raise InputError("BAG: time of the first state", run.states[0]["time"], allowed)
     return np.array([list(state.values()) for state in run.states])
 
 
@@ -107,6 +111,7 @@ def _compared(
     row, column = np.unravel_index(np.argmax(relative), relative.shape)
     return Replay(
         end=float(recorded[-1, 0]),
+        periods=len(recorded) - 1,
         missing_from=missing_from,
         difference=float(apart[row, column]),
         relative=float(relative[row, column]),

@@ -47,7 +47,7 @@ def plot_command(words: list[str], program: str) -> int:
     rollover_angle = math.radians(settings.get("stop_roll", DEFAULT_ROLLOVER_DEGREES))
     runs = []
     for file, label in zip(files, labels, strict=True):
-        history = history_from(file)
+        history = history_from(file, arguments.namespace)
         part = part_of(history, settings["begin"], settings["end"], file)
         runs.append(plots.DrawnRun(part, events_of(history, rollover_angle), label))
     title = arguments.title
@@ -59,13 +59,13 @@ def plot_command(words: list[str], program: str) -> int:
     return 0
 
 
-def history_from(path: Path) -> History:
+def history_from(path: Path, namespace: str | None) -> History:
     """The samples of a run that was recorded; raises InputError for what is no recording."""
     if path.is_dir():
         need_library("FILE")
         from vehicle_roll_sim.bags.reading import last_history  # its library is optional
 
-        return last_history(path)
+        return last_history(path, namespace)
     return History.read_csv(path)
 
 
@@ -84,6 +84,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
     parser.add_argument(
         "files", metavar="FILE", nargs="+", help="CSV of `run --csv`, or bag; several are compared"
     )
+    parser.add_argument("--namespace", metavar="NS", help="vehicle, if a bag has several")
     add_declared(parser, PlotSettings, "what is drawn")
     group = parser.add_argument_group("results")
     group.add_argument(

@@ -18,6 +18,7 @@ from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     chosen_simulation,
+    prepared,
 )
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
@@ -27,6 +28,7 @@ from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.output_file import (
+    check_distinct,
     check_figure_format,
     check_new_folder,
     check_writable,
@@ -74,7 +76,7 @@ def run_command(words: list[str], program: str) -> int:
     simulation = chosen_simulation(arguments)
     manoeuvre = _adjusted(manoeuvre, arguments, simulation.step_ns)
     _check_multiples(manoeuvre, sampling, simulation.step_ns)
-    manoeuvre = manoeuvre.for_vehicle(simulation.vehicle, simulation.options)
+    manoeuvre = prepared(manoeuvre, simulation.vehicle, simulation.options)
     driver = manoeuvre.driver()
     simulation.reset(manoeuvre.speed)
     period = sampling.command_period or HELD_PERIOD
@@ -133,9 +135,8 @@ def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
             check_writable(path, field)
     if plot:
         check_figure_format(plot, "--plot")
-        if plot == csv:
-            raise InputError("--plot", str(plot), "another file than that of --csv")
     bag = named_file(arguments.bag, "--bag")
+    check_distinct({"--csv": csv, "--plot": plot, "--bag": bag})
     if bag:
         need_library("--bag")
         check_new_folder(bag, "--bag")

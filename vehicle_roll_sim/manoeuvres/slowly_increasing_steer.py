@@ -24,8 +24,9 @@ from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 LEVEL = 0.3
 FIT_FROM, FIT_TO = 0.1, 0.375
 """g: where the handwheel angle is read, and the data that the straight line goes through."""
-LINE = 2
-"""Samples that make a line."""
+FEWEST = 10
+"""Samples without which a line is not to be trusted."""
+TOO_LITTLE = f"not enough samples between {FIT_FROM:g} and {FIT_TO:g} g"
 STRETCH = 1.0
 """s: how often it is looked whether there is data enough."""
 
@@ -68,7 +69,7 @@ class SlowlyIncreasingSteer(HandwheelProgramme):
 
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         angle = angle_at_level(history, self.steering_ratio)
-        found = "not reached" if math.isnan(angle) else f"{angle:.3f} deg"
+        found = TOO_LITTLE if math.isnan(angle) else f"{angle:.3f} deg"
         return {"handwheel angle at 0.3 g": found}
 
 
@@ -85,7 +86,7 @@ SLOWLY_INCREASING_STEER = SlowlyIncreasingSteer(
 def angle_at_level(history: History, steering_ratio: float) -> float:
     """Handwheel angle (deg) at a lateral acceleration of 0.3 g, to either side positive.
 
-    From the straight line through the data between 0.1 and 0.375 g; nan if 0.375 g is not reached.
+    From the straight line through the data between 0.1 and 0.375 g; nan without enough data.
     """
     band = band_of_the_fit(history)
     if band is None:
@@ -97,10 +98,12 @@ def angle_at_level(history: History, steering_ratio: float) -> float:
 
 
 def band_of_the_fit(history: History) -> slice | None:
-    """The rows between 0.1 and 0.375 g, to either side; None if 0.375 g is not reached."""
+    """The rows between 0.1 and 0.375 g, to either side; None if 0.375 g is not reached from
+    below, or there are too few rows for a line that can be trusted.
+    """
     acceleration = np.abs(history["lateral_acceleration"]) / GRAVITY
     first, end = np.argmax(acceleration >= FIT_FROM), np.argmax(acceleration > FIT_TO)
-    return slice(first, end) if end - first >= LINE else None
+    return slice(first, end) if end - first >= FEWEST else None
 
 
 def steering_at_03g(vehicle: Vehicle, options: Options) -> float:

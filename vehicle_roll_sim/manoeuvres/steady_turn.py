@@ -8,7 +8,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.base import LONGEST, Manoeuvre
-from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import band_of_the_fit
+from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import TOO_LITTLE, band_of_the_fit
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
@@ -52,7 +52,7 @@ class SteadyTurn(Manoeuvre):
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         labels = ("understeer gradient", "roll gradient")
         return {
-            label: "0.375 g not reached" if math.isnan(slope) else f"{slope:.4f} deg/(m/s^2)"
+            label: TOO_LITTLE if math.isnan(slope) else f"{slope:.4f} deg/(m/s^2)"
             for label, slope in zip(labels, self.gradients(history), strict=True)
         }
 

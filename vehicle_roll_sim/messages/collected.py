@@ -24,7 +24,9 @@ class Collected:
     """Messages of one run, each with the time at which it was sent (ns), in that order.
 
     A set begins with its `state` and one process sends it in order, so whatever was sent between
-    two states belongs to the first of them.
+    two states belongs to the first of them. Where two messages of a topic lie between two states,
+    the times are those of a receiver, whose topics overtake one another: then each message belongs
+    to the state that is nearest.
     """
 
     def __init__(self):
@@ -46,10 +48,11 @@ class Collected:
 
     def sets(self) -> Iterator[tuple]:
         """(state, applied_command, imu, tire_normal_forces) of every complete set."""
-        ends = [sent for sent, _ in self.states[1:]] + [math.inf]
-        for (sent, state), end in zip(self.states, ends, strict=True):
-            parts = [self._sent_between(name, sent, end) for name in self._others]
-            if None not in parts:
+        sent = np.array([sent for sent, _ in self.states])
+        columns = [_shared_out(kept, sent) for kept in self._others.values()]
+        for k, (_, state) in enumerate(self.states):
+            parts = [column.get(k) for column in columns]
+            if None not in parts and parts[0].data[0] == state["time"]:
                 yield (state, *parts)
 
     def _sent_between(self, name: str, start: int, end: float):
@@ -59,6 +62,16 @@ class Collected:
         if place < len(kept) and kept[place][0] < end:
             return kept[place][1]
         return None
+
+
+def _shared_out(kept: list[tuple[int, object]], states: np.ndarray) -> dict[int, object]:
+    """The message of each state, by its place, of one topic; states: when they were sent (ns)."""
+    times = np.array([sent for sent, _ in kept], dtype=states.dtype)
+    places = np.searchsorted(states, times, side="right") - 1
+    if len(np.unique(places)) < len(places) or (places < 0).any():
+        limits = (states[1:] + states[:-1]) / 2
+        places = np.searchsorted(limits, times)
+    return {int(place): message for place, (_, message) in zip(places, kept, strict=True)}
 
 
 def by_name(message) -> dict[str, float]:

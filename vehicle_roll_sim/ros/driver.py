@@ -68,6 +68,7 @@ class Driver(Node):
             self.manoeuvre = self.manoeuvre.for_vehicle(*simulated_vehicle(simulator.get))
         simulator.set("initial_speed", self.manoeuvre.speed)
         simulator.wait(self._hears, "a connection to its topics")
+        self._check_alone()
         if mode == LOCKSTEP:
             commanded = self._answered()
             self._refuse_others(commanded)
@@ -127,6 +128,14 @@ class Driver(Node):
 
     def _hears(self) -> bool:
         return all(each.get_publisher_count() for each in self.collector.subscriptions)
+
+    def _check_alone(self) -> None:
+        """Raise InputError where two simulators publish on the same topics."""
+        for each in self.collector.subscriptions:
+            if each.get_publisher_count() > 1:
+                allowed = "one simulator in a namespace"
+                problem = f"{each.get_publisher_count()} nodes publish it"
+                raise InputError(each.topic_name, "", allowed, problem)
 
     def _is_heard(self) -> bool:
         """Whether everybody known to listen to a command is matched, and somebody is."""

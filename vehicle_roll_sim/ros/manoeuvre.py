@@ -19,7 +19,11 @@ from vehicle_roll_sim.ros.driver import ROUNDING, Driver
 from vehicle_roll_sim.ros.process import lifetime, node_main
 from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
 from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.simulation.output_file import (
+    check_distinct,
+    check_figure_format,
+    check_writable,
+)
 from vehicle_roll_sim.simulation.summary import line, summary_lines
 
 NO_SIMULATOR = 1
@@ -97,6 +101,7 @@ def main() -> int:
                 check_writable(path, option)
         if plot:
             check_figure_format(plot, "--plot")
+        check_distinct({"--csv": csv, "--plot": plot})
         return drive(arguments.manoeuvre, manoeuvre, arguments.simulator, csv, plot)
 
     return node_main(_parser(), body, sys.argv)

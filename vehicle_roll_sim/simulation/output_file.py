@@ -82,9 +82,20 @@ def check_folder(path: Path, field: str) -> None:
         raise InputError(field, str(path), wanted, f"{path}: {error.strerror}") from None
 
 
+def check_distinct(paths: dict[str, Path | None]) -> None:
+    """Raise InputError if two of these results, by the options that name them, are one."""
+    seen = {}
+    for field, path in paths.items():
+        if path is None:
+            continue
+        other = seen.setdefault(_resolved(path), field)
+        if other != field:
+            raise InputError(field, str(path), f"another place than that of {other}")
+
+
 def check_new_folder(path: Path, field: str) -> None:
     """Raise InputError naming `field` if no new folder can be made at `path`."""
-    if path.exists() or path.is_symlink():
+    if path.is_symlink() or _resolved(path).exists():
         raise InputError(field, str(path), "a folder that does not exist yet")
     check_folder(path, field)
 
@@ -97,6 +108,7 @@ def new_folder(path: Path, field: str) -> Iterator[Path]:
     """
     check_new_folder(path, field)
     try:
+        path = _resolved(path)
         with tempfile.TemporaryDirectory(dir=_existing(path), prefix=".partial-") as beside:
             yield Path(beside) / path.name
             path.parent.mkdir(parents=True, exist_ok=True)
