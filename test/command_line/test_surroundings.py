@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 
 import pytest
 
@@ -36,6 +37,17 @@ def test_an_output_that_is_full_is_said_in_one_line():
     assert result.returncode == 1
     assert len(result.stderr.splitlines()) == 1
     assert "No space left" in result.stderr
+
+
+def test_a_run_that_is_terminated_leaves_nothing_half_written(tmp_path):
+    words = ("step_steer", "--amplitude", "0", "--duration", "80000", "--bag", "bag")
+    process = subprocess.Popen([*COMMAND, "run", *words], cwd=tmp_path)
+    while not list(tmp_path.iterdir()):
+        assert process.poll() is None
+        time.sleep(0.01)
+    process.terminate()
+    assert process.wait(PATIENCE) == 128 + signal.SIGTERM
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.skipif(not COMPILED, reason="interrupting compiled code needs compiled code")
