@@ -70,6 +70,14 @@ def test_a_run_that_diverges_says_when_and_which_state_did_and_fails(command, fo
     assert result.value["end"].startswith("0.050 s, diverged: wheel_speed_lr is not plausible")
 
 
+def test_a_speed_hold_that_drives_a_vehicle_beyond_any_engine_ends_as_diverged(command):
+    """Thrown from its course at 100 km/h; a smaller step would change nothing."""
+    result = command("run", "iso_step_steer", "--handwheel-angle", "400")
+    assert result.status == 1
+    assert "diverged: longitudinal_slip" in result.value["end"]
+    assert "torques" in result.value["end"]
+
+
 def test_files_are_named_when_they_are_written_and_only_then(command, folder):
     result = command(*SHORT, "--csv", "rows.csv", "--plot", "figure.png")
     assert (result.value["CSV"], result.value["plot"]) == ("rows.csv", "figure.png")
