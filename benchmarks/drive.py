@@ -27,8 +27,8 @@ def slalom(times: np.ndarray, torque: float = 0.0) -> np.ndarray:
 
 
 def slalom_start(options: Options, step: float = 1e-3) -> Simulation:
-    """The vehicle at the entry of the slalom."""
-    simulation = Simulation(preset(), options, step=step)
+    """The vehicle at the entry of the slalom; with a step that may be too large, to show it."""
+    simulation = Simulation(preset(), options, step=step, check_step=False)
     simulation.reset(SPEED)
     return simulation
 

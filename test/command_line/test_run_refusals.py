@@ -141,3 +141,10 @@ def test_a_full_disk_is_said_in_one_line_and_leaves_no_file(command, folder, mon
     assert "No space left on device" in result.err
     assert len(result.err.splitlines()) == 1
     assert not any(folder.iterdir())
+
+
+def test_a_step_too_large_for_the_vehicle_is_refused_with_the_largest(refused):
+    """Spin against steady-state slip: in proportion to the speed."""
+    words = ("run", "step_steer", "--steady-state-slip", "--step", "0.01", "--csv", "rows.csv")
+    refused(words, "step: 0.01", "at most 0.0053 s at 13.89 m/s")
+    refused((*words, "--speed", "5"), "step: 0.01", "at most 0.0019 s at 5 m/s")

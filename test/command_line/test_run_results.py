@@ -62,10 +62,20 @@ def test_with_transient_slip_no_run_is_too_slow(command, speed):
     assert (result.status, result.value["end"]) == (0, "4.000 s, complete")
 
 
-def test_a_run_that_diverges_says_which_state_did_and_fails(command):
-    result = command("run", "step_steer", "--step", "0.1", "--sample", "0.1")
+def test_a_run_that_diverges_says_when_and_which_state_did_and_fails(command, folder):
+    """Ten billion N m at a wheel, given by a command file."""
+    (folder / "drive.csv").write_text("time,wheel_torque_lr\n0,0\n0.05,0\n0.0501,1e10\n1,1e10\n")
+    result = command("run", "--commands", "drive.csv")
     assert result.status == 1
-    assert "diverged" in result.value["end"]
+    assert result.value["end"].startswith("0.050 s, diverged: wheel_speed_lr is not plausible")
+
+
+def test_a_speed_hold_that_drives_a_vehicle_beyond_any_engine_ends_as_diverged(command):
+    """Thrown from its course at 100 km/h; a smaller step would change nothing."""
+    result = command("run", "iso_step_steer", "--handwheel-angle", "400")
+    assert result.status == 1
+    assert "diverged: longitudinal_slip" in result.value["end"]
+    assert "torques" in result.value["end"]
 
 
 def test_files_are_named_when_they_are_written_and_only_then(command, folder):

@@ -8,9 +8,8 @@ import pytest
 from programmes import Evaluation, record_run, with_tire
 
 from vehicle_roll_sim import Command, Condition, Options, Simulation
-from vehicle_roll_sim.model.records import COMMAND, MODEL_STATE, STATE
+from vehicle_roll_sim.model.records import COMMAND, MODEL_STATE, STATE, STATE_NAMES
 from vehicle_roll_sim.simulation.options import MODELS
-from vehicle_roll_sim.simulation.simulation import STATE_NAMES
 
 VELOCITIES = (
     *("u", "v", "w", "roll_rate", "pitch_rate", "yaw_rate"),

@@ -23,6 +23,7 @@ WRONG = {
     "vehicle_file:=none.yaml": ("none.yaml", "No such file"),
     "step:=fast": ("step", "number"),
     "step:=0.0003": ("publish_rate", "multiple of the step"),
+    "step:=0.005 initial_speed:=4.0 steady_state_slip:=true": ("step", "at most 0.0015 s at 4 m/s"),
     "publish_rate:=.nan": ("publish_rate", "number"),
     "initial_speed:=-0.1": ("initial_speed", "from 0 to 100 m/s"),
     "initial_speed:=3.4 steady_state_slip:=true": ("initial_speed", "3.5 m/s"),

@@ -5,6 +5,8 @@ import math
 import numpy as np
 import pytest
 from diagnostic_msgs.msg import DiagnosticStatus
+from rcl_interfaces.srv import SetParameters
+from rclpy.parameter import Parameter
 from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim.messages.topics import STATE_SET
@@ -88,3 +90,38 @@ def test_a_manoeuvre_that_ends_in_a_divergence_does_not_pass_for_complete(start,
     status, out, _ = driver.finish()
     assert status == 1
     assert "diverged" in out
+
+
+def test_a_reset_to_a_speed_at_which_the_step_is_too_large_is_refused_and_the_run_goes_on(
+    start, peer
+):
+    """10 ms: up to 31 ms at 50 km/h, 6 ms at rest, where the tires are stiff springs."""
+    start("simulator", "--ros-args", "-p", "step:=0.01")
+    peer.listen("state")
+    request = SetParameters.Request(
+        parameters=[Parameter("initial_speed", value=0.0).to_parameter_msg()]
+    )
+    assert peer.call(SetParameters, "simulator/set_parameters", request).results[0].successful
+    answer = peer.call(Trigger, "simulator/reset")
+    assert not answer.success
+    assert "at most 0.006 s at 0 m/s" in answer.message
+    before = peer.newest("state").data[0]
+    peer.wait(lambda: peer.newest("state").data[0] > before, "the run to go on")
+
+
+def test_a_manoeuvre_says_why_its_reset_was_refused(start):
+    start("simulator", "--ros-args", "-p", "step:=0.01")
+    status, out, err = start("manoeuvre", "step_steer", "--speed", "0").finish()
+    assert (status, out) == (1, "")
+    assert "at most 0.006 s at 0 m/s" in err
+
+
+def test_a_step_that_has_become_too_large_is_warned_of(start, peer):
+    """4 ms is 4.3 ms at most at 40 km/h, with steady-state slip, and less when it has slowed."""
+    words = ("step:=0.004", "publish_rate:=50.0", "initial_speed:=11.1", "steady_state_slip:=true")
+    words = (*words, "command_timeout:=0.0")
+    start("simulator", "--ros-args", *(word for each in words for word in ("-p", each)))
+    peer.listen("/diagnostics")
+    brakes = {"brake_torque_cmd": [150.0] * 4}
+    peer.command(brakes, lambda: "the step" in status_of(peer).message, "a warning")
+    assert status_of(peer).level == DiagnosticStatus.WARN

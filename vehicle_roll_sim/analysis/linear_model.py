@@ -16,9 +16,8 @@ from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.analysis.trim import INPUT_NAMES, Plant, Trim, typical
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.model.records import STATE_NAMES, WHEELS, element_names
 from vehicle_roll_sim.simulation.output_file import replaced_file
-from vehicle_roll_sim.simulation.simulation import STATE_NAMES, element_names
 
 OUTPUT_NAMES = (
     *("roll", "roll_rate", "yaw_rate", "lateral_acceleration", "sideslip_angle"),

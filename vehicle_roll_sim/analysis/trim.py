@@ -21,15 +21,17 @@ from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
     STATE,
+    STATE_NAMES,
     STATE_SIZE,
     TIRE_COMPRESSION,
     WHEELS,
     U,
+    element_names,
 )
 from vehicle_roll_sim.model.transient_slip import LOW_SPEED
 from vehicle_roll_sim.model.wheel import note_turning
 from vehicle_roll_sim.simulation.options import MODELS, Options
-from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED, STATE_NAMES, element_names
+from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 INPUT_FIELDS = ("steering", "rear_steering", "wheel_torque", "normal_force")

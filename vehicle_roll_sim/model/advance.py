@@ -9,9 +9,10 @@ from vehicle_roll_sim.model.events import (
     note_lift_offs,
     note_peaks,
     note_rollover,
+    without_rate,
 )
-from vehicle_roll_sim.model.integrator import BEFORE, K1, copy, rk4_step
-from vehicle_roll_sim.model.jit import kernel
+from vehicle_roll_sim.model.integrator import BEFORE, K1, TRIAL, along, copy, rk4_step
+from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.wheel import note_turning, stop_reversed
 
 NANOSECONDS = 1_000_000_000
@@ -28,9 +29,10 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     command of no force; they, outputs and events are one-element arrays of records. stages: work
     space.
 
-    A state that is implausible to begin with is left as it is; a step after which one is, is taken
-    back. The index of that state is the culprit, else -1. At the end `outputs` belong to the final
-    state and the last command or, since that may be what made it diverge, to none.
+    A state that is implausible to begin with, or has a rate that is not finite, is left as it is; a
+    step after which that is so is taken back. The index of that state is the culprit, else -1. At
+    the end `outputs` belong to the final state and the last command or, since that may be what made
+    it diverge, to none.
     """
     vehicle, tire, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
     idle = plant[4][0]
@@ -44,8 +46,10 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         return taken, Condition.DIVERGED, culprit
     note_turning(state, out)
     derivatives(state, commands[0], vehicle, tire, options, out, stages[K1])
-    note_lift_offs(start_ns / NANOSECONDS, 0.0, out.support, seen)
-    while taken < steps and condition == Condition.RUNNING:
+    culprit = without_rate(stages[K1], limits.largest)
+    if culprit < 0:
+        note_lift_offs(start_ns / NANOSECONDS, 0.0, out.support, seen)
+    while taken < steps and culprit < 0 and condition == Condition.RUNNING:
         time = (start_ns + taken * step_ns) / NANOSECONDS
         note_peaks(time, state, tire, out, seen)
         copy(state, stages[BEFORE])
@@ -53,19 +57,37 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         after = commands[row + 2 * stride]
         rk4_step(state, commands[row + stride], after, step, car, stages)
         stop_reversed(state, after, vehicle, out)
-        culprit = most_implausible(state, limits.largest)
-        if culprit >= 0:
-            copy(stages[BEFORE], state)
-            condition = Condition.DIVERGED
-        else:
+        culprit = diverged(state, step, stages, limits)
+        if culprit < 0:
+            note_turning(state, out)
+            derivatives(state, after, vehicle, tire, options, out, stages[K1])
+            culprit = without_rate(stages[K1], limits.largest)
+        if culprit < 0:
             taken += 1
             condition = condition_of(state, limits)
-        last = idle if condition == Condition.DIVERGED else commands[2 * taken * stride]
-        note_turning(state, out)
-        derivatives(state, last, vehicle, tire, options, out, stages[K1])
-        if culprit < 0:
             note_lift_offs(time, step, out.support, seen)
             roll_before, roll = stages[BEFORE, at.ROLL], state[at.ROLL]
             note_rollover(time, step, roll_before, roll, limits.rollover_angle, seen)
+        else:
+            copy(stages[BEFORE], state)
+    if culprit >= 0:
+        condition = Condition.DIVERGED
+        note_turning(state, out)
+        derivatives(state, idle, vehicle, tire, options, out, stages[K1])
     note_peaks((start_ns + taken * step_ns) / NANOSECONDS, state, tire, out, seen)
     return taken, condition, culprit
+
+
+@kernel
+def diverged(state, step, stages, limits):
+    """Index of the most implausible state after a step (s), -1 if all are plausible.
+
+    Where a state is not finite, the others are not either: then it is the one that the slope before
+    the step would have taken furthest.
+    """
+    culprit = most_implausible(state, limits.largest)
+    if culprit >= 0 and not math.isfinite(state[culprit]):
+        along(stages[BEFORE], stages[K1], step, stages[TRIAL])
+        first = most_implausible(stages[TRIAL], limits.largest)
+        culprit = first if first >= 0 else culprit
+    return culprit

@@ -165,6 +165,16 @@ def _plain(value):
     return value if isinstance(value, np.ndarray) else value.item()
 
 
+def interruptible(function, arguments: tuple):
+    """function(*arguments); Ctrl-C in compiled code comes as the KeyboardInterrupt that it is."""
+    try:
+        return function(*arguments)
+    except SystemError as error:
+        if isinstance(error.__cause__, KeyboardInterrupt):
+            raise KeyboardInterrupt from None
+        raise
+
+
 def has_compiled_code() -> bool:
     """Whether the first call of a kernel will find it compiled, or needs no compiling."""
     return not COMPILED or (CACHE is not None and any(CACHE.rglob("*.nbc")))

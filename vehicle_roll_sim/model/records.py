@@ -65,6 +65,19 @@ MODEL_STATE_SIZE = MODEL_STATE.itemsize // 8
 STATE_SIZE = STATE.itemsize // 8
 
 
+def element_names(fields: tuple[str, ...]) -> tuple[str, ...]:
+    """Name of every element of these fields of STATE: a wheel's bears the wheel's name."""
+    return tuple(
+        f"{name}_{wheel}" if STATE[name].shape else name
+        for name in fields
+        for wheel in (WHEELS if STATE[name].shape else ("",))
+    )
+
+
+STATE_NAMES = element_names(STATE.names)
+"""Name of every element of the state vector."""
+
+
 def _place(name: str):
     """Where a field lies in the flat state vector: an index, or a slice of four."""
     dtype, offset = STATE.fields[name]

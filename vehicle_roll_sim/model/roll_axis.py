@@ -1,6 +1,6 @@
 """The body on its roll axis: what equations 77-87 and the roll-plane models have in common."""
 
-from vehicle_roll_sim.model.jit import kernel
+from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 
 
@@ -56,3 +56,15 @@ def roll_stiffness(vehicle, options):
 def wheel_centre_height(i, vehicle):
     """hu: height of wheel centre i over the ground at rest (m)."""
     return vehicle.tire_radius - vehicle.static_tire_compression[i]
+
+
+def motion_above_axis(state, depth: float) -> tuple[float, ...]:
+    """Of the sprung c.g., from the motion of the axis at `depth` (m) below it, as a STATE record.
+
+    Position on the ground's axes (m), velocity ahead and to the left on the body's (m/s).
+    """
+    roll, yaw, aside = float(state["roll"]), float(state["yaw"]), -depth * state["roll"]
+    ahead = state["u"] - state["yaw_rate"] * aside
+    left = (state["v"] - depth * state["roll_rate"]) * math.cos(roll)
+    x, y = state["x"] - aside * math.sin(yaw), state["y"] + aside * math.cos(yaw)
+    return float(x), float(y), float(ahead), float(left)

@@ -7,6 +7,7 @@ from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from rclpy.node import Node
 
 from vehicle_roll_sim.messages.topics import DIAGNOSTICS
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.ros.compatibility import incompatible_partners
 from vehicle_roll_sim.ros.lockstep import Lockstep
@@ -46,7 +47,8 @@ class Reporter:
 
     def _diagnostics(self) -> DiagnosticArray:
         """One status: condition of the model, timing, and the counts of every command topic."""
-        level, message = _verdict(self._session, self._driver.trouble())
+        late = self._driver.trouble()
+        level, message = _verdict(self._session, _step_trouble(self._session) or late)
         status = DiagnosticStatus(level=level, message=message, hardware_id="simulation")
         status.name = f"{self._node.get_fully_qualified_name()}: model"
         values = {
@@ -86,6 +88,14 @@ def _verdict(session: Session, trouble: str) -> tuple[bytes, str]:
     if trouble and not session.paused:
         return DiagnosticStatus.WARN, trouble
     return DiagnosticStatus.OK, "paused" if session.paused else "running"
+
+
+def _step_trouble(session: Session) -> str:
+    """What to say where the step has become too large since the start, else nothing."""
+    simulation = session.simulation
+    step = simulation.step_ns / NANOSECONDS
+    largest = simulation.largest_stable_step(session.applied)
+    return f"the step, {step:g} s, is unstable here above {largest:.2g} s" if step > largest else ""
 
 
 def _command_counts(session: Session) -> dict[str, str]:

@@ -172,7 +172,8 @@ class Driver(Node):
         self.state, self._time = state, now
         self._states += 1
         self._still = self._still + 1 if is_again else 0
-        if self._driving and not (is_again and now == 0.0):  # a reset that was asked for twice
+        is_reset_again = is_again and now == 0.0 and self._still < STANDING_STILL  # asked for twice
+        if self._driving and not is_reset_again:
             self._answer()
 
     def _answer(self) -> None:

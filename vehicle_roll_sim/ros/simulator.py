@@ -127,7 +127,11 @@ class Simulator(Node):
 
     def _reset(self, _, response: Trigger.Response) -> Trigger.Response:
         with self.lock:
-            self.session.reset(self.settings.initial_speed)
+            try:
+                self.session.reset(self.settings.initial_speed)
+            except InputError as error:  # at that speed the step is too large
+                response.success, response.message = False, str(error)
+                return response
             self._publications.after_reset()
             if self._has_begun:
                 self._publish_all()

@@ -52,7 +52,9 @@ class SimulatorClient:
         first question: endpoints are made known in order, and that of an answer after theirs.
         """
         client = self._node.create_client(Trigger, f"{self.name}/reset")
-        self._call(client, Trigger.Request(), "a reset", before)
+        answer = self._call(client, Trigger.Request(), "a reset", before)
+        if not answer.success:
+            raise NoAnswerError(f"`{self.name}` refused a reset: {answer.message}")
 
     def _call(self, client, request, what: str, before: Callable[[], None] = lambda: None):
         """Ask a service until it answers, which must not mind being asked twice.

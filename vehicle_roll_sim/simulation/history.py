@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, WHEELS
+from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, STATE_NAMES, WHEELS
 from vehicle_roll_sim.simulation.output_file import replaced_file
-from vehicle_roll_sim.simulation.simulation import STATE_NAMES, Simulation
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.table_file import read_table
 
 LARGEST_FILE = 500_000_000

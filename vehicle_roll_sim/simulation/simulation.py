@@ -20,6 +20,7 @@ from vehicle_roll_sim.model.integrator import STAGE_VECTORS
 from vehicle_roll_sim.model.jit import (
     discard_compiled_code,
     has_compiled_code,
+    interruptible,
     kernel_argument,
     silently,
 )
@@ -29,13 +30,15 @@ from vehicle_roll_sim.model.records import (
     OUTPUTS,
     SLIP_STATES,
     STATE,
+    STATE_NAMES,
     STATE_SIZE,
-    WHEELS,
+    element_names,
 )
-from vehicle_roll_sim.model.roll_axis import roll_axis_depth
+from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
 from vehicle_roll_sim.simulation.command import Command, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.stability import Modes
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
@@ -47,19 +50,6 @@ MAXIMUM_SPEED = 100.0
 """m/s"""
 DEFAULT_ROLLOVER_DEGREES = 85.0
 DEFAULT_ROLLOVER_ANGLE = math.radians(DEFAULT_ROLLOVER_DEGREES)
-
-
-def element_names(fields: tuple[str, ...]) -> tuple[str, ...]:
-    """Name of every element of these fields of STATE: a wheel's bears the wheel's name."""
-    return tuple(
-        f"{name}_{wheel}" if STATE[name].shape else name
-        for name in fields
-        for wheel in (WHEELS if STATE[name].shape else ("",))
-    )
-
-
-STATE_NAMES = element_names(STATE.names)
-"""Name of every element of the state vector."""
 
 
 def whole_steps(duration: float, step_ns: int, field: str) -> int:
@@ -75,7 +65,7 @@ class Simulation:
 
     vehicle: what is simulated. options: variants of the equations. step: integration step (s),
     rounded to whole nanoseconds. rollover_angle: roll angle (rad) at which a run stops. road: its
-    slope.
+    slope. check_step: whether `reset`, or the first `step` without one, refuses a step too large.
 
     It starts in static equilibrium at 50 km/h. Attributes, all of the present simulated time:
 
@@ -99,6 +89,7 @@ class Simulation:
         step: float = DEFAULT_STEP,
         rollover_angle: float = DEFAULT_ROLLOVER_ANGLE,
         road: Road | None = None,
+        check_step: bool = True,
     ):
         if not SHORTEST_STEP <= step <= LONGEST_STEP:
             allowed = f"a number from {SHORTEST_STEP:g} to {LONGEST_STEP:g} s"
@@ -130,7 +121,9 @@ class Simulation:
         self._events = no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
         self.state, self.outputs, self.events = self._state[0], self._outputs[0], self._events[0]
-        self.reset()
+        self._modes = Modes(*parts[:3], self._places)
+        self._checks_step, self._checked_speed = check_step, math.nan
+        self._start(self._equilibrium(DEFAULT_SPEED))
 
     @property
     def time(self) -> float:
@@ -150,17 +143,13 @@ class Simulation:
     def cg_motion(self) -> tuple[float, ...]:
         """Position of the sprung c.g. on the ground's axes (m), its velocity on the body's (m/s).
 
-        nan for what the model does not have. In the 8 DOF model the c.g. is hrc above the roll axis
-        and keeps its height.
+        nan for what the model does not have: in the 8 DOF model the c.g. keeps its height.
         """
         now = self.state
         if not self.options.has_eight_dof:
             return tuple(float(now[name]) for name in ("x", "y", "z", "u", "v", "w"))
-        roll, yaw, aside = float(now["roll"]), float(now["yaw"]), -self._axis_depth * now["roll"]
-        ahead = now["u"] - now["yaw_rate"] * aside
-        left = (now["v"] - self._axis_depth * now["roll_rate"]) * math.cos(roll)
-        x, y = now["x"] - aside * math.sin(yaw), now["y"] + aside * math.cos(yaw)
-        return float(x), float(y), math.nan, float(ahead), float(left), math.nan
+        x, y, ahead, left = motion_above_axis(now, self._axis_depth)
+        return x, y, math.nan, ahead, left, math.nan
 
     def _without_absent(self, states: np.ndarray) -> np.ndarray:
         """STATE records with nan for what the model does not have."""
@@ -178,7 +167,21 @@ class Simulation:
         if not self._slowest <= speed <= MAXIMUM_SPEED:
             allowed = f"from {self._slowest:g} to {MAXIMUM_SPEED:g} m/s"
             raise InputError("speed", speed, allowed)
-        self._state[:] = self._without_absent(equilibrium(self._vehicle, speed))
+        self._check_start(speed)
+        self._start(self._equilibrium(speed))
+
+    def _equilibrium(self, speed: float) -> np.ndarray:
+        return self._without_absent(equilibrium(self._vehicle, speed))
+
+    def _check_start(self, speed: float) -> None:
+        """Raise InputError if a run cannot begin at this speed (m/s) with this step."""
+        if self._checks_step and speed != self._checked_speed:
+            start = self._equilibrium(speed).view(np.float64)
+            self._modes.check_start(start, self.step_ns / NANOSECONDS)
+        self._checked_speed = speed
+
+    def _start(self, state: np.ndarray) -> None:
+        self._state[:] = state
         self._events[:] = no_events()
         self.time_ns = 0
         self.condition, self.implausible = Condition.RUNNING, None
@@ -192,9 +195,18 @@ class Simulation:
         has stopped stays where it is until a reset.
         """
         steps = whole_steps(duration, self.step_ns, "duration")
+        if math.isnan(self._checked_speed):
+            self._check_start(DEFAULT_SPEED)
         if self.condition is Condition.RUNNING:
             self._advance(self._records(command, steps), steps)
         return self.condition
+
+    def largest_stable_step(self, command: Command | None = None) -> float:
+        """Largest step (s), up to 0.1, for the quickest mode about the present state.
+
+        command: what is held there. nan where numbers are such that there are no modes.
+        """
+        return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
 
     def _records(self, command: Command | Programme, steps: int) -> np.ndarray:
         if isinstance(command, Command):
@@ -219,21 +231,11 @@ class Simulation:
             self._stages,
         )
         with silently():  # divergence is found by its result
-            taken, condition, culprit = _interruptible(advance, arguments)
+            taken, condition, culprit = interruptible(advance, arguments)
         self.time_ns += taken * self.step_ns
         self.condition = Condition(condition)
         if self.condition is Condition.DIVERGED:
             self.implausible = STATE_NAMES[culprit]
-
-
-def _interruptible(function, arguments: tuple):
-    """function(*arguments); Ctrl-C in compiled code comes as the KeyboardInterrupt that it is."""
-    try:
-        return function(*arguments)
-    except SystemError as error:
-        if isinstance(error.__cause__, KeyboardInterrupt):
-            raise KeyboardInterrupt from None
-        raise
 
 
 def compile_model() -> None:

@@ -56,5 +56,6 @@ def _ending(condition: Condition, note: str) -> str:
     if condition is Condition.TOO_SLOW:
         return f"too slow: the forward speed fell to {MINIMUM_SPEED:g} m/s, the model's lowest"
     if condition is Condition.DIVERGED:
-        return f"diverged: {note} is not plausible; a smaller step may help"
+        cause = "torques, forces or parameters of no vehicle, or too large a step"
+        return f"diverged: {note} is not plausible ({cause})"
     return "complete"
