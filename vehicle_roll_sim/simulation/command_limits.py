@@ -70,9 +70,11 @@ class CommandLimits:
         default=MAXIMUM_SPEED,
     )
 
-    def clamped(self, name: str, values: Sequence[float]) -> tuple[float, ...]:
+    def clamped(self, name: str, values: tuple[float, ...]) -> tuple[float, ...]:
         """`values` within the limit of that name."""
         limit = getattr(self, name)
+        if -limit <= min(values) and max(values) <= limit:
+            return values
         return tuple(max(-limit, min(limit, value)) for value in values)
 
     def excess(self, name: str, values: Sequence[float]) -> str:
