@@ -18,7 +18,7 @@ from vehicle_roll_sim import Command, Simulation, preset
 CONTROLLER = str(Path(__file__).with_name("lockstep_controller.py"))
 PERIODS, PERIOD = 300, 0.01
 """And s: the vehicle rolls over on the way."""
-BOTH = "lockstep_topics:=[steering_cmd, normal_force_cmd]"
+BOTH = ("lockstep_topics:=[steering_cmd, normal_force_cmd]", "-p", "normal_force_limit:=1e6")
 LOCKSTEP = ("simulator", "--ros-args", "-p", "mode:=lockstep")
 
 
@@ -34,7 +34,7 @@ def hog():
 
 def heard_in_a_run(start, *words):
     """What a controller in a process of its own hears from a fresh simulator."""
-    simulator = start(*LOCKSTEP, "-p", BOTH, *words)
+    simulator = start(*LOCKSTEP, "-p", *BOTH, *words)
     status, out, err = start("controller", str(PERIODS), program=CONTROLLER).finish()
     simulator.close()
     assert status == 0, err

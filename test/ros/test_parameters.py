@@ -1,5 +1,6 @@
 """Parameters of the simulator: one line for a wrong one, ranges kept, structure read-only."""
 
+import math
 import xml.etree.ElementTree as ElementTree
 
 import pytest
@@ -21,6 +22,10 @@ WRONG = {
     "vehicle.roll_inertia:=5000": ("vehicle.roll_inertia", "4000"),
     "vehicle.tire:=none.tir": ("none.tir", "No such file"),
     "vehicle_file:=none.yaml": ("none.yaml", "No such file"),
+    "steering_limt:=1.0": ("steering_limt", "did you mean steering_limit?"),
+    "normal_force_limit:=-1.0": ("normal_force_limit", "from 0 to 1e+06 N"),
+    "steering_rate_limit:=.inf": ("steering_rate_limit", "from 0 to 1000 rad/s"),
+    "catch_up_limit:=60": ("catch_up_limit", "from 0 to 10 s"),
     "step:=fast": ("step", "number"),
     "step:=0.0003": ("publish_rate", "multiple of the step"),
     "step:=0.005 initial_speed:=4.0 steady_state_slip:=true": ("step", "at most 0.0015 s at 4 m/s"),
@@ -55,6 +60,54 @@ def test_a_wrong_parameter_is_refused_by_name_with_what_is_allowed(context, assi
         Simulator(context=context, cli_args=["--ros-args", *words])
     for word in WRONG[assignment]:
         assert word in str(refusal.value)
+
+
+def beyond(declared) -> list:
+    """Wrong values of a parameter."""
+    if declared.kind is not float:
+        return [] if declared.kind is str and not declared.choices else [math.nan, "no_such", [], 7]
+    span = [math.nan, math.inf, -math.inf, "1", None, True]
+    span += [math.nextafter(declared.minimum, -math.inf)]
+    return [*span, math.nextafter(declared.maximum, math.inf)]
+
+
+WRONG_VALUES = [
+    (name, value) for name, declared in PARAMETERS.items() for value in beyond(declared)
+]
+
+
+@pytest.mark.parametrize(("name", "value"), WRONG_VALUES)
+def test_every_parameter_refuses_what_is_out_of_its_range_and_says_what_is_allowed(name, value):
+    declared = PARAMETERS[name]
+    with pytest.raises(InputError) as refusal:
+        declared.validate(value, name)
+    text = str(refusal.value)
+    assert text.startswith(f"{name}: ")
+    assert len(text.splitlines()) == 1
+    assert "allowed" in text or "missing" in text
+    if declared.kind is float:
+        assert f"{declared.minimum:g}" in text
+        assert f"{declared.maximum:g}" in text
+        assert declared.unit in text
+
+
+def test_a_misspelt_parameter_in_a_file_is_refused_with_the_nearest_name(context, tmp_path):
+    file = tmp_path / "parameters.yaml"
+    file.write_text("simulator: {ros__parameters: {wheel_torqe_limit: 100.0}}")
+    with pytest.raises(InputError, match=r"wheel_torqe_limit.*did you mean wheel_torque_limit\?"):
+        Simulator(context=context, cli_args=["--ros-args", "--params-file", str(file)])
+
+
+def test_integers_serve_for_all_numbers_of_a_file(context, tmp_path):
+    file = tmp_path / "parameters.yaml"
+    values = "{steering_limit: 1, command_timeout: 2, publish_rate: 50, vehicle.cg_height: 1}"
+    file.write_text(f"simulator: {{ros__parameters: {values}}}")
+    node = Simulator(context=context, cli_args=["--ros-args", "--params-file", str(file)])
+    try:
+        assert node.get_parameter("steering_limit").value == 1.0
+        assert type(node.get_parameter("vehicle.cg_height").value) is float
+    finally:
+        node.destroy_node()
 
 
 def test_a_wrong_parameter_ends_the_process_with_one_line_and_status_2(start):

@@ -1,6 +1,9 @@
 """Paced by the clock: faster, slower or as fast as possible; lateness told; misfits told."""
 
 import itertools
+import os
+import signal
+import time
 
 import pytest
 from rclpy.qos import DurabilityPolicy, QoSProfile
@@ -117,6 +120,22 @@ def test_lateness_and_rate_are_in_the_diagnostics(start, peer):
     ]
     assert 0.0 <= late[0] <= late[1] <= late[2]
     assert float(told["publish rate (Hz)"]) > 0.0
+
+
+def test_a_suspended_simulator_gives_up_what_is_beyond_its_catch_up_and_never_jumps(start, peer):
+    simulator = start("simulator", "--ros-args", "-p", "catch_up_limit:=0.05")
+    peer.listen("state", "/diagnostics")
+    peer.newest("state")
+    before = int(diagnostics_of(peer)["overruns"])
+    os.kill(simulator.process.pid, signal.SIGSTOP)
+    time.sleep(1.0)  # the suspension itself is what is tried
+    os.kill(simulator.process.pid, signal.SIGCONT)
+    # 1 s less 0.05 s and the period that is due, in periods of 10 ms
+    peer.wait(lambda: int(diagnostics_of(peer)["overruns"]) - before >= 93, "the overruns")
+    assert "too slow a machine" in peer.received["/diagnostics"][-1][1].status[0].message
+    times = [state.data[0] for _, state in peer.received["state"]]
+    steps = [after - before for before, after in itertools.pairwise(times)]
+    assert steps == pytest.approx([0.01] * len(steps), abs=1e-9)
 
 
 def test_partners_that_can_never_be_connected_are_told(start, peer):

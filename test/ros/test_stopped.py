@@ -13,6 +13,7 @@ from vehicle_roll_sim.messages.topics import STATE_SET
 
 HUGE = 1e308
 """Finite, but its multiples are not."""
+HARDLY_LIMITED = ("-p", "wheel_torque_limit:=1e6", "-p", "normal_force_limit:=1e6")
 
 
 def numbers_in(message) -> list[float]:
@@ -32,7 +33,7 @@ def status_of(peer) -> DiagnosticStatus:
 
 
 def test_after_a_divergence_everything_published_is_finite_and_a_reset_recovers(start, peer):
-    start("simulator")
+    start("simulator", "--ros-args", *HARDLY_LIMITED)
     names = [topic.name for topic in STATE_SET]
     peer.listen(*names, "/diagnostics")
     commands = {"normal_force_cmd": [HUGE] * 4, "wheel_torque_cmd": [HUGE] * 4}
@@ -82,7 +83,7 @@ def test_a_manoeuvre_against_a_paused_simulator_says_so(start, peer):
 
 
 def test_a_manoeuvre_that_ends_in_a_divergence_does_not_pass_for_complete(start, peer):
-    start("simulator")
+    start("simulator", "--ros-args", *HARDLY_LIMITED)
     peer.listen("state")
     driver = start("manoeuvre", "j_turn")
     torques = {"wheel_torque_cmd": [HUGE] * 4, "normal_force_cmd": [HUGE] * 4}

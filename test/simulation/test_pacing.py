@@ -29,9 +29,9 @@ class FakeClock:
 class Paced:
     """A pacer on a fake clock."""
 
-    def __init__(self, period_ns: int = PERIOD, factor: float = 1.0):
+    def __init__(self, period_ns: int = PERIOD, factor: float = 1.0, catch_up: float = 0.1):
         self.clock = FakeClock()
-        self.pacer = Pacer(period_ns, factor, self.clock, self.clock.sleep)
+        self.pacer = Pacer(period_ns, factor, catch_up, self.clock, self.clock.sleep)
 
     def after(self, ns: int) -> int:
         """Periods that are run when another `ns` have passed: the due one, and those behind it."""
@@ -101,6 +101,13 @@ def test_a_host_suspended_for_five_seconds_goes_on_at_the_old_rate(paced):
     assert paced.largest_lateness() == pytest.approx(4990.0)
     assert [paced.after(PERIOD) for _ in range(100)] == [1] * 100
     assert paced.pacer.overruns == 500 - count
+
+
+@pytest.mark.parametrize("catch_up", [0.0, 0.05, 1.0])
+def test_how_much_is_made_up_for_can_be_chosen(catch_up):
+    paced = Paced(catch_up=catch_up)
+    assert paced.after(5000 * MS) == 1 + round(catch_up / 0.01)
+    assert paced.pacer.overruns == 499 - round(catch_up / 0.01)
 
 
 def test_lateness_is_told_by_its_percentiles_since_it_was_last_asked_for(paced):

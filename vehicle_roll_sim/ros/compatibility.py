@@ -1,12 +1,15 @@
-"""Partners on a topic that can never be connected: another type, or a quality of service too high.
+"""Partners on a topic: who they are, and which can never be connected.
 
-The middleware would tell, by events that every wait of the node had to watch.
+Those are of another type, or want too high a quality of service. The middleware would tell, by
+events that every wait of the node had to watch.
 """
 
 from rclpy.node import Node
 from rclpy.publisher import Publisher
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
+
+from vehicle_roll_sim.messages.topics import Topic
 
 UNNAMED = "_NODE_NAME_UNKNOWN_"
 """Node of an endpoint that was discovered before its node was, or that is not of ROS."""
@@ -29,6 +32,26 @@ def incompatible_partners(node: Node) -> list[str]:
                 elif reason and _is_of(node, listener):
                     misfits.append(f"{topic}: the publisher of {publisher.node_name}: {reason}")
     return misfits
+
+
+def other_publishers(node: Node, topic: Topic) -> list[str]:
+    """Full names of the nodes that publish a topic, once for each publisher but that of `node`.
+
+    Two nodes may have one name, so the name alone does not tell whose a publisher is. Those whose
+    node is not known yet are left to the next look.
+    """
+    name = node.resolve_topic_name(topic.name)
+    found = node.get_publishers_info_by_topic(name)
+    names = [
+        f"{each.node_namespace.rstrip('/')}/{each.node_name}"
+        for each in found
+        if each.topic_type == topic.type and each.node_name != UNNAMED
+    ]
+    if any(own.topic_name == name for own in node.publishers):
+        own_name = node.get_fully_qualified_name()
+        if own_name in names:
+            names.remove(own_name)
+    return sorted(names)
 
 
 def fitting_listeners(node: Node, publisher: Publisher) -> int:

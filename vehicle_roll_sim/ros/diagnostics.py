@@ -1,4 +1,4 @@
-"""What the simulator says of itself: on /diagnostics, and of misfits in the log."""
+"""What the simulator says of itself: on /diagnostics, and of what is new in it in the log."""
 
 import threading
 import time
@@ -6,18 +6,23 @@ import time
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.topics import DIAGNOSTICS
+from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, DIAGNOSTICS
 from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.ros.compatibility import incompatible_partners
+from vehicle_roll_sim.ros.compatibility import incompatible_partners, other_publishers
 from vehicle_roll_sim.ros.lockstep import Lockstep
 from vehicle_roll_sim.ros.publications import Publications
 from vehicle_roll_sim.ros.real_time import RealTime
 from vehicle_roll_sim.simulation.session import Session
+from vehicle_roll_sim.simulation.status import (
+    command_troubles,
+    command_values,
+    model_values,
+    verdict,
+)
 
 
 class Reporter:
-    """Publishes diagnostics, and warns once of each partner that can never be connected.
+    """Publishes diagnostics, and warns in the log when something new is wrong.
 
     lock: to be held while the session is looked at.
     """
@@ -37,31 +42,48 @@ class Reporter:
         self._sets, self._time = 0, time.monotonic()
 
     def report(self) -> None:
+        publishers = {topic.name: other_publishers(self._node, topic) for topic in COMMANDS}
+        clocks = self._clock_trouble()
         with self._lock:
-            message = self._diagnostics()
-        self._publisher.publish(message)
-        misfits = set(incompatible_partners(self._node))
-        for misfit in sorted(misfits - self._told):
-            self._node.get_logger().warning(misfit)
-        self._told = misfits
-
-    def _diagnostics(self) -> DiagnosticArray:
-        """One status: condition of the model, timing, and the counts of every command topic."""
-        late = self._driver.trouble()
-        level, message = _verdict(self._session, _step_trouble(self._session) or late)
-        status = DiagnosticStatus(level=level, message=message, hardware_id="simulation")
-        status.name = f"{self._node.get_fully_qualified_name()}: model"
-        values = {
-            "condition": self._session.simulation.condition.name.lower(),
-            "simulated time (s)": f"{self._session.simulation.time:.3f}",
-            "publish rate (Hz)": f"{self._rate():.1f}",
-            **self._driver.timing(),
-            **_command_counts(self._session),
-        }
-        status.values = [KeyValue(key=key, value=value) for key, value in values.items()]
+            wrong = [*clocks, *command_troubles(self._session, publishers)]
+            wrong += _step_trouble(self._session)
+            status = self._status(wrong, publishers)
         diagnostics = DiagnosticArray(status=[status])
         diagnostics.header.stamp = self._publications.present_stamp()
-        return diagnostics
+        self._publisher.publish(diagnostics)
+        self._warn({*wrong, *incompatible_partners(self._node)})
+
+    def _warn(self, wrong: set[str]) -> None:
+        """In the log, of what was not wrong the last time."""
+        for trouble in sorted(wrong - self._told):
+            self._node.get_logger().warning(trouble)
+        self._told = wrong
+
+    def _clock_trouble(self) -> list[str]:
+        """Whether somebody else publishes the clock that this simulator gives."""
+        others = other_publishers(self._node, CLOCK) if self._publications.own_clock else []
+        if not others:
+            return []
+        listed = ", ".join(others)
+        return [f"TWO CLOCKS: {CLOCK.name} comes from {listed} too: time jumps for all who use it"]
+
+    def _status(self, wrong: list[str], publishers: dict[str, list[str]]) -> DiagnosticStatus:
+        """Level and message, then the model, timing, and every command topic."""
+        session = self._session
+        late = self._driver.trouble()
+        if late and not (session.paused or session.stopped):
+            wrong = [*wrong, late]
+        level, message = verdict(session, wrong)
+        status = DiagnosticStatus(level=bytes([level]), message=message, hardware_id="simulation")
+        status.name = f"{self._node.get_fully_qualified_name()}: model"
+        values = {
+            **model_values(session),
+            "publish rate (Hz)": f"{self._rate():.1f}",
+            **self._driver.timing(),
+            **command_values(session, publishers),
+        }
+        status.values = [KeyValue(key=key, value=value) for key, value in values.items()]
+        return status
 
     def _rate(self) -> float:
         """Sets published a second since the last call (Hz)."""
@@ -71,38 +93,11 @@ class Reporter:
         return rate
 
 
-def _verdict(session: Session, trouble: str) -> tuple[bytes, str]:
-    condition = session.simulation.condition
-    if condition is not Condition.RUNNING:
-        cause = condition.name.lower().replace("_", " ")
-        if condition is Condition.DIVERGED:
-            cause += f" ({session.simulation.implausible})"
-        return DiagnosticStatus.ERROR, f"{cause} at {session.simulation.time:.3f} s: reset to go on"
-    silent = [
-        topic
-        for topic, channel in session.inbox.channels.items()
-        if session.inbox.is_silent(channel, session.simulation.time_ns)
-    ]
-    if silent:
-        return DiagnosticStatus.WARN, "no commands any more on " + ", ".join(silent)
-    if trouble and not session.paused:
-        return DiagnosticStatus.WARN, trouble
-    return DiagnosticStatus.OK, "paused" if session.paused else "running"
-
-
-def _step_trouble(session: Session) -> str:
-    """What to say where the step has become too large since the start, else nothing."""
+def _step_trouble(session: Session) -> list[str]:
+    """What to say where the step has become too large since the start."""
     simulation = session.simulation
     step = simulation.step_ns / NANOSECONDS
     largest = simulation.largest_stable_step(session.applied)
-    return f"the step, {step:g} s, is unstable here above {largest:.2g} s" if step > largest else ""
-
-
-def _command_counts(session: Session) -> dict[str, str]:
-    counts = {}
-    for topic, channel in session.inbox.channels.items():
-        counts[f"{topic} received"] = str(channel.received)
-        counts[f"{topic} dropped"] = str(channel.dropped)
-        if channel.last_problem:
-            counts[f"{topic} last problem"] = channel.last_problem
-    return counts
+    if session.stopped or step <= largest:
+        return []
+    return [f"the step, {step:g} s, is unstable here above {largest:.2g} s"]

@@ -1,6 +1,7 @@
 """The simulator's ROS parameters: declared once, checked, described to whoever asks."""
 
 import dataclasses
+import threading
 
 from rcl_interfaces.msg import (
     FloatingPointRange,
@@ -17,10 +18,10 @@ from vehicle_roll_sim.declaration import (
     parameter,
     parameters_of,
     unknown_name,
-    validated,
 )
 from vehicle_roll_sim.model.events import MINIMUM_SPEED
 from vehicle_roll_sim.ros.settings import Settings
+from vehicle_roll_sim.simulation.command_limits import CommandLimits
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -51,6 +52,7 @@ class Declared:
     """Everything the parameters said."""
 
     settings: Settings
+    limits: CommandLimits
     options: Options
     road: Road
     vehicle: Vehicle
@@ -60,6 +62,7 @@ def declare(node: Node) -> Declared:
     """Declare all parameters on `node` and read them; raises InputError naming one."""
     _refuse_unknown(node)
     settings = Settings(**_declare_class(node, Settings))
+    limits = CommandLimits(**_declare_class(node, CommandLimits))
     options = Options(**_declare_class(node, Options))
     settings.check()
     _check_speed(settings.initial_speed, options)
@@ -72,7 +75,8 @@ def declare(node: Node) -> Declared:
         name: _declare(node, VEHICLE_PREFIX + name, getattr(vehicle, name))
         for name in parameters_of(Vehicle)
     }
-    return Declared(settings, options, road, vehicle.with_values(values, VEHICLE_PREFIX))
+    vehicle = vehicle.with_values(values, VEHICLE_PREFIX)
+    return Declared(settings, limits, options, road, vehicle)
 
 
 def _check_speed(speed: float, options: Options) -> None:
@@ -82,20 +86,24 @@ def _check_speed(speed: float, options: Options) -> None:
         raise InputError("initial_speed", speed, allowed)
 
 
-def follow_changes(node: Node, settings: Settings, options: Options) -> None:
-    """Keep `settings` up to date with the tunable parameters; refuse values out of range."""
-    known = parameters_of(Settings)
+def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None:
+    """Keep what was `declared` up to date with the tunable parameters; refuse wrong values.
+
+    lock: held while values change, so that they do so between two periods.
+    """
+    settings = declared.settings
+    tunable = {name: part for part in (settings, declared.limits) for name in parameters_of(part)}
 
     def check(changes) -> SetParametersResult:
+        values = {change.name: change.value for change in changes if change.name in tunable}
         try:
-            checked = validated(
-                Settings, {change.name: change.value for change in changes if change.name in known}
-            )
-            _check_speed(checked.get("initial_speed", settings.initial_speed), options)
+            checked = {name: PARAMETERS[name].validate(value) for name, value in values.items()}
+            _check_speed(checked.get("initial_speed", settings.initial_speed), declared.options)
         except InputError as error:
             return SetParametersResult(successful=False, reason=str(error))
-        for name, value in checked.items():
-            setattr(settings, name, value)
+        with lock:
+            for name, value in checked.items():
+                setattr(tunable[name], name, value)
         return SetParametersResult(successful=True)
 
     node.add_pre_set_parameters_callback(_numbers_for_integers)
@@ -118,6 +126,7 @@ def _all_parameters() -> dict[str, Parameter]:
     vehicle = parameters_of(Vehicle) | parameters_of(TireFile)
     return {
         **parameters_of(Settings),
+        **parameters_of(CommandLimits),
         **parameters_of(Options),
         **parameters_of(Road),
         **{VEHICLE_PREFIX + name: declared for name, declared in vehicle.items()},

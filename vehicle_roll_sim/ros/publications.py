@@ -51,7 +51,7 @@ class Publications:
         topics = (CLOCK, *STATE_SET) if own_clock else STATE_SET
         if is_installed(TRANSFORMS):
             topics = (*topics, TRANSFORMS)
-        self._own_clock, self._unnoticed_ns = own_clock, unnoticed_ns
+        self.own_clock, self._unnoticed_ns = own_clock, unnoticed_ns
         build = self._messages.builder
         self._set = {topic.name: (self.publisher(topic), build(topic.name)) for topic in topics}
         self._tree = self._set.get(TRANSFORMS.name, (None,))[0]
@@ -112,12 +112,12 @@ class Publications:
 
     def after_reset(self) -> None:
         """Stamps go on rising, unless they are simulated time, which begins anew."""
-        if not self._own_clock:
+        if not self.own_clock:
             self._stamps_begin_ns = self._last_stamp_ns + self._session.period_ns
 
     def present_stamp(self):
         """For messages of no set: the time on the clock that subscribers go by."""
-        if self._own_clock:
+        if self.own_clock:
             seconds, nanoseconds = self._messages.stamp
             return Time(sec=seconds, nanosec=nanoseconds)
         return self._node.get_clock().now().to_msg()

@@ -18,10 +18,13 @@ MILLISECONDS = 1e3
 
 
 class RealTime:
-    """Periods of `period_ns` of simulated time, `factor` times as fast as time goes by."""
+    """Periods of `period_ns` of simulated time, `factor` times as fast as time goes by.
 
-    def __init__(self, period_ns: int, factor: float):
-        self.pacer, self._period = Pacer(period_ns, factor), period_ns / NANOSECONDS
+    catch_up: the most that is made up for (s).
+    """
+
+    def __init__(self, period_ns: int, factor: float, catch_up: float):
+        self.pacer, self._period = Pacer(period_ns, factor, catch_up), period_ns / NANOSECONDS
         self._overruns_told = 0
 
     def run(self, simulator, executor: Executor) -> None:

@@ -9,6 +9,7 @@ from vehicle_roll_sim.ros.lockstep import STOP
 from vehicle_roll_sim.simulation.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
 from vehicle_roll_sim.simulation.pacing import (
     AS_FAST_AS_POSSIBLE,
+    DEFAULT_CATCH_UP,
     FASTEST_FACTOR,
     SLOWEST_FACTOR,
 )
@@ -86,6 +87,13 @@ class Settings:
         AS_FAST_AS_POSSIBLE,
         FASTEST_FACTOR,
         default=1.0,
+    )
+    catch_up_limit: float = parameter(
+        "the most that real time makes up for when it is late; the rest is given up and counted",
+        "s",
+        0.0,
+        10.0,
+        default=DEFAULT_CATCH_UP,
     )
     lockstep_topics: tuple = parameter(
         "commands that lockstep waits for, each period",

@@ -22,15 +22,17 @@ from vehicle_roll_sim.ros.publications import LONGEST_UNNOTICED_NS, Publications
 from vehicle_roll_sim.ros.real_time import RealTime
 from vehicle_roll_sim.ros.settings import Settings
 from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, message_class
-from vehicle_roll_sim.simulation.command_inbox import CommandInbox
+from vehicle_roll_sim.simulation.command_inbox import DROPPED, CommandInbox
 from vehicle_roll_sim.simulation.session import Session
 from vehicle_roll_sim.simulation.simulation import Simulation, compile_model, whole_steps
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
+from vehicle_roll_sim.simulation.status import ending
+from vehicle_roll_sim.simulation.throttle import Throttle
 
 DIAGNOSTICS_PERIOD = 1.0
 """s"""
 WARNING_INTERVAL = 1.0
-"""s between two warnings of the same kind."""
+"""s between two warnings of the same kind on the same topic."""
 NO_ANSWER = 1
 """Exit status when a controller did not answer in lockstep and the policy is to stop."""
 
@@ -58,7 +60,8 @@ class Simulator(Node):
             unnoticed_ns=0 if self.settings.is_lockstep else LONGEST_UNNOTICED_NS,
         )
         self._has_begun = False
-        parameters.follow_changes(self, self.settings, declared.options)
+        self._warnings = Throttle(WARNING_INTERVAL)
+        parameters.follow_changes(self, declared, self.lock)
         self._commands = {topic.name: self._subscribe(topic) for topic in COMMANDS}
         self._serve()
         report = Reporter(self, self.session, self.driver, self._publications, self.lock).report
@@ -103,10 +106,8 @@ class Simulator(Node):
         with self.lock:
             now_ns = self.session.simulation.time_ns
             problem = self.session.inbox.receive(topic, values, now_ns)
-        if problem:
-            self.get_logger().warning(
-                f"{topic}: message dropped: {problem}", throttle_duration_sec=WARNING_INTERVAL
-            )
+        if problem and self._warnings.lets((topic, problem.startswith(DROPPED))):
+            self.get_logger().warning(f"{topic}: {problem}")
 
     def run_period(self) -> None:
         """A publish period on; to be called with the lock held."""
@@ -117,8 +118,7 @@ class Simulator(Node):
         self._publications.publish_set()
         if self.session.stopped and not was_stopped:
             self._publications.publish_rollover()
-            name = self.session.simulation.condition.name.lower().replace("_", " ")
-            self.get_logger().error(f"{name} at {self.session.simulation.time:.3f} s")
+            self.get_logger().error(ending(self.session))
 
     def _serve(self) -> None:
         self.create_service(Trigger, "~/reset", self._reset)
@@ -173,7 +173,7 @@ def _driver(settings: Settings, period_ns: int) -> Lockstep | RealTime:
             settings.lockstep_timeout,
             settings.lockstep_timeout_policy,
         )
-    return RealTime(period_ns, settings.real_time_factor)
+    return RealTime(period_ns, settings.real_time_factor, settings.catch_up_limit)
 
 
 def _session(declared: parameters.Declared) -> Session:
@@ -191,7 +191,9 @@ def _session(declared: parameters.Declared) -> Session:
     except InputError:
         limit = f"a rate whose period is a multiple of the step, {settings.step:g} s"
         raise InputError("publish_rate", settings.publish_rate, limit) from None
-    inbox = CommandInbox(settings.command_timeout, settings.steering_timeout_policy)
+    inbox = CommandInbox(
+        settings.command_timeout, settings.steering_timeout_policy, declared.limits
+    )
     controller = SpeedController(
         declared.vehicle, settings.speed_drive_limit, settings.speed_brake_limit
     )

@@ -9,8 +9,8 @@ import numpy as np
 
 from vehicle_roll_sim.model.advance import NANOSECONDS
 
-LARGEST_CATCH_UP_NS = 100_000_000
-"""More than this behind (ns) is given up and counted, so that simulated time never jumps."""
+DEFAULT_CATCH_UP = 0.1
+"""s"""
 LONGEST_NAP_NS = 100_000_000
 """Sleep at a time (ns), so that a sleeper notices when it is to end."""
 LONGEST_BUSY_NS = 5_000_000
@@ -27,19 +27,22 @@ PERCENTILES = (50, 99, 100)
 class Pacer:
     """When the periods of `period_ns` of simulated time are due, by absolute deadlines.
 
-    factor: simulated over real time, AS_FAST_AS_POSSIBLE for no deadlines. clock: returns ns and
-    never goes back; sleep: takes s. overruns: periods given up.
+    factor: simulated over real time, AS_FAST_AS_POSSIBLE for no deadlines. catch_up: what is more
+    than this behind (s by the clock) is given up, so that simulated time never jumps; overruns: how
+    many periods. clock: returns ns and never goes back; sleep: takes s.
     """
 
     def __init__(
         self,
         period_ns: int,
         factor: float = 1.0,
+        catch_up: float = DEFAULT_CATCH_UP,
         clock: Callable[[], int] = time.monotonic_ns,
         sleep: Callable[[float], None] = time.sleep,
     ):
         self.clock, self.sleep = clock, sleep
         self._period_ns = period_ns / factor if factor else 0.0
+        self._catch_up_ns = catch_up * NANOSECONDS
         self.overruns = 0
         self._late_ns: deque[int] = deque(maxlen=KEPT)
         self._rested_ns = clock()
@@ -69,7 +72,7 @@ class Pacer:
         if late < 0:
             return False
         self._late_ns.append(late)
-        given_up = int(max(late - LARGEST_CATCH_UP_NS, 0) / self._period_ns)
+        given_up = int(max(late - self._catch_up_ns, 0) / self._period_ns)
         self.overruns += given_up
         origin_ns, count = self._next
         self._next = (origin_ns, count + 1 + given_up)

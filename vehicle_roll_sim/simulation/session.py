@@ -41,7 +41,7 @@ class Session:
         command = self.inbox.command(now)
         if self.stopped:
             return
-        self.applied = command
+        self.applied = self.inbox.limits.steered(self.applied, command, period)
         target = self.inbox.speed(now)
         if target is None:
             self.controller.reset()
