@@ -4,6 +4,7 @@ The library rosbags ends a file when it is closed; without its end no reader tak
 """
 
 import io
+import os
 import time
 from pathlib import Path
 
@@ -28,11 +29,23 @@ class KeptFile(McapWriter):
         self.bio = io.BufferedWriter(self.bio.detach(), LARGEST_CHUNK)
 
     def close_chunk(self) -> None:
+        start = self.bio.tell()
         super().close_chunk()
         end = self.bio.tell()
         self.bio.write(END)
-        self.bio.flush()
+        try:
+            self.bio.flush()
+        except OSError:  # a full disk
+            self._end_at(start)
+            raise
         self.bio.seek(end)
+
+    def _end_at(self, place: int) -> None:
+        """Take back what was only half written, and write no more."""
+        file = self.bio.fileno()
+        os.ftruncate(file, place)
+        os.pwrite(file, END, place)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), file)
 
 
 class _MetadataAlone:

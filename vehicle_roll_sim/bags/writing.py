@@ -67,8 +67,9 @@ class Bag:
         return sum(self._writer.counts.values())
 
     def close(self) -> None:
-        """Write the index and the metadata."""
-        self._writer.close()
+        """Write the index and the metadata, unless it was aborted."""
+        if self._writer.storage:
+            self._writer.close()
 
     def abort(self) -> None:
         """Close the files as they are."""

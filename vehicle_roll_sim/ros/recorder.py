@@ -70,6 +70,9 @@ def record(folder: Path, duration: float | None) -> int:
                     bag.keep()
                     keep_at = now + KEPT_EVERY
                 executor.spin_once(timeout_sec=min(keep_at, until) - now)
+    except OSError:  # a full disk: what could be written is whole
+        bag.abort()
+        raise
     finally:
         bag.close()
         print(f"recorder: {bag.message_count} messages in {folder}", flush=True)
