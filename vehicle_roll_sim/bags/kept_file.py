@@ -31,14 +31,18 @@ class KeptFile(McapWriter):
     def close_chunk(self) -> None:
         start = self.bio.tell()
         super().close_chunk()
-        end = self.bio.tell()
-        self.bio.write(END)
         try:
-            self.bio.flush()
+            self.write_end()
         except OSError:  # a full disk
             self._end_at(start)
             raise
-        self.bio.seek(end)
+
+    def write_end(self) -> None:
+        """End the file here, for now."""
+        place = self.bio.tell()
+        self.bio.write(END)
+        self.bio.flush()
+        self.bio.seek(place)
 
     def _end_at(self, place: int) -> None:
         """Take back what was only half written, and write no more."""
@@ -65,6 +69,7 @@ class KeptWriter(Writer):
 
     def begin(self) -> None:
         """Write metadata that has all connections, and no messages yet: it takes 0.1 s."""
+        self.storage.write_end()
         storage, times = self.storage, (self.min_timestamp, self.max_timestamp)
         self.storage = _MetadataAlone(storage.path)
         self.min_timestamp = self.max_timestamp = time.time_ns()

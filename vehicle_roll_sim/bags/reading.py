@@ -9,6 +9,7 @@ from rosbags.rosbag2 import Reader, ReaderError
 from rosbags.serde import SerdeError
 
 from vehicle_roll_sim.bags.encoding import decode
+from vehicle_roll_sim.bags.unindexed import BagReader
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.collected import COLLECTED, COMMAND, STATE, Collected, by_name
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS
@@ -70,7 +71,7 @@ def _runs(path: Path, namespace: str | None) -> Iterator[RecordedRun]:
     """Every run; one ends where the time of the states falls."""
     if not path.is_dir():
         raise InputError("BAG", str(path), A_BAG)
-    with Reader(path) as reader:
+    with BagReader(path) as reader:
         names = _names(reader, path, namespace)
         wanted = [connection for connection in reader.connections if connection.topic in names]
         run, last_time, description = None, np.inf, ""
