@@ -48,10 +48,10 @@ setup(
     entry_points={
         "console_scripts": [
             f"vehicle_roll_sim = {NAME}.command_line.main:main",
-            f"simulator = {NAME}.ros.simulator:main",
-            f"manoeuvre = {NAME}.ros.manoeuvre:main",
-            f"recorder = {NAME}.ros.recorder:main",
-            f"demo = {NAME}.ros.demo:main",
+            f"simulator = {NAME}.ros.executables:simulator",
+            f"manoeuvre = {NAME}.ros.executables:manoeuvre",
+            f"recorder = {NAME}.ros.executables:recorder",
+            f"demo = {NAME}.ros.executables:demo",
         ],
     },
 )

@@ -1,31 +1,30 @@
 """Vehicle roll dynamics in real time: the 14 degree-of-freedom model of Shim and Ghike (2007)."""
 
-from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEELS
-from vehicle_roll_sim.model.roll_plane import RollPlane
-from vehicle_roll_sim.simulation.command import Command
-from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.simulation import Simulation
-from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
-from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
+import importlib
 
-__all__ = [
-    "LF",
-    "LR",
-    "RF",
-    "RR",
-    "WHEELS",
-    "Command",
-    "Condition",
-    "InputError",
-    "Options",
-    "RollPlane",
-    "Simulation",
-    "Tire",
-    "Vehicle",
-    "load_tire",
-    "load_vehicle",
-    "preset",
-]
+_HOMES = {
+    "InputError": "declaration",
+    "Condition": "model.events",
+    **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),
+    "RollPlane": "model.roll_plane",
+    "Command": "simulation.command",
+    "Options": "simulation.options",
+    "Simulation": "simulation.simulation",
+    "Vehicle": "vehicle.parameters",
+    **dict.fromkeys(("Tire", "load_tire"), "vehicle.tire_file"),
+    **dict.fromkeys(("load_vehicle", "preset"), "vehicle.vehicle_file"),
+}
+"""Where what this package offers is. It is imported when it is first asked for: a process that is
+interrupted while numba is read in (a second) must have seen to its signals before."""
+__all__ = sorted(_HOMES)
+
+
+def __getattr__(name: str):
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = globals()[name] = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

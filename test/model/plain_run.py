@@ -1,6 +1,7 @@
 """A run in a process of its own: python plain_run.py STEPS FILE [without-numba | 8dof | steady].
 
-Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran.
+Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran; with
+`variants` for the last word, those of a swerve on a slope, one after the other, of every variant.
 """
 
 import sys
@@ -9,10 +10,12 @@ if sys.argv[3:] == ["without-numba"]:
     sys.modules["numba"] = None  # importing it now fails
 
 import numpy as np
-from programmes import j_turn, record_run
+from programmes import j_turn, ramp_and_hold, record_run
 
 from vehicle_roll_sim import Options, Simulation, preset
 from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS
+from vehicle_roll_sim.simulation.road import Road
 
 STEP = 0.001
 """s"""
@@ -27,12 +30,34 @@ OPTIONS = {
     "steady": Options(euler_terms=True, steady_state_slip=True),
 }
 
+VARIANTS = (
+    *(Options(model=name) for name in MODELS),
+    Options(no_roll_centre=True),
+    Options(tire_normal_to_ground=True),
+    Options(link_load_transfer=ASYMMETRIC),
+)
+SLOPE = Road(grade=0.05, bank=-0.03)
+
 
 def run(steps: int, options: Options = FULL):
     simulation = Simulation(preset(), options, step=STEP)
     return record_run(simulation, j_turn(**HELD), steps * STEP)
 
 
+def run_variants(steps: int) -> dict[str, np.ndarray]:
+    """STATE and OUTPUTS records of a swerve of each variant, one after the other."""
+    swerve = ramp_and_hold(0.0, 80.0, 6.0, **HELD)
+    runs = [
+        record_run(Simulation(preset(), options, step=STEP, road=SLOPE), swerve, steps * STEP)
+        for options in VARIANTS
+    ]
+    return {part: np.concatenate([getattr(r, part) for r in runs]) for part in ("state", "outputs")}
+
+
 if __name__ == "__main__":
-    result = run(int(sys.argv[1]), OPTIONS.get("".join(sys.argv[3:]), FULL))
-    np.savez(sys.argv[2], state=result.state, outputs=result.outputs, how=jit.describe())
+    steps, file, which = int(sys.argv[1]), sys.argv[2], "".join(sys.argv[3:])
+    if which == "variants":
+        np.savez(file, **run_variants(steps))
+    else:
+        result = run(steps, OPTIONS.get(which, FULL))
+        np.savez(file, state=result.state, outputs=result.outputs, how=jit.describe())

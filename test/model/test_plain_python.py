@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from plain_run import OPTIONS, run
+from plain_run import OPTIONS, run, run_variants
 from programmes import largest_difference
 
 import vehicle_roll_sim
@@ -21,6 +21,8 @@ TO_ROLLOVER = 4000
 """Steps of 1 ms: more than it takes, the run stops by itself."""
 A_FEW = 1300
 """Steps of 1 ms: well into the turn."""
+A_SWERVE = 80
+"""Steps of 1 ms: into it, for each variant."""
 SHARE_OF_PEAK = 1e-9
 """The compiler may order a sum differently: 1e-15, grown by the fall to the side. Seen: 0."""
 compiled_only = pytest.mark.skipif(
@@ -78,6 +80,15 @@ def test_the_8_dof_model_and_steady_state_slip_are_one_source_too(tmp_path, name
     compiled = run(A_FEW, OPTIONS[name])
     for part, dtype in (("state", STATE), ("outputs", OUTPUTS)):
         shares = largest_difference(plain[part], getattr(compiled, part), dtype.names)
+        assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
+
+
+@compiled_only
+def test_every_variant_is_one_source_too(tmp_path):
+    plain = in_another_process(tmp_path, A_SWERVE, "variants", NUMBA_DISABLE_JIT="1")
+    compiled = run_variants(A_SWERVE)
+    for part, dtype in (("state", STATE), ("outputs", OUTPUTS)):
+        shares = largest_difference(plain[part], compiled[part], dtype.names)
         assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 

@@ -156,7 +156,7 @@ class Process:
     """An executable of the package as a process of its own, ended by its id."""
 
     def __init__(self, domain: int, module: str, *words: str, program: str | None = None):
-        command = [program] if program else ["-m", f"vehicle_roll_sim.ros.{module}"]
+        command = [program] if program else ["-m", "vehicle_roll_sim.ros.executables", module]
         environment = os.environ | {"ROS_DOMAIN_ID": str(domain)}
         self.process = subprocess.Popen(
             [sys.executable, *command, *words],

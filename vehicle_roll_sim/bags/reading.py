@@ -9,6 +9,7 @@ import numpy as np
 from rosbags.rosbag2 import Reader
 
 from vehicle_roll_sim.bags.encoding import decode
+from vehicle_roll_sim.bags.unindexed import BagReader
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.collected import COLLECTED, COMMAND, STATE, Collected, by_name
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS
@@ -119,7 +120,7 @@ def _messages(path: Path, namespace: str | None) -> Iterator[tuple[Topic, int, o
     if not path.is_dir():
         raise InputError("BAG", str(path), A_BAG)
     try:
-        with Reader(path) as reader:
+        with BagReader(path) as reader:
             names = _names(reader, path, namespace)
             wanted = [each for each in reader.connections if each.topic in names]
             for connection, sent, data in reader.messages(wanted):

@@ -13,9 +13,10 @@ from rosbags.interfaces import (
     QosReliability,
     QosTime,
 )
-from rosbags.rosbag2 import StoragePlugin, Writer, WriterError
+from rosbags.rosbag2 import StoragePlugin, WriterError
 
 from vehicle_roll_sim.bags.encoding import TYPES
+from vehicle_roll_sim.bags.kept_file import KeptWriter
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.simulation.output_file import new_folder
@@ -30,7 +31,9 @@ class Bag:
 
     def __init__(self, folder: Path, field: str):
         try:
-            self._writer = Writer(folder, version=BAG_VERSION, storage_plugin=StoragePlugin.MCAP)
+            self._writer = KeptWriter(
+                folder, version=BAG_VERSION, storage_plugin=StoragePlugin.MCAP
+            )
             self._writer.open()
         except WriterError:
             raise InputError(field, str(folder), "a folder that does not exist yet") from None
@@ -47,6 +50,14 @@ class Bag:
     def write(self, connection: Connection, time_ns: int, data: bytes) -> None:
         self._writer.write(connection, time_ns, data)
 
+    def begin(self) -> None:
+        """From now on, and after every `keep`, the bag can be read; all topics are there."""
+        self._writer.begin()
+
+    def keep(self) -> None:
+        """Have all that was written on disk, should the process be killed."""
+        self._writer.keep()
+
     def describe(self, simulation: str) -> None:
         """Note in the metadata what was simulated (simulation.description)."""
         self._writer.set_custom_data(SIMULATION_DESCRIPTION.name, simulation)
@@ -56,8 +67,9 @@ class Bag:
         return sum(self._writer.counts.values())
 
     def close(self) -> None:
-        """Write the index and the metadata."""
-        self._writer.close()
+        """Write the index and the metadata, unless it was aborted."""
+        if self._writer.storage:
+            self._writer.close()
 
     def abort(self) -> None:
         """Close the files as they are."""

@@ -27,7 +27,7 @@ LOCAL = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
 
 def start(module: str, *words: str, **options) -> subprocess.Popen:
     """Start a node of this package in a process of its own, which Ctrl-C does not reach."""
-    command = [sys.executable, "-m", f"vehicle_roll_sim.ros.{module}", *words]
+    command = [sys.executable, "-m", "vehicle_roll_sim.ros.executables", module, *words]
     environment = LOCAL | os.environ
     return subprocess.Popen(command, env=environment, start_new_session=True, **options)
 

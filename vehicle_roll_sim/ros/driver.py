@@ -11,6 +11,7 @@ from std_msgs.msg import Float64, Float64MultiArray
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.manoeuvre import Manoeuvre
 from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
+from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.collector import Collector
 from vehicle_roll_sim.ros.compatibility import UNNAMED, fitting_listeners
 from vehicle_roll_sim.ros.lockstep import SETTLING
@@ -64,8 +65,10 @@ class Driver(Node):
         if mode == LOCKSTEP:
             self._check_awaited()
         if self.manoeuvre.needs_vehicle:
-            compile_model()
-            self.manoeuvre = self.manoeuvre.for_vehicle(*simulated_vehicle(simulator.get))
+            vehicle, options = simulated_vehicle(simulator.get)
+            with ending.interruptible():
+                compile_model()
+                self.manoeuvre = self.manoeuvre.for_vehicle(vehicle, options)
         simulator.set("initial_speed", self.manoeuvre.speed)
         simulator.wait(self._hears, "a connection to its topics")
         self._check_alone()

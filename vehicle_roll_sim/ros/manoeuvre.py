@@ -15,6 +15,7 @@ from vehicle_roll_sim.arguments import (
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.driver import ROUNDING, Driver
 from vehicle_roll_sim.ros.process import lifetime, node_main
 from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
@@ -41,7 +42,7 @@ def late_commands(history: History, sent_at: dict[float, float]) -> int:
 def drive(
     name: str, manoeuvre: Manoeuvre, simulator: str, csv: Path | None, plot: Path | None
 ) -> int:
-    """Play the manoeuvre, write its files and print its summary; the exit status."""
+    """Play the manoeuvre, then tell of it; the exit status."""
     driver = Driver(manoeuvre)
     try:
         with lifetime(driver) as executor:
@@ -50,6 +51,12 @@ def drive(
     except NoAnswerError as error:
         print(f"manoeuvre: error: {error}", file=sys.stderr)
         return NO_SIMULATOR
+    with ending.interruptible():
+        return _tell(name, driver, csv, plot)
+
+
+def _tell(name: str, driver: Driver, csv: Path | None, plot: Path | None) -> int:
+    """Write the files of a manoeuvre that was played and print its summary; the exit status."""
     history = driver.collector.history()
     events = events_of(history, driver.rollover_angle)
     if csv:

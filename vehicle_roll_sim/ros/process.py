@@ -5,13 +5,15 @@ import contextlib
 from collections.abc import Callable, Iterator
 
 import rclpy
-from rclpy.exceptions import NameValidationException
+from rclpy.exceptions import NameValidationException, NotInitializedException
 from rclpy.executors import Executor, ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions
 from rclpy.utilities import remove_ros_args
 
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.ros import ending
 
 
 def node_main(
@@ -22,21 +24,22 @@ def node_main(
 ) -> int:
     """Run `body` with the arguments among `words` (program name first); the exit status.
 
-    `prepare` runs before, and `body` within an rclpy context. SIGINT and SIGTERM, which arrive as
-    KeyboardInterrupt or as a context that is shut down, end either with status 0.
+    `prepare` runs before, and `body` within an rclpy context. SIGINT and SIGTERM end either with
+    status 0 (`ending`): the former at once, the latter as the context is shut down.
     """
 
     def command() -> int:
+        ending.at_once()
         arguments = parser.parse_args(_without_ros_arguments(words))
         try:
             prepare()
             _initialise(words)
+            ending.shutting_down(_shut_down)
             return _run(body, arguments)
         except (KeyboardInterrupt, ExternalShutdownException):
             return 0
         finally:
-            with contextlib.suppress(RuntimeError):  # a signal is shutting down just now
-                rclpy.try_shutdown()
+            _shut_down()
 
     return exit_status(command, parser.prog)
 
@@ -67,10 +70,15 @@ def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespac
         return body(arguments)
     except NameValidationException as error:
         raise _not_started(error) from None
-    except RuntimeError:  # the middleware's, on a context that a signal has shut down
+    except (RuntimeError, NotInitializedException):  # on a context that a signal has shut down
         if rclpy.ok():
             raise
         return 0
+
+
+def _shut_down() -> None:
+    with contextlib.suppress(RuntimeError):  # it is being shut down just now
+        rclpy.try_shutdown()
 
 
 def _without_ros_arguments(words: list[str]) -> list[str]:
@@ -82,7 +90,7 @@ def _without_ros_arguments(words: list[str]) -> list[str]:
 
 def _initialise(words: list[str]) -> None:
     try:
-        rclpy.init(args=words)
+        rclpy.init(args=words, signal_handler_options=SignalHandlerOptions.NO)
     except RuntimeError as error:
         raise _not_started(error) from None
 

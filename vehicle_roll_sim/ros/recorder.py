@@ -17,6 +17,8 @@ from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_q
 
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
 """s"""
+KEPT_EVERY = 0.5
+"""s after which messages are on disk, should the recorder be killed."""
 
 
 class Recorder(Node):
@@ -29,12 +31,16 @@ class Recorder(Node):
     def __init__(self, bag):
         super().__init__("recorder")
         self._bag = bag
-        for topic in filter(is_installed, (*COMMANDS, *PUBLISHED)):
-            self._record(topic)
+        connections = {
+            topic: bag.add_topic(topic, self.resolve_topic_name(topic.name))
+            for topic in filter(is_installed, (*COMMANDS, *PUBLISHED))
+        }
+        bag.begin()
+        for topic, connection in connections.items():
+            self._record(topic, connection)
 
-    def _record(self, topic: Topic) -> None:
-        kind, name = message_class(topic.type), self.resolve_topic_name(topic.name)
-        connection = self._bag.add_topic(topic, name)
+    def _record(self, topic: Topic, connection) -> None:
+        kind = message_class(topic.type)
         clock = "received_timestamp" if topic.latched else "source_timestamp"
 
         def write(data: bytes, info: dict) -> None:
@@ -54,9 +60,16 @@ def record(folder: Path, duration: float | None) -> int:
     try:
         with lifetime(Recorder(bag)) as executor:
             print(f"recorder: recording to {folder}", flush=True)
-            until = time.monotonic() + duration if duration else float("inf")
-            while (left := until - time.monotonic()) > 0.0:
-                executor.spin_once(timeout_sec=min(1.0, left))
+            now = time.monotonic()
+            until, keep_at = now + duration if duration else float("inf"), now + KEPT_EVERY
+            while (now := time.monotonic()) < until:
+                if now >= keep_at:
+                    bag.keep()
+                    keep_at = now + KEPT_EVERY
+                executor.spin_once(timeout_sec=min(keep_at, until) - now)
+    except OSError:  # a full disk: what could be written is whole
+        bag.abort()
+        raise
     finally:
         bag.close()
         print(f"recorder: {bag.message_count} messages in {folder}", flush=True)

@@ -1,0 +1,89 @@
+"""The SROS2 policy allows exactly what the nodes use. Nothing here can enforce it."""
+
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+
+import vehicle_roll_sim
+from vehicle_roll_sim.messages.topics import TRANSFORMS
+from vehicle_roll_sim.ros.topics import is_installed
+
+ROOT = Path(vehicle_roll_sim.__file__).parent.parent
+POLICY = ROOT / "policies" / "vehicle_roll_sim.policy.xml"
+NODES = ("simulator", "manoeuvre", "recorder")
+ALLOWED = {
+    ("topics", "publish"): "publisher",
+    ("topics", "subscribe"): "subscriber",
+    ("services", "reply"): "service",
+    ("services", "request"): "client",
+}
+"""Kinds of rules, and what rclpy calls what they allow."""
+CHILDREN = {
+    "policy": {"enclaves"},
+    "enclaves": {"enclave"},
+    "enclave": {"profiles"},
+    "profiles": {"profile"},
+    "profile": {"topics", "services", "actions"},
+    "topics": {"topic"},
+    "services": {"service"},
+    "topic": set(),
+    "service": set(),
+}
+"""What the schema of SROS2 policies, version 0.2.0, lets lie within what."""
+ATTRIBUTES = {"enclave": {"path"}, "profile": {"ns", "node"}, "policy": {"version"}}
+
+
+@pytest.fixture(scope="module")
+def policy() -> ElementTree.Element:
+    return ElementTree.parse(POLICY).getroot()
+
+
+def allowed(policy, node: str) -> dict[str, set[str]]:
+    """Full names that a node in the root namespace may use, by what rclpy calls their kind."""
+    (profile,) = policy.findall(f".//profile[@node='{node}']")
+    names = {kind: set() for kind in ALLOWED.values()}
+    for rules in profile:
+        (action,) = rules.attrib
+        for rule in rules:
+            name = rule.text.replace("~", f"/{node}")
+            names[ALLOWED[rules.tag, action]].add("/" + name.lstrip("/"))
+    return names
+
+
+def used(peer, node: str) -> dict[str, set[str]]:
+    """The same as the graph has it."""
+    return {
+        kind: {
+            name for name, _ in getattr(peer.node, f"get_{kind}_names_and_types_by_node")(node, "/")
+        }
+        for kind in ALLOWED.values()
+    }
+
+
+def test_the_policy_is_one_after_the_schema_and_denies_by_allowing_nothing_else(policy):
+    assert policy.attrib == {"version": "0.2.0"}
+    for element in policy.iter():
+        assert {child.tag for child in element} <= CHILDREN[element.tag], element.tag
+        if element.tag in ATTRIBUTES:
+            assert set(element.attrib) == ATTRIBUTES[element.tag]
+        elif element.tag in ("topics", "services"):
+            assert set(element.attrib.values()) == {"ALLOW"}
+            assert len(element) > 0
+        elif not len(element):
+            assert "*" not in element.text
+    assert [profile.get("node") for profile in policy.iter("profile")] == list(NODES)
+
+
+def test_what_live_nodes_use_is_what_the_policy_allows(start, peer, policy, tmp_path):
+    start("simulator", "--ros-args", "-p", "publish_clock:=true")
+    start("recorder", "--output", str(tmp_path / "bag"))
+    peer.listen("state", "applied_command")
+    start("manoeuvre", "step_steer", "--duration", "1000")
+    peer.wait(lambda: peer.newest("applied_command").data[1] != 0.0, "the manoeuvre to steer")
+    for node in NODES:
+        names = allowed(policy, node)
+        if not is_installed(TRANSFORMS):  # allowed for where it is
+            for kind in ("publisher", "subscriber"):
+                names[kind].discard(TRANSFORMS.name)
+        peer.wait(lambda node=node, names=names: used(peer, node) == names, f"the uses of {node}")

@@ -1,0 +1,37 @@
+"""The entry points of the executables: signals are seen to before anything large is imported.
+
+Also `python -m vehicle_roll_sim.ros.executables NAME`.
+"""
+
+import importlib
+import sys
+
+from vehicle_roll_sim.arguments import INTERRUPTED
+from vehicle_roll_sim.ros import ending
+
+
+def simulator() -> int:
+    return _run("simulator")
+
+
+def manoeuvre() -> int:
+    return _run("manoeuvre")
+
+
+def recorder() -> int:
+    return _run("recorder")
+
+
+def demo() -> int:
+    return _run("demo", INTERRUPTED)
+
+
+def _run(name: str, interrupted: int = 0) -> int:
+    """The main function of a module beside this one; its status after a signal before that."""
+    ending.at_once(interrupted)
+    return importlib.import_module(f"vehicle_roll_sim.ros.{name}").main()
+
+
+if __name__ == "__main__":
+    functions = {each.__name__: each for each in (simulator, manoeuvre, recorder, demo)}
+    sys.exit(functions[sys.argv.pop(1)]())
