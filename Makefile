@@ -7,7 +7,7 @@ BIN := $(VENV)/bin
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
-.PHONY: setup run test bench controllers lint format build clean
+.PHONY: setup run test bench soak mutations controllers lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -27,6 +27,16 @@ test: setup
 # Ten minutes; OPTIONS=--quick is rougher, --only NAME ... does a part.
 bench: setup
 	$(BIN)/python -m benchmarks $(OPTIONS)
+
+# A million random messages, then a hundred times as many random cases of the models' properties.
+soak: setup
+	$(BIN)/python -m benchmarks.soak $(OPTIONS)
+	$(BIN)/python -m pytest --hypothesis-profile soak test/model/test_properties_of_rates.py \
+		test/model/test_properties_of_runs.py
+
+# Deliberate faults, and whether a test catches each: some fifteen minutes.
+mutations: setup
+	$(BIN)/python -m benchmarks.mutations $(OPTIONS)
 
 # What each example controller does, in lockstep; brings the README's table up to date.
 controllers: setup

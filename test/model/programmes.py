@@ -10,9 +10,12 @@ from vehicle_roll_sim.model.derivatives import derivatives
 from vehicle_roll_sim.model.jit import kernel_argument
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
 from vehicle_roll_sim.simulation.command import Programme
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.vehicle.parameters import GRAVITY
 
 SOURCE = Options(steady_state_slip=True)
 """The equations of the source, slip included."""
+LEVEL = Road()
 SHIFTS = dict.fromkeys(("LHX", "LHY", "LVX", "LVY", "LVYKA"), 1.0)
 """Scaling factors that switch on all that makes a left and a right tire differ."""
 
@@ -73,8 +76,10 @@ def with_tire(vehicle: Vehicle, side: str | None = None, **coefficients: float) 
 class Evaluation:
     """Derivatives and outputs of the model at any state: those of the source, unless told."""
 
-    def __init__(self, vehicle: Vehicle, options: Options = SOURCE):
-        parts = (vehicle.record(), vehicle.tire.record(), options.record())
+    def __init__(self, vehicle: Vehicle, options: Options = SOURCE, road: Road = LEVEL):
+        car = vehicle.record()
+        car["gravity"], car["gravity_along"], car["gravity_across"] = road.gravity(GRAVITY)
+        parts = (car, vehicle.tire.record(), options.record())
         self._plant = tuple(kernel_argument(part)[0] for part in parts)
         self._outputs = np.zeros(1, OUTPUTS)
         self.outputs = self._outputs[0]

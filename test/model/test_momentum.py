@@ -1,72 +1,17 @@
-"""What the tires and gravity do to the vehicle is all that changes its momentum.
-
-The bodies are the sprung mass and four point masses at the wheel centres; the momenta are written
-down over the ground, where no rotating frame can hide a term, and differentiated along the model's
-own rates by a complex step, which has no truncation error.
-"""
+"""What the tires and gravity do to the vehicle is all that changes its momentum."""
 
 import numpy as np
 import pytest
+from mechanics import GRAVITY, along, external, momenta, slope
 from programmes import Evaluation
-from random_states import (
-    attitude,
-    random_command,
-    random_state,
-    strut_lengths,
-    wheel_centres,
-    wheel_positions,
-)
+from random_states import attitude, random_command, random_state, wheel_centres
 
 from vehicle_roll_sim import Options
-from vehicle_roll_sim.model.records import STATE
 
-GRAVITY = np.array([0.0, 0.0, -9.81])
 STATES = 300
 """Random states per variant; in about half of them wheels are off the ground."""
-COMPLEX_STEP = 1e-30
 RELATIVE = 1e-13
 """Of the largest single contribution: rounding of a 6 x 6 solution, seen 2e-15."""
-
-
-def along(state, rates) -> dict:
-    """The state a complex step further along its rates."""
-    return {name: state[name] + 1j * COMPLEX_STEP * rates[name] for name in STATE.names}
-
-
-def slope(values: np.ndarray) -> np.ndarray:
-    return values.imag / COMPLEX_STEP
-
-
-def momenta(vehicle, state) -> tuple[np.ndarray, np.ndarray]:
-    """Linear momentum, and angular momentum about the origin of the ground frame."""
-    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
-    rates = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
-    body = np.array([state["u"], state["v"], state["w"]])
-    inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
-    position = np.array([state["x"], state["y"], state["z"]])
-    linear = vehicle.sprung_mass * rotation @ body
-    angular = rotation @ (inertia * rates) + np.cross(position, linear)
-    lengths = strut_lengths(vehicle, state["suspension_compression"])
-    in_body = np.column_stack([wheel_positions(vehicle), -lengths])
-    velocity = body + np.cross(rates, in_body)
-    velocity[:, 2] = state["unsprung_velocity"]  # what the strut adds is in this state
-    parts = vehicle.per_wheel("unsprung_mass")[:, None] * (velocity @ rotation.T)
-    moments = np.cross(wheel_centres(vehicle, state), parts)
-    return linear + parts.sum(axis=0), angular + moments.sum(axis=0)
-
-
-def external(vehicle, state, outputs) -> tuple[np.ndarray, np.ndarray]:
-    """Forces on the vehicle and the points that they act at, over the ground."""
-    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
-    heading = attitude(0.0, 0.0, state["yaw"])
-    centres = wheel_centres(vehicle, state)
-    contacts = centres - outputs["loaded_radius"][:, None] * rotation[:, 2]
-    parts = ("longitudinal_force", "lateral_force", "normal_force")
-    tires = np.column_stack([outputs[name] for name in parts]) @ heading.T
-    unsprung = vehicle.per_wheel("unsprung_mass")[:, None] * GRAVITY
-    body = np.array([state["x"], state["y"], state["z"]])
-    forces = np.vstack([tires, unsprung, vehicle.sprung_mass * GRAVITY])
-    return forces, np.vstack([contacts, centres, body])
 
 
 def close(rate: np.ndarray, contributions: np.ndarray) -> bool:

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 import variant_equations
+from mechanics import along, external, momenta, slope
 from programmes import Evaluation
 from random_states import random_command, random_state, wheel_centres
-from test_momentum import along, close, external, momenta, slope
+from test_momentum import close
 
 from vehicle_roll_sim import Command, Options, Simulation
 from vehicle_roll_sim.simulation.options import MODELS

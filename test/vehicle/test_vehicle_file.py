@@ -217,3 +217,12 @@ def test_the_values_reach_the_equations_at_the_right_wheels():
     share = np.array([1.524, 1.524, 1.016, 1.016]) / (2 * 2.54)
     at_rest = 1440.0 * 9.81 * share / record.spring_stiffness  # (19)
     np.testing.assert_allclose(record.static_suspension_compression, at_rest, rtol=1e-14)
+
+
+@pytest.mark.parametrize("axle", ["front", "rear"])
+def test_springs_that_its_weight_compresses_out_of_all_bounds_are_refused(axle):
+    name, load = f"{axle}_spring_stiffness", 9.81 * 1440.0 * {"front": 0.3, "rear": 0.2}[axle]
+    softest = load / 100.0  # N/m: a state of more than 100 m is divergence
+    preset().with_values({name: softest * (1 + 1e-9)})
+    with refused(name, "to carry the sprung mass"):
+        preset().with_values({name: softest * (1 - 1e-9)})

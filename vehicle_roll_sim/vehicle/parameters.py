@@ -13,7 +13,8 @@ from vehicle_roll_sim.model.equilibrium import (
     static_suspension_compression,
     static_tire_compression,
 )
-from vehicle_roll_sim.model.records import VEHICLE
+from vehicle_roll_sim.model.events import plausible_magnitudes
+from vehicle_roll_sim.model.records import LF, LR, VEHICLE
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 GRAVITY = 9.81
@@ -75,6 +76,7 @@ class Vehicle:
         validated(Vehicle, {name: getattr(self, name) for name in parameters_of(Vehicle)})
         _check_inertias(self)
         _check_fits_on_its_wheels(self)
+        _check_springs_carry_it(self)
 
     @classmethod
     def checked(cls, values: dict, tire: Tire, prefix: str = "") -> "Vehicle":
@@ -106,6 +108,13 @@ class Vehicle:
         )
 
     @functools.cached_property
+    def static_suspension_compression(self) -> np.ndarray:
+        """xsi of each corner (m, eq. 19)."""
+        return static_suspension_compression(
+            self.sprung_mass, self.axle_load_share, self.per_wheel("spring_stiffness"), GRAVITY
+        )
+
+    @functools.cached_property
     def static_strut_length(self) -> np.ndarray:
         """lsi of each corner (m, eq. 18)."""
         return static_strut_length(self.cg_height, self.tire_radius, self.static_tire_compression)
@@ -128,9 +137,6 @@ class Vehicle:
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
         vehicle["x"] = front, front, rear, rear
         vehicle["y"] = self.per_wheel("track") / 2 * (1, -1, 1, -1)
-        vehicle["static_suspension_compression"] = static_suspension_compression(
-            self.sprung_mass, self.axle_load_share, self.per_wheel("spring_stiffness"), GRAVITY
-        )
         return vehicle
 
 
@@ -155,3 +161,14 @@ def _check_fits_on_its_wheels(vehicle: Vehicle) -> None:
     if float(np.min(vehicle.static_strut_length)) <= 0.0:
         limit = f"more than the radius of the loaded wheel, {radius:g} m"
         raise InputError("cg_height", vehicle.cg_height, limit)
+
+
+def _check_springs_carry_it(vehicle: Vehicle) -> None:
+    """At rest no spring is compressed by what a run takes for divergence."""
+    most = float(np.min(plausible_magnitudes()["suspension_compression"]))
+    for name, wheel in (("front_spring_stiffness", LF), ("rear_spring_stiffness", LR)):
+        compression = float(vehicle.static_suspension_compression[wheel])
+        if compression > most:
+            stiffness = getattr(vehicle, name)
+            limit = f"at least {stiffness * compression / most:g} N/m to carry the sprung mass"
+            raise InputError(name, stiffness, limit)

@@ -1,0 +1,209 @@
+"""Deliberate faults, each of which a test must notice: what a tired hand could write."""
+
+import dataclasses
+
+RATES = "test/model/test_properties_of_rates.py::"
+WHEEL = "test/model/test_wheel.py::"
+INBOX = "test/simulation/test_command_inbox.py::"
+SESSION = "test/simulation/test_session.py::"
+OF_MESSAGES = "test/ros/test_messages.py::"
+
+
+@dataclasses.dataclass(frozen=True)
+class Fault:
+    """In `file` of the package `faulty` stands for `original`, which is there once.
+
+    test: what notices, a file or a test of it.
+    """
+
+    what: str
+    file: str
+    original: str
+    faulty: str
+    test: str
+
+
+FAULTS = (
+    Fault(
+        "a tire pulls on the road",
+        "model/contact.py",
+        "return support if support > 0.0 else 0.0",
+        "return support",
+        RATES + "test_loads_are_never_negative_and_nought_exactly_off_the_ground",
+    ),
+    Fault(
+        "wrong sign: the longitudinal force of a steered tire pushes to the other side",
+        "model/contact.py",
+        "= fy * c + fx * s  # (4)",
+        "= fy * c - fx * s  # (4)",
+        RATES + "test_energy_changes_by_named_powers_and_nothing_else",
+    ),
+    Fault(
+        "dampers drive",
+        "model/suspension.py",
+        "passive += vehicle.damping[i]",
+        "passive -= vehicle.damping[i]",
+        RATES + "test_energy_changes_by_named_powers_and_nothing_else",
+    ),
+    Fault(
+        "wheels taken for others: link load transfer across the diagonal",
+        "model/suspension.py",
+        "for left, right in ((LF, RF), (LR, RR)):",
+        "for left, right in ((LF, RR), (LR, RF)):",
+        RATES + "test_tires_weights_and_drag_are_all_that_changes_the_momenta",
+    ),
+    Fault(
+        "left and right exchanged at the rear",
+        "vehicle/parameters.py",
+        "/ 2 * (1, -1, 1, -1)",
+        "/ 2 * (1, -1, -1, 1)",
+        RATES + "test_a_mirrored_state_and_command_have_the_mirrored_rates_and_outputs",
+    ),
+    Fault(
+        "a factor of two: drag",
+        "model/rigid_body.py",
+        "return AIR_DENSITY / 2 * vehicle.drag_area * u * abs(u)",
+        "return AIR_DENSITY * vehicle.drag_area * u * abs(u)",
+        RATES + "test_energy_changes_by_named_powers_and_nothing_else",
+    ),
+    Fault(
+        "missing clamp: friction turns round at large loads",
+        "model/tire.py",
+        "return value if value * coefficient > 0 else 0.0",
+        "return value",
+        "test/model/test_tire.py::test_friction_never_turns_round_however_large_the_load",
+    ),
+    Fault(
+        "a weight of combined slip is left out",
+        "model/tire.py",
+        "fx = gx * (x_peak *",
+        "fx = (x_peak *",
+        "test/model/test_tire.py::test_slip_in_one_direction_takes_force_from_the_other",
+    ),
+    Fault(
+        "slip does not decay off the ground",
+        "model/transient_slip.py",
+        "return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across",
+        "return 0.0, 0.0, along, across",
+        "test/model/test_transient_slip.py::test_slips_decay_without_load",
+    ),
+    Fault(
+        "the third stage of the integration goes half a step only",
+        "model/integrator.py",
+        "along(state, stages[K3], step, trial)",
+        "along(state, stages[K3], step / 2, trial)",
+        "test/model/test_accuracy.py::test_halving_the_step_divides_the_error_by_sixteen",
+    ),
+    Fault(
+        "a brake turns a wheel back",
+        "model/wheel.py",
+        "            spin[i] = 0.0",
+        "            pass",
+        WHEEL + "test_a_brake_stops_a_free_wheel_in_the_time_of_the_closed_form_and_not_beyond",
+    ),
+    Fault(
+        "lateral load transfer of the 8 DOF model to the inner wheels",
+        "model/eight_dof.py",
+        "load -= overturning * ay / y",
+        "load += overturning * ay / y",
+        "test/model/test_eight_dof.py::test_its_rates_solve_the_equations_written_out",
+    ),
+    Fault(
+        "off by one: events a step late",
+        "model/events.py",
+        "return time + step * before / (before - after)",
+        "return time + step + step * before / (before - after)",
+        "test/model/test_conditions.py::test_the_rollover_angle_says_where_a_run_stops",
+    ),
+    Fault(
+        "a state is not reset: times of events",
+        "simulation/simulation.py",
+        "self._events[:] = no_events()\n        self.time_ns = 0",
+        "self.time_ns = 0",
+        "test/model/test_stepping.py::test_reset_gives_the_first_state_back_bit_by_bit",
+    ),
+    Fault(
+        "missing timeout: commands hold for ever",
+        "simulation/command_inbox.py",
+        "return now_ns - channel.arrival_ns > round(self.timeout * NANOSECONDS)",
+        "return False",
+        INBOX + "test_a_topic_is_silent_once_more_than_the_timeout_has_passed",
+    ),
+    Fault(
+        "off by one: silent at the timeout already",
+        "simulation/command_inbox.py",
+        "return now_ns - channel.arrival_ns > round(",
+        "return now_ns - channel.arrival_ns >= round(",
+        SESSION + "test_torques_end_half_a_simulated_second_after_the_last_message",
+    ),
+    Fault(
+        "no check for values that are no numbers",
+        "simulation/command_inbox.py",
+        "if not all(map(math.isfinite, values)):",
+        "if not values:",
+        INBOX + "test_a_message_with_a_value_that_is_not_finite_is_dropped",
+    ),
+    Fault(
+        "missing bound: a brake that drives",
+        "simulation/command_inbox.py",
+        "if min(values) < channel.smallest:",
+        "if max(values) < channel.smallest:",
+        INBOX + "test_a_brake_that_would_drive_is_dropped",
+    ),
+    Fault(
+        "commands outlive a reset",
+        "simulation/session.py",
+        "        self.inbox.clear()\n",
+        "",
+        SESSION + "test_a_reset_recovers_from_a_rollover_and_forgets_all_commands",
+    ),
+    Fault(
+        "the speed controller outlives a reset",
+        "simulation/session.py",
+        "        self.controller.reset()\n        self.applied = Command()",
+        "        self.applied = Command()",
+        SESSION + "test_after_a_hundred_resets_a_run_is_bit_by_bit_that_of_a_fresh_start",
+    ),
+    Fault(
+        "deadlines drift: a period late after every period",
+        "simulation/pacing.py",
+        "self._next = (origin_ns, count + 1 + given_up)",
+        "self._next = (origin_ns, count + 2 + given_up)",
+        "test/simulation/test_pacing.py::test_on_time_every_period_is_run_once",
+    ),
+    Fault(
+        "wrong stamp: nanoseconds left out",
+        "messages/sets.py",
+        "self.stamp = divmod(nanoseconds, NANOSECONDS)",
+        "self.stamp = (nanoseconds // NANOSECONDS, 0)",
+        OF_MESSAGES + "test_stamps_are_simulated_time",
+    ),
+    Fault(
+        "lift-off flagged while a wheel still carries a little",
+        "messages/sets.py",
+        'self._lift_off.numbers[:] = self.simulation.outputs["normal_force"] == 0.0',
+        'self._lift_off.numbers[:] = self.simulation.outputs["normal_force"] < 300.0',
+        "test/package/test_soak.py",
+    ),
+    Fault(
+        "stamps begin again after a reset",
+        "ros/publications.py",
+        "self._stamps_begin_ns = self._last_stamp_ns + self._session.period_ns",
+        "self._stamps_begin_ns = self._last_stamp_ns - self._session.simulation.time_ns",
+        "test/ros/test_stopped.py::test_stamps_keep_rising_over_a_reset",
+    ),
+    Fault(
+        "missing lock: a message comes in while a period is run",
+        "ros/simulator.py",
+        "        with self.lock:\n            now_ns = self.session.simulation.time_ns",
+        "        if self.lock:\n            now_ns = self.session.simulation.time_ns",
+        "test/ros/test_lock.py",
+    ),
+    Fault(
+        "missing lock: a reset while a period is run",
+        "ros/simulator.py",
+        "        with self.lock:\n            self.session.reset(",
+        "        if self.lock:\n            self.session.reset(",
+        "test/ros/test_lock.py",
+    ),
+)

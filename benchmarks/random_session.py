@@ -1,0 +1,216 @@
+"""A session that random messages come in for, and what must hold after every period."""
+
+import collections
+import dataclasses
+import math
+import sys
+
+import numpy as np
+
+from vehicle_roll_sim import WHEELS, Simulation, preset
+from vehicle_roll_sim.bags.encoding import decode, encode
+from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.topics import COMMANDS, STATE_SET
+from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.simulation.command_inbox import CENTRE, HOLD, CommandInbox
+from vehicle_roll_sim.simulation.options import MODELS, Options
+from vehicle_roll_sim.simulation.session import Session
+
+STEP_NS = 1_000_000
+PERIODS = (1, 2, 5, 10, 20, 50)
+"""Publish periods in steps."""
+USUAL = {
+    "steering_cmd": 0.3,
+    "rear_steering_cmd": 0.1,
+    "wheel_torque_cmd": 800.0,
+    "brake_torque_cmd": 1500.0,
+    "normal_force_cmd": 3000.0,
+    "speed_cmd": 30.0,
+}
+"""Largest usual value of each topic, in its unit."""
+HUGE = (1e3, 1e6, 1e12, 1e100, 1e300, sys.float_info.max)
+"""Factors of a value that is finite and no more."""
+NO_NUMBERS = (math.nan, math.inf, -math.inf)
+LENGTHS = (0, 1, 2, 3, 5, 8, 100)
+LONGEST_STOP = 20
+"""Periods for which a stopped run is looked at before it is reset."""
+QUATERNION_ROUNDING = 1e-12
+
+
+@dataclasses.dataclass
+class Found:
+    """What a soak has met. Values are the worst of all sets."""
+
+    messages: int = 0
+    periods: int = 0
+    resets: int = 0
+    pauses: int = 0
+    dropped: int = 0
+    clamped: int = 0
+    conditions: collections.Counter = dataclasses.field(default_factory=collections.Counter)
+    """How often runs have ended so."""
+    largest_load: float = 0.0
+    largest_roll: float = 0.0
+    quaternion_error: float = 0.0
+    lifted: int = 0
+    sessions: int = 0
+    seconds: float = 0.0
+    growth: float = 0.0
+    """MiB of resident memory, from a tenth of the messages on."""
+
+
+class BrokenPromiseError(AssertionError):
+    """Something that must always hold does not; the text says what, where and from which seed."""
+
+
+class Driven:
+    """A session of a random model that random messages come in for."""
+
+    def __init__(self, rng: np.random.Generator, found: Found):
+        self.rng, self.found = rng, found
+        found.sessions += 1
+        options = Options(model=str(rng.choice([*MODELS])), steady_state_slip=rng.random() < 0.3)
+        simulation = Simulation(preset(), options)
+        timeout = float(rng.choice([0.0, 0.05, 0.5]))
+        self.inbox = CommandInbox(timeout, str(rng.choice([HOLD, CENTRE])))
+        period_ns = int(rng.choice(PERIODS)) * STEP_NS
+        self.session = Session(simulation, self.inbox, period_ns, 20.0)
+        self.messages = Messages(simulation, "", encode)
+        self.builders = {topic.name: self.messages.builder(topic.name) for topic in STATE_SET}
+        self.stamps_begin_ns, self.stamp_ns = 0, -1
+        self.stopped_for, self.talkative = 0, 0.0
+
+    def run(self, periods: int, most_messages: int) -> None:
+        """Up to so many periods, or messages."""
+        for _ in range(periods):
+            if self.found.messages >= most_messages:
+                return
+            self.maybe_change_pace()
+            self.send()
+            self.serve()
+            if not self.session.paused:
+                self.run_period()
+
+    def maybe_change_pace(self) -> None:
+        """Now and then silence, a few messages a period, or a burst."""
+        if self.rng.random() < 0.02:
+            self.talkative = float(self.rng.choice([0.0, 1.0, 3.0, 20.0]))
+
+    def send(self) -> None:
+        for _ in range(self.rng.poisson(self.talkative)):
+            topic = COMMANDS[self.rng.integers(len(COMMANDS))].name
+            values, is_wrong = self.message(topic)
+            channel, now_ns = self.inbox.channels[topic], self.session.simulation.time_ns
+            dropped = channel.dropped
+            self.inbox.receive(topic, values, now_ns)
+            self.found.messages += 1
+            self.expect(channel.dropped == dropped + is_wrong, f"{topic}: {values} taken or not")
+
+    def message(self, topic: str) -> tuple[list, bool]:
+        """Values for a topic, and whether they must be dropped."""
+        channel, kind = self.inbox.channels[topic], self.rng.random()
+        length = channel.size
+        if kind < 0.05:
+            length = int(self.rng.choice([each for each in LENGTHS if each != channel.size]))
+        values = self.rng.normal(0.0, USUAL[topic] / 2, length)
+        if topic == "brake_torque_cmd" and kind < 0.9:
+            values = np.abs(values)
+        if 0.05 <= kind < 0.1:
+            values[self.rng.integers(length)] = self.rng.choice(NO_NUMBERS)
+        elif 0.1 <= kind < 0.12:
+            with np.errstate(over="ignore"):
+                values *= self.rng.choice(HUGE)
+        is_wrong = length != channel.size or not np.isfinite(values).all()
+        return values.tolist(), is_wrong or bool((values < channel.smallest).any())
+
+    def serve(self) -> None:
+        """The services: pauses, and resets at any time and after a stop."""
+        session, chance = self.session, self.rng.random()
+        if session.paused:
+            session.paused = chance < 0.8
+        elif chance < 0.005:
+            session.paused = True
+            self.found.pauses += 1
+        if self.stopped_for > LONGEST_STOP or self.rng.random() < 0.0005:
+            slowest = 3.5 if session.simulation.options.steady_state_slip else 0.0
+            session.reset(float(self.rng.uniform(slowest, 50.0)))
+            self.stamps_begin_ns = self.stamp_ns + session.period_ns
+            self.stopped_for = 0
+            self.found.resets += 1
+            self.expect(not session.stopped, "a reset does not start a run")
+
+    def run_period(self) -> None:
+        session, simulation = self.session, self.session.simulation
+        was_stopped, before = session.stopped, simulation.state_vector.tobytes()
+        time_ns = simulation.time_ns
+        session.run_period()
+        self.found.periods += 1
+        if was_stopped:
+            self.expect(simulation.state_vector.tobytes() == before, "a stopped run moves")
+            self.expect(simulation.time_ns == time_ns, "time goes on in a stopped run")
+        elif session.stopped:
+            self.found.conditions[simulation.condition.name] += 1
+        else:
+            self.expect(simulation.time_ns == time_ns + session.period_ns, "a period is too short")
+        self.stopped_for = self.stopped_for + 1 if session.stopped else 0
+        self.look(self.published(), was_stopped)
+
+    def published(self) -> dict:
+        """The set of this period as a listener has it: by topic, decoded."""
+        stamp_ns = self.stamps_begin_ns + self.session.simulation.time_ns
+        self.messages.set_time(stamp_ns)
+        self.messages.applied = self.session.applied
+        return {topic.name: decode(self.builders[topic.name](), topic.type) for topic in STATE_SET}
+
+    def look(self, sets: dict, was_stopped: bool) -> None:
+        """Whether a set holds what it must."""
+        self.look_at_loads(sets)
+        self.look_at_attitude(sets)
+        self.look_at_stamps(sets, was_stopped or self.session.stopped)
+        for name in ("state", "applied_command"):
+            numbers = sets[name].data
+            self.expect(np.isfinite(numbers).all(), f"{name} with what is no number: {numbers}")
+        for wheel in WHEELS:
+            force = sets[f"tire_forces/{wheel}"].wrench.force
+            self.expect(np.isfinite([force.x, force.y, force.z]).all(), f"force at {wheel} {force}")
+        self.expect(-1.0 <= sets["load_transfer_ratio"].data <= 1.0, "load transfer ratio")
+        roll = abs(float(self.session.simulation.state["roll"]))
+        self.found.largest_roll = max(self.found.largest_roll, roll)
+
+    def look_at_loads(self, sets: dict) -> None:
+        loads, flags = sets["tire_normal_forces"].data, sets["lift_off"].data
+        self.expect((loads >= 0.0).all() and np.isfinite(loads).all(), f"loads {loads}")
+        self.expect((flags == (loads == 0.0)).all(), f"flags {flags} at loads {loads}")
+        self.found.largest_load = max(self.found.largest_load, float(loads.max()))
+        self.found.lifted += int(flags.sum())
+
+    def look_at_stamps(self, sets: dict, may_stay: bool) -> None:
+        """All stamps of a set are one, and later than that of the set before."""
+        wrenches = (f"tire_forces/{wheel}" for wheel in WHEELS)
+        stamps = {self.stamp(sets[name]) for name in ("odom", "imu", "joint_states", *wrenches)}
+        self.expect(len(stamps) == 1, f"stamps of one set {stamps}")
+        stamp_ns, before_ns = stamps.pop(), self.stamp_ns
+        rises = stamp_ns > before_ns or (may_stay and stamp_ns == before_ns)
+        self.expect(rises, f"stamp {stamp_ns} after {before_ns}")
+        self.stamp_ns = stamp_ns
+
+    def look_at_attitude(self, sets: dict) -> None:
+        """Quaternions of length 1."""
+        for message in (sets["odom"].pose.pose, sets["imu"]):
+            turn = message.orientation
+            length = math.sqrt(turn.x**2 + turn.y**2 + turn.z**2 + turn.w**2)
+            error = abs(length - 1.0)
+            self.expect(error < QUATERNION_ROUNDING, f"quaternion of length {length}")
+            self.found.quaternion_error = max(self.found.quaternion_error, error)
+
+    @staticmethod
+    def stamp(message) -> int:
+        stamp = message.header.stamp
+        return stamp.sec * NANOSECONDS + stamp.nanosec
+
+    def expect(self, holds: bool, what: str) -> None:
+        if not holds:
+            simulation = self.session.simulation
+            where = f"message {self.found.messages}, period {self.found.periods}"
+            model = f"model {simulation.options.model}, {simulation.condition.name}"
+            raise BrokenPromiseError(f"{where}, {model}, {simulation.time:g} s: {what}")

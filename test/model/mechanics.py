@@ -1,0 +1,121 @@
+"""Momentum and energy of the vehicle and all that changes them, written down over the ground.
+
+The bodies are the sprung mass and four point masses at the wheel centres; no rotating frame can
+hide a term. Rates are taken along the model's own by a complex step, without truncation error.
+"""
+
+import numpy as np
+from random_states import attitude, strut_lengths, wheel_centres, wheel_positions
+
+from vehicle_roll_sim.model.records import STATE
+from vehicle_roll_sim.simulation.road import Road
+
+G = 9.81
+GRAVITY = np.array([0.0, 0.0, -G])
+AIR_DENSITY = 1.225
+"""kg/m^3"""
+COMPLEX_STEP = 1e-30
+
+
+def along(state, rates) -> dict:
+    """The state a complex step further along its rates."""
+    return {name: state[name] + 1j * COMPLEX_STEP * rates[name] for name in STATE.names}
+
+
+def slope(values):
+    return values.imag / COMPLEX_STEP
+
+
+def momenta(vehicle, state) -> tuple[np.ndarray, np.ndarray]:
+    """Linear momentum, and angular momentum about the origin of the ground frame."""
+    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+    rates = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
+    body = np.array([state["u"], state["v"], state["w"]])
+    inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
+    position = np.array([state["x"], state["y"], state["z"]])
+    linear = vehicle.sprung_mass * rotation @ body
+    angular = rotation @ (inertia * rates) + np.cross(position, linear)
+    parts = vehicle.per_wheel("unsprung_mass")[:, None] * (unsprung(vehicle, state) @ rotation.T)
+    moments = np.cross(wheel_centres(vehicle, state), parts)
+    return linear + parts.sum(axis=0), angular + moments.sum(axis=0)
+
+
+def external(vehicle, state, outputs) -> tuple[np.ndarray, np.ndarray]:
+    """Forces on the vehicle and the points that they act at, over the ground."""
+    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+    heading = attitude(0.0, 0.0, state["yaw"])
+    centres = wheel_centres(vehicle, state)
+    contacts = centres - outputs["loaded_radius"][:, None] * rotation[:, 2]
+    parts = ("longitudinal_force", "lateral_force", "normal_force")
+    tires = np.column_stack([outputs[name] for name in parts]) @ heading.T
+    weights = vehicle.per_wheel("unsprung_mass")[:, None] * GRAVITY
+    body = np.array([state["x"], state["y"], state["z"]])
+    of_body = vehicle.sprung_mass * GRAVITY - drag(vehicle, state) * rotation[:, 0]
+    return np.vstack([tires, weights, of_body]), np.vstack([contacts, centres, body])
+
+
+def drag(vehicle, state) -> float:
+    """Force of the air at the c.g., backwards along the body's x axis (N)."""
+    u = state["u"]
+    return AIR_DENSITY / 2 * vehicle.drag_area * u * abs(u)
+
+
+def unsprung(vehicle, state) -> np.ndarray:
+    """Velocities of the wheel centres along the body's axes (m/s), a row each."""
+    x, y = wheel_positions(vehicle).T
+    lengths = strut_lengths(vehicle, state["suspension_compression"])
+    wx, wy, wz = (state[name] for name in ("roll_rate", "pitch_rate", "yaw_rate"))
+    ahead = state["u"] - y * wz - lengths * wy
+    across = state["v"] + x * wz + lengths * wx
+    return np.column_stack([ahead, across, state["unsprung_velocity"]])
+
+
+def energy(vehicle, road: Road, state) -> float:
+    """Kinetic, potential and elastic energy (J)."""
+    down, ahead, across = road.gravity(G)
+    gravity = np.array([ahead, across, -down])
+    masses = vehicle.per_wheel("unsprung_mass")
+    body = np.array([state["x"], state["y"], state["z"]])
+    velocity = np.array([state["u"], state["v"], state["w"]])
+    rates = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
+    inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
+    total = vehicle.sprung_mass * velocity @ velocity / 2 + inertia @ rates**2 / 2
+    total += masses @ (unsprung(vehicle, state) ** 2).sum(axis=1) / 2
+    total += vehicle.wheel_inertia * (state["wheel_speed"] ** 2).sum() / 2
+    total -= vehicle.sprung_mass * gravity @ body
+    total -= masses @ (wheel_centres(vehicle, state) @ gravity)
+    springs = vehicle.per_wheel("spring_stiffness")
+    tires = vehicle.per_wheel("tire_stiffness")
+    total += springs @ state["suspension_compression"] ** 2 / 2
+    return total + tires @ np.maximum(state["tire_compression"], 0.0) ** 2 / 2
+
+
+def powers(vehicle, state, outputs, command) -> dict[str, float]:
+    """What brings energy in (W), and what takes it away.
+
+    slip: of the tire's force along the road at the contact point, less what goes into the spin.
+    lever: of the load there, less what goes into the tire's spring; the source has that point on
+    the body's z axis, beside the wheel centre in roll. brakes: with the rolling resistance. links:
+    of the roll centre, whose load transfer is a force along the struts.
+    """
+    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+    yawed = attitude(0.0, 0.0, state["yaw"])
+    radius, spin = outputs["loaded_radius"], state["wheel_speed"]
+    turning = np.column_stack(
+        [-state["pitch_rate"] * radius, state["roll_rate"] * radius, 0 * radius]
+    )
+    contact = (unsprung(vehicle, state) + turning) @ rotation.T @ yawed  # along axes of frame 2
+    lever = (turning @ rotation.T)[:, 2]
+    load, struts = outputs["normal_force"], outputs["suspension_rate"]
+    slip = outputs["longitudinal_force"] @ contact[:, 0] + outputs["lateral_force"] @ contact[:, 1]
+    friction = command["brake_torque"] + vehicle.rolling_resistance_coefficient * load * radius
+    return {
+        "dampers": -vehicle.per_wheel("damping") @ struts**2,
+        "slip": slip - (radius * outputs["tire_longitudinal"]) @ spin,
+        "lever": load @ lever,
+        "brakes": -np.maximum(friction, 0.0) @ np.abs(spin),
+        "drag": -drag(vehicle, state) * state["u"],
+        "torques": command["wheel_torque"] @ spin,
+        "active": -command["normal_force"] @ struts,
+        "links": -outputs["link_load_transfer"] @ struts,
+    }

@@ -1,0 +1,123 @@
+"""Strategies: vehicles, options, roads and commands, for what holds for all of them."""
+
+import itertools
+import math
+
+import numpy as np
+from hypothesis import strategies as st
+from programmes import SHIFTS, with_tire
+
+from vehicle_roll_sim import InputError, Options, Tire, Vehicle, preset
+from vehicle_roll_sim.declaration import parameters_of
+from vehicle_roll_sim.model.records import COMMAND
+from vehicle_roll_sim.model.tire import RANGES
+from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS, SYMMETRIC
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.vehicle.parameters import GRAVITY
+
+REFERENCE = preset()
+LARGEST_FACTOR = 1.6
+"""Of a parameter of an ordinary vehicle over that of the reference, or the other way round."""
+DEPTHS = ("front_roll_centre_depth", "rear_roll_centre_depth")
+LONGEST = 50.0
+"""m, that lengths may have."""
+OPEN_END, ROUNDING = 1e-3, 1e-12
+"""Relative distance from a limit that several parameters have together."""
+FLAGS = ("no_roll_centre", "tire_normal_to_ground", "steady_state_slip", "euler_terms")
+
+
+def every_option() -> list[Options]:
+    """All combinations of model and options that are not refused."""
+    found = []
+    flags = itertools.product((False, True), repeat=len(FLAGS))
+    for model, links, values in itertools.product(MODELS, (SYMMETRIC, ASYMMETRIC), flags):
+        try:
+            found.append(
+                Options(model, link_load_transfer=links, **dict(zip(FLAGS, values, strict=True)))
+            )
+        except InputError:
+            continue
+    return found
+
+
+OPTIONS = st.sampled_from(every_option())
+ROADS = st.builds(Road, grade=st.floats(-0.2, 0.2), bank=st.floats(-0.2, 0.2))
+NUMBERS = st.integers(0, 2**32 - 1).map(np.random.default_rng)
+"""A random number generator: a state or a command is one draw, which need not be made smaller."""
+
+
+@st.composite
+def ordinary_vehicles(draw, sides=("", "left", "right")) -> Vehicle:
+    """Roads could have it: every parameter within a factor of the reference vehicle's.
+
+    sides: of a tire with shifts, "" for the reference tire, which has none.
+    """
+    values = {}
+    for name in parameters_of(Vehicle):
+        factor = draw(st.floats(1 / LARGEST_FACTOR, LARGEST_FACTOR))
+        values[name] = getattr(REFERENCE, name) * factor
+    values["rolling_resistance_coefficient"] = draw(st.floats(0.0, 0.05))
+    values["drag_area"] = draw(st.floats(0.0, 2.0))
+    return _on_a_tire(_possible(values), draw(st.sampled_from(sides)))
+
+
+@st.composite
+def allowed_vehicles(draw) -> Vehicle:
+    """Anywhere within the ranges of the parameters, which are decades wide."""
+    values = {}
+    for name, about in parameters_of(Vehicle).items():
+        least, most = about.minimum, about.maximum
+        if name in DEPTHS or least == 0.0:
+            values[name] = draw(st.one_of(st.just(max(0.0, least)), st.floats(least, most)))
+        else:
+            power = st.floats(math.log10(least), math.log10(most))
+            values[name] = min(max(10.0 ** draw(power), least), most)
+    return _on_a_tire(_possible(values), draw(st.sampled_from(("", "left", "right"))))
+
+
+def _possible(values: dict) -> Vehicle:
+    """A vehicle of these values, but for those that others leave no room for."""
+    about = parameters_of(Vehicle)
+    roll, pitch = values["roll_inertia"], values["pitch_inertia"]
+    least = max(abs(roll - pitch) * (1 + ROUNDING), about["yaw_inertia"].minimum)
+    most = min((roll + pitch) * (1 - ROUNDING), about["yaw_inertia"].maximum)
+    values["yaw_inertia"] = min(max(values["yaw_inertia"], least), most)
+    softest = GRAVITY * values["sprung_mass"] / 2 / LONGEST  # a limit is twice that compression
+    for name in ("front_spring_stiffness", "rear_spring_stiffness"):
+        values[name] = max(values[name], softest)
+    heaviest = max(values["front_unsprung_mass"], values["rear_unsprung_mass"])
+    load = GRAVITY * (values["sprung_mass"] / 2 + heaviest) * (1 + OPEN_END)  # at most
+    stiffness = ("front_tire_stiffness", "rear_tire_stiffness")
+    for name in stiffness:
+        values[name] = max(values[name], load / LONGEST)
+    compression = load / min(values[name] for name in stiffness)
+    values["tire_radius"] = min(max(values["tire_radius"], compression), LONGEST)
+    lowest = min(values["tire_radius"] * (1 + OPEN_END), LONGEST)
+    values["cg_height"] = max(values["cg_height"], lowest)
+    return REFERENCE.with_values(values)
+
+
+def _on_a_tire(vehicle: Vehicle, side: str) -> Vehicle:
+    return with_tire(vehicle, side, **SHIFTS) if side else vehicle
+
+
+@st.composite
+def tires(draw) -> Tire:
+    """Every coefficient within a fifth of the reference tire's, its shifts on."""
+    rng, given = draw(NUMBERS), REFERENCE.tire.coefficients
+    nearby = {name: value * rng.uniform(0.8, 1.2) for name, value in given.items()}
+    ranges = {name: given[name] for name in RANGES}
+    return REFERENCE.tire.with_coefficients(**nearby | SHIFTS | ranges)
+
+
+@st.composite
+def held_commands(draw, count: int, share: float = 1.0) -> np.ndarray:
+    """COMMAND records to be held one after the other; share: of the largest that are usual."""
+    rng = draw(NUMBERS)
+    commands = np.zeros(count, COMMAND)
+    commands["steering"] = rng.uniform(-0.6, 0.6, count) * share
+    commands["rear_steering"] = rng.uniform(-0.3, 0.3, count) * share
+    commands["wheel_torque"] = rng.uniform(-3000.0, 3000.0, (count, 4)) * share
+    commands["brake_torque"] = rng.uniform(-3000.0, 3000.0, (count, 4)).clip(0.0) * share
+    commands["normal_force"] = rng.uniform(-5000.0, 5000.0, (count, 4)) * share
+    return commands

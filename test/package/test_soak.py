@@ -1,0 +1,44 @@
+"""The soak in short: random messages, bursts, silence, resets and pauses break no promise."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+MESSAGES = 20_000
+"""Some five seconds."""
+GROWTH = 8.0
+"""MiB: caches of the libraries still fill up in a run this short; a set a period is 20 MiB."""
+
+
+@pytest.fixture
+def soak(root):
+    """Runs the soak with words."""
+
+    def call(*words: str) -> subprocess.CompletedProcess:
+        command = [sys.executable, "-m", "benchmarks.soak", *words]
+        return subprocess.run(
+            command, cwd=root, capture_output=True, text=True, timeout=300, check=False
+        )
+
+    return call
+
+
+def test_nothing_that_comes_in_breaks_a_promise_and_memory_does_not_grow(soak):
+    result = soak("--messages", str(MESSAGES), "--seed", "1")
+    assert (result.returncode, result.stderr) == (0, "")
+    told = dict(line.split(": ", 1) for line in result.stdout.splitlines())
+    taken, dropped = re.fullmatch(r"(\d+), of which dropped (\d+), .*", told["messages"]).groups()
+    assert int(taken) >= MESSAGES
+    assert int(dropped) > MESSAGES / 20
+    assert "diverged" in told["ends of runs"] or "rolled_over" in told["ends of runs"]
+    assert float(told["memory growth (MiB)"]) < GROWTH
+
+
+@pytest.mark.parametrize("words", [("--messages", "many"), ("--seed", "-1"), ("--sed", "1")])
+def test_what_is_wrong_is_refused_in_one_line(soak, words):
+    result = soak(*words)
+    assert (result.returncode, result.stdout) == (2, "")
+    assert result.stderr.startswith("soak: error: ")
+    assert result.stderr.count("\n") == 1
