@@ -7,7 +7,6 @@ from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from rclpy.node import Node
 
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, DIAGNOSTICS
-from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.ros.compatibility import incompatible_partners, other_publishers
 from vehicle_roll_sim.ros.lockstep import Lockstep
 from vehicle_roll_sim.ros.publications import Publications
@@ -17,6 +16,7 @@ from vehicle_roll_sim.simulation.status import (
     command_troubles,
     command_values,
     model_values,
+    step_trouble,
     verdict,
 )
 
@@ -46,7 +46,6 @@ class Reporter:
         clocks = self._clock_trouble()
         with self._lock:
             wrong = [*clocks, *command_troubles(self._session, publishers)]
-            wrong += _step_trouble(self._session)
             status = self._status(wrong, publishers)
         diagnostics = DiagnosticArray(status=[status])
         diagnostics.header.stamp = self._publications.present_stamp()
@@ -70,9 +69,9 @@ class Reporter:
     def _status(self, wrong: list[str], publishers: dict[str, list[str]]) -> DiagnosticStatus:
         """Level and message, then the model, timing, and every command topic."""
         session = self._session
-        late = self._driver.trouble()
-        if late and not (session.paused or session.stopped):
-            wrong = [*wrong, late]
+        passing = (step_trouble(session), self._driver.trouble())
+        if not (session.paused or session.stopped):
+            wrong = [*wrong, *filter(None, passing)]
         level, message = verdict(session, wrong)
         status = DiagnosticStatus(level=bytes([level]), message=message, hardware_id="simulation")
         status.name = f"{self._node.get_fully_qualified_name()}: model"
@@ -91,13 +90,3 @@ class Reporter:
         rate = (sets - self._sets) / (now - self._time)
         self._sets, self._time = sets, now
         return rate
-
-
-def _step_trouble(session: Session) -> list[str]:
-    """What to say where the step has become too large since the start."""
-    simulation = session.simulation
-    step = simulation.step_ns / NANOSECONDS
-    largest = simulation.largest_stable_step(session.applied)
-    if session.stopped or step <= largest:
-        return []
-    return [f"the step, {step:g} s, is unstable here above {largest:.2g} s"]

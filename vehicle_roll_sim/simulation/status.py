@@ -54,6 +54,14 @@ def command_troubles(session: Session, publishers: Publishers) -> list[str]:
     return troubles
 
 
+def step_trouble(session: Session) -> str:
+    """What to say where the step has become too large since the start, else nothing."""
+    simulation = session.simulation
+    step = simulation.step_ns / NANOSECONDS
+    largest = simulation.largest_stable_step(session.applied)
+    return f"the step, {step:g} s, is unstable here above {largest:.2g} s" if step > largest else ""
+
+
 def _instead(channel: Channel, session: Session) -> str:
     """What a topic that fell silent has become."""
     if channel.is_steering:
