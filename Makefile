@@ -7,7 +7,7 @@ BIN := $(VENV)/bin
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
-.PHONY: setup run test bench soak mutations controllers lint format build clean
+.PHONY: setup run test coverage audit bench soak mutations controllers lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -23,6 +23,21 @@ run: setup
 
 test: setup
 	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile $(TESTS)
+
+# The tests, and which lines and branches of the package they ran, in processes of their own, too.
+coverage: setup
+	$(BIN)/python -m coverage erase
+	$(BIN)/python -m coverage run -m pytest --numprocesses 2 --dist loadfile $(TESTS)
+	$(BIN)/python -m coverage combine --quiet
+	$(BIN)/python -m coverage report
+
+# Published vulnerabilities of what comes from the package index, with what that needs in turn; fails
+# also if one could not be looked up. ROS and its messages come from its distribution.
+audit:
+	$(PYTHON) -m venv .venv-audit
+	.venv-audit/bin/pip install --quiet --requirement requirements/audit.txt
+	grep --no-filename --invert-match '^ros-' requirements/base.txt requirements/test.txt > .venv-audit/audited
+	.venv-audit/bin/pip-audit --strict --requirement .venv-audit/audited
 
 # Ten minutes; OPTIONS=--quick is rougher, --only NAME ... does a part.
 bench: setup

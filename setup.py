@@ -22,6 +22,7 @@ setup(
         (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
         (f"{SHARE}/launch", sorted(glob(f"{NAME}/launch/*.launch.py"))),
         (f"{SHARE}/config", sorted(glob(f"{NAME}/config/*"))),
+        (f"{SHARE}/policies", sorted(glob("policies/*.xml"))),
     ],
     install_requires=[
         "setuptools",

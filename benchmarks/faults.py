@@ -202,8 +202,8 @@ FAULTS = (
     Fault(
         "missing lock: a reset while a period is run",
         "ros/simulator.py",
-        "        with self.lock:\n            self.session.reset(",
-        "        if self.lock:\n            self.session.reset(",
+        "        with self.lock:\n            try:\n                self.session.reset(",
+        "        if self.lock:\n            try:\n                self.session.reset(",
         "test/ros/test_lock.py",
     ),
 )

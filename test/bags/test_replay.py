@@ -174,3 +174,8 @@ def test_the_history_of_a_bag_is_that_of_the_run(j_turn):
     sprung = history["lateral_acceleration"]
     assert np.abs(sprung).max() == pytest.approx(9.353, abs=0.01)  # m/s^2, of the run's summary
     assert history["steering"][-1] == pytest.approx(np.radians(10.0))
+
+
+def test_a_description_that_is_nested_without_end_is_refused():
+    with pytest.raises(InputError, match="simulation description"):
+        described("[" * 100_000)

@@ -90,3 +90,15 @@ def test_damaged_compiled_code_is_made_anew(tmp_path):
     assert "damaged" in second.stderr
     assert second.stdout == first.stdout
     assert run(*words, env=environment).stderr == ""
+
+
+@pytest.mark.skipif(not COMPILED, reason="only compiled code is cached")
+def test_without_a_home_and_a_cache_it_works_and_says_that_it_compiles():
+    """Under /proc nobody can make a folder, not even root."""
+    environment = {key: os.environ[key] for key in os.environ if not key.startswith("XDG_")}
+    environment |= {"HOME": "/proc/none"}
+    result = run("step_steer", "--duration", "0.1", env=environment)
+    assert result.returncode == 0
+    assert "complete" in result.stdout
+    assert len(result.stderr.splitlines()) == 1
+    assert "compiling" in result.stderr

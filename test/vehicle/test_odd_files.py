@@ -28,6 +28,12 @@ def test_a_byte_order_mark_is_passed_over(tire_of):
     assert tire_of("\ufeff" + REFERENCE_TIR) == tire_of(REFERENCE_TIR)
 
 
+@pytest.mark.parametrize("load", [load_tire, load_vehicle])
+def test_what_never_ends_is_refused(load):
+    with refused("/dev/zero", "at most 1000000 bytes"):
+        load("/dev/zero")
+
+
 def test_a_comment_may_touch_the_value(tire_of):
     assert tire_of(edited(REFERENCE_TIR, "PCX1", "PCX1 = 1.5$comment"))["PCX1"] == 1.5
 

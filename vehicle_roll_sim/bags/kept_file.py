@@ -5,7 +5,6 @@ The library rosbags ends a file when it is closed; without its end no reader tak
 
 import io
 import os
-import time
 from pathlib import Path
 
 from rosbags.rosbag2 import StoragePlugin, Writer
@@ -72,7 +71,7 @@ class KeptWriter(Writer):
         self.storage.write_end()
         storage, times = self.storage, (self.min_timestamp, self.max_timestamp)
         self.storage = _MetadataAlone(storage.path)
-        self.min_timestamp = self.max_timestamp = time.time_ns()
+        self.min_timestamp = self.max_timestamp = 0
         try:
             self.close()
         finally:

@@ -21,7 +21,10 @@ def at_once(status: int = 0) -> None:
 
 
 def shutting_down(shut_down: Callable[[], None]) -> None:
-    """From now on a signal has a thread call `shut_down`, whatever the main thread waits for."""
+    """From now on a signal has a thread call `shut_down`, whatever the main thread waits for.
+
+    The last one that was told is called.
+    """
     noted, waker = os.pipe()
     os.set_blocking(waker, False)
 

@@ -4,9 +4,9 @@ Also `python -m vehicle_roll_sim.ros.executables NAME`.
 """
 
 import importlib
+import signal
 import sys
 
-from vehicle_roll_sim.arguments import INTERRUPTED
 from vehicle_roll_sim.ros import ending
 
 
@@ -23,7 +23,7 @@ def recorder() -> int:
 
 
 def demo() -> int:
-    return _run("demo", INTERRUPTED)
+    return _run("demo", 128 + signal.SIGINT)  # as shells have it
 
 
 def _run(name: str, interrupted: int = 0) -> int:

@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.process import lifetime, node_main
 from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
 
@@ -19,6 +21,8 @@ SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
 """s"""
 KEPT_EVERY = 0.5
 """s after which messages are on disk, should the recorder be killed."""
+LAST_LOOK, LONGEST_LAST_LOOK = 0.02, 1.5
+"""s to go on reading in the end: until nothing comes any more, and at most."""
 
 
 class Recorder(Node):
@@ -60,13 +64,8 @@ def record(folder: Path, duration: float | None) -> int:
     try:
         with lifetime(Recorder(bag)) as executor:
             print(f"recorder: recording to {folder}", flush=True)
-            now = time.monotonic()
-            until, keep_at = now + duration if duration else float("inf"), now + KEPT_EVERY
-            while (now := time.monotonic()) < until:
-                if now >= keep_at:
-                    bag.keep()
-                    keep_at = now + KEPT_EVERY
-                executor.spin_once(timeout_sec=min(keep_at, until) - now)
+            _listen(executor, bag, duration)
+            _read_on(executor, bag)
     except OSError:  # a full disk: what could be written is whole
         bag.abort()
         raise
@@ -74,6 +73,32 @@ def record(folder: Path, duration: float | None) -> int:
         bag.close()
         print(f"recorder: {bag.message_count} messages in {folder}", flush=True)
     return 0
+
+
+def _listen(executor: SingleThreadedExecutor, bag, duration: float | None) -> None:
+    """Until a signal comes, or for `duration` (s)."""
+    ended = threading.Event()
+
+    def end() -> None:
+        ended.set()
+        executor.wake()
+
+    ending.shutting_down(end)
+    now = time.monotonic()
+    until, keep_at = now + duration if duration else float("inf"), now + KEPT_EVERY
+    while not ended.is_set() and (now := time.monotonic()) < until:
+        if now >= keep_at:
+            bag.keep()
+            keep_at = now + KEPT_EVERY
+        executor.spin_once(timeout_sec=min(keep_at, until) - now)
+
+
+def _read_on(executor: SingleThreadedExecutor, bag) -> None:
+    """Take what has come but has not been read yet."""
+    until, count = time.monotonic() + LONGEST_LAST_LOOK, -1
+    while count < bag.message_count and time.monotonic() < until:
+        count = bag.message_count
+        executor.spin_once(timeout_sec=LAST_LOOK)
 
 
 def main() -> int:

@@ -79,7 +79,7 @@ def described(text: str) -> Described:
         return Described(simulation, str(told["version"]), str(told["machine"]))
     except InputError as error:
         raise InputError(f"{FIELD}: {error.field}", error.value, error.allowed) from None
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         allowed = f"what {PACKAGE} writes"
         raise InputError(FIELD, "", allowed, f"{type(error).__name__}: {error}") from None
 

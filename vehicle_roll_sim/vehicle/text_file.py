@@ -15,7 +15,11 @@ def read_text(path: Path, largest: int = LARGEST_FILE) -> str:
         if size > largest:
             problem = f"{size} bytes are too many"
             raise InputError(f"file {path}", size, f"at most {largest} bytes", problem)
-        return path.read_text(encoding="utf-8-sig")
+        with path.open(encoding="utf-8-sig") as file:
+            text = file.read(largest + 1)
+        if len(text) > largest:  # of what has no size beforehand
+            raise InputError(f"file {path}", "", f"at most {largest} bytes", "endless")
+        return text
     except UnicodeDecodeError:
         raise InputError(f"file {path}", b"", "a UTF-8 text file", "binary data") from None
     except OSError as error:

@@ -1,0 +1,74 @@
+"""Nothing that is read is run, nothing of any size is read, and no file is named while running."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+from vehicle_roll_sim.ros.parameters import PARAMETERS
+
+FOLDERS = ("vehicle_roll_sim", "msg_examples", "benchmarks")
+RUNS_WHAT_IT_READS = {
+    *("eval", "exec", "compile", "__import__", "os.system", "os.popen"),
+    *("pickle.load", "pickle.loads", "pickle.Unpickler", "marshal.loads", "shelve.open"),
+    *("yaml.full_load", "yaml.unsafe_load", "yaml.load_all"),
+}
+READS_WHOLE_FILES = {"read_text", "read_bytes", "read", "readlines", "loadtxt", "genfromtxt"}
+MAY_READ = {
+    "vehicle_roll_sim/vehicle/text_file.py": "which has the limit",
+    "vehicle_roll_sim/model/jit.py": "its own sources",
+    "vehicle_roll_sim/bags/unindexed.py": "pieces of a bag, of any size by nature",
+    "vehicle_roll_sim/ros/launching.py": "a script that is run",
+    "vehicle_roll_sim/ros/ending.py": "one byte of a pipe",
+}
+
+
+@pytest.fixture(scope="module")
+def calls(root) -> list[tuple[str, str, ast.Call]]:
+    """Every call in the sources: file, dotted name of what is called, and the call."""
+    found = []
+    for folder in FOLDERS:
+        for path in sorted((root / folder).rglob("*.py")):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.Call):
+                    name = ast.unparse(node.func)
+                    found.append((path.relative_to(root).as_posix(), name, node))
+    return found
+
+
+def argument(call: ast.Call, name: str):
+    return next((each.value for each in call.keywords if each.arg == name), None)
+
+
+def test_nothing_that_is_read_is_run(calls):
+    for file, name, call in calls:
+        assert name not in RUNS_WHAT_IT_READS, (file, call.lineno)
+        for risky in ("shell", "allow_pickle"):
+            assert argument(call, risky) is None, (file, call.lineno)
+
+
+def test_yaml_makes_plain_values_only(calls, sources):
+    loads = [(file, call) for file, name, call in calls if name == "yaml.load"]
+    assert len(loads) == 1
+    ((file, call),) = loads
+    loader = ast.unparse(argument(call, "Loader"))
+    assert f"class {loader}(yaml.SafeLoader)" in sources["vehicle_roll_sim.vehicle.vehicle_file"]
+    assert Path(file).name == "vehicle_file.py"
+
+
+def test_no_file_is_read_whole_without_a_limit(calls):
+    for file, name, call in calls:
+        of_what, _, method = name.rpartition(".")
+        if file.startswith("vehicle_roll_sim/") and of_what and method in READS_WHOLE_FILES:
+            assert file in MAY_READ, (file, call.lineno)
+
+
+def test_no_parameter_that_names_a_file_changes_while_the_node_runs():
+    files = {name for name in PARAMETERS if name.endswith(("file", "tire"))}
+    assert files == {"vehicle_file", "vehicle.tire"}
+    assert not [name for name in files if PARAMETERS[name].tunable]
+    assert not [
+        name
+        for name, each in PARAMETERS.items()
+        if each.kind is str and not each.choices and each.tunable
+    ]

@@ -1,0 +1,59 @@
+"""Nodes that are told to go by a /clock which is absent or runs back, or that have no compiler."""
+
+import pytest
+from rosgraph_msgs.msg import Clock
+
+SIM_TIME = ("--ros-args", "-p", "use_sim_time:=true")
+SHORT = ("step_steer", "--duration", "1.5")
+WITHOUT_NUMBA = """
+import sys
+
+sys.modules["numba"] = None
+sys.argv[0] = "simulator"
+from vehicle_roll_sim.ros.executables import simulator
+
+sys.exit(simulator())
+"""
+
+
+def clock_at(seconds: float) -> Clock:
+    clock = Clock()
+    clock.clock.sec = int(seconds)
+    return clock
+
+
+@pytest.mark.parametrize("times", [(), (5.0,), (9.0, 8.0, 1.0)], ids=["absent", "frozen", "back"])
+def test_whoever_drives_or_records_goes_by_the_states_not_by_the_clock(
+    start, peer, tmp_path, times
+):
+    """A clock that stands still or jumps back delays nothing and makes nothing run backwards."""
+    start("simulator")
+    recorder = start("recorder", "--output", str(tmp_path / "bag"), "--duration", "60", *SIM_TIME)
+    driver = start("manoeuvre", *SHORT, *SIM_TIME)
+    publisher = peer.node.create_publisher(Clock, "/clock", 10)
+    left = list(times)
+
+    def told_and_over():
+        if left and publisher.get_subscription_count():
+            publisher.publish(clock_at(left.pop(0) if len(left) > 1 else left[0]))
+        return driver.process.poll() is not None
+
+    peer.wait(told_and_over, "the end of the manoeuvre")
+    status, out, err = driver.finish()
+    assert (status, err) == (0, "")
+    assert "1.500 s, complete" in out
+    status, out, _ = recorder.finish(2)
+    assert status == 0
+    assert int(out.splitlines()[-1].split()[1]) > 100  # messages
+
+
+def test_a_simulator_without_numba_says_so_in_one_line_and_runs(start, peer, tmp_path):
+    program = tmp_path / "simulator.py"
+    program.write_text(WITHOUT_NUMBA)
+    words = ("--ros-args", "-p", "publish_rate:=10.0", "-p", "step:=0.01")
+    simulator = start("", *words, program=str(program))
+    peer.listen("state")
+    peer.wait(lambda: peer.newest("state").data[0] > 0.5, "time to go on")
+    status, out, err = simulator.finish(2)
+    assert status == 0
+    assert len([line for line in (out + err).splitlines() if "numba is not installed" in line]) == 1
