@@ -36,7 +36,7 @@ FAULTS = (
         "model/contact.py",
         "= fy * c + fx * s  # (4)",
         "= fy * c - fx * s  # (4)",
-        RATES + "test_energy_changes_by_named_powers_and_nothing_else",
+        "test/model/test_momentum.py::test_each_wheel_spins_up_by_its_torque_less_the_tires",
     ),
     Fault(
         "dampers drive",
@@ -57,7 +57,7 @@ FAULTS = (
         "vehicle/parameters.py",
         "/ 2 * (1, -1, 1, -1)",
         "/ 2 * (1, -1, -1, 1)",
-        RATES + "test_a_mirrored_state_and_command_have_the_mirrored_rates_and_outputs",
+        RATES + "test_tires_weights_and_drag_are_all_that_changes_the_momenta",
     ),
     Fault(
         "a factor of two: drag",
@@ -162,7 +162,7 @@ FAULTS = (
         "simulation/session.py",
         "        self.controller.reset()\n        self.applied = Command()",
         "        self.applied = Command()",
-        SESSION + "test_after_a_hundred_resets_a_run_is_bit_by_bit_that_of_a_fresh_start",
+        SESSION + "test_a_reset_forgets_what_the_speed_controller_has_learnt",
     ),
     Fault(
         "deadlines drift: a period late after every period",

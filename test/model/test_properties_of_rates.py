@@ -9,7 +9,15 @@ from hypothesis import strategies as st
 from mechanics import along, energy, external, momenta, powers, slope
 from programmes import Evaluation
 from random_states import random_command, random_state
-from random_vehicles import NUMBERS, OPTIONS, ROADS, every_option, ordinary_vehicles, tires
+from random_vehicles import (
+    NUMBERS,
+    OPTIONS,
+    ROADS,
+    WITH_ONE_SOLUTION,
+    every_option,
+    ordinary_vehicles,
+    tires,
+)
 from test_mirror import OTHER_SIDE, REVERSED_SIGNALS, REVERSED_STATES, SIGNALS
 from test_momentum import close
 
@@ -117,7 +125,7 @@ def test_the_reference_tire_stays_within_its_friction_ellipse(vehicle, options, 
     assert (used <= ELLIPSE).all()
 
 
-@given(ordinary_vehicles(), OPTIONS, ROADS, NUMBERS)
+@given(ordinary_vehicles(), WITH_ONE_SOLUTION, ROADS, NUMBERS)
 def test_a_mirrored_state_and_command_have_the_mirrored_rates_and_outputs(
     vehicle, options, road, rng
 ):

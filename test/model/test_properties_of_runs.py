@@ -10,6 +10,7 @@ from random_vehicles import (
     NUMBERS,
     OPTIONS,
     ROADS,
+    WITH_ONE_SOLUTION,
     allowed_vehicles,
     held_commands,
     ordinary_vehicles,
@@ -60,16 +61,20 @@ def drive(simulation, commands):
 def check(simulation) -> None:
     """What holds after every step of every run, stopped or not."""
     state, outputs = simulation.state, simulation.outputs
+    has_diverged = simulation.condition is Condition.DIVERGED
+    has_eight_dof = simulation.options.has_eight_dof
     assert np.isfinite(simulation.model_state).all()
+    if has_diverged and has_eight_dof:
+        return  # it may find no agreement with the command of no force that outputs then belong to
     for name in WORDS:
         assert np.isfinite(outputs[name]).all(), name
     loads = outputs["normal_force"]
     assert (loads >= 0.0).all()
     assert ((loads == 0.0) == (outputs["support"] <= 0.0)).all()
-    pitch = 0.0 if simulation.options.has_eight_dof else float(state.pitch)
+    pitch = 0.0 if has_eight_dof else float(state.pitch)
     turned = quaternion(float(state.roll), pitch, float(state.yaw))
     assert np.linalg.norm(turned) == pytest.approx(1.0, abs=ROUNDING)
-    if simulation.condition is not Condition.DIVERGED:  # then loads are those of no command
+    if not has_diverged and not has_eight_dof:  # whose wheels may carry nothing from the start
         lifted = simulation.events["lift_off_time"]
         assert ((loads > 0.0) | (lifted <= simulation.time)).all()
 
@@ -101,7 +106,7 @@ def test_no_allowed_vehicle_gives_anything_but_numbers_or_a_named_end(
 
 
 @FEW
-@given(ordinary_vehicles(), OPTIONS, ROADS, held_commands(COUNT, 0.3), SPEEDS)
+@given(ordinary_vehicles(), WITH_ONE_SOLUTION, ROADS, held_commands(COUNT, 0.3), SPEEDS)
 def test_a_mirrored_run_is_the_mirror_image(vehicle, options, road, commands, speed):
     here = started(vehicle, options, speed, road)
     there = started(vehicle, options, speed, Road(road.grade, -road.bank))

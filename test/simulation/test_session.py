@@ -142,3 +142,15 @@ def test_a_message_answers_one_period_even_when_the_model_has_stopped(session):
     session.inbox.receive("steering_cmd", OVERTURNING, session.simulation.time_ns)
     session.reset(SPEED)
     assert session.inbox.unanswered(topics) == topics
+
+
+def test_a_reset_forgets_what_the_speed_controller_has_learnt(session):
+    """Even if the next speed is commanded before the next period."""
+    session.inbox.receive("speed_cmd", (SPEED + 2.0,), 0)
+    run_periods(session, 40)
+    session.reset(SPEED)
+    fresh = Session(Simulation(preset()), CommandInbox(), PERIOD_NS, SPEED)
+    for each in (session, fresh):
+        each.inbox.receive("speed_cmd", (SPEED + 2.0,), 0)
+        run_periods(each, 40)
+    assert everything(session.simulation) == everything(fresh.simulation)
