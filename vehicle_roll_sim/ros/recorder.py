@@ -6,6 +6,7 @@ import threading
 import time
 from pathlib import Path
 
+from rclpy.executors import Executor
 from rclpy.node import Node
 from rclpy.serialization import deserialize_message
 
@@ -75,7 +76,7 @@ def record(folder: Path, duration: float | None) -> int:
     return 0
 
 
-def _listen(executor: SingleThreadedExecutor, bag, duration: float | None) -> None:
+def _listen(executor: Executor, bag, duration: float | None) -> None:
     """Until a signal comes, or for `duration` (s)."""
     ended = threading.Event()
 
@@ -93,7 +94,7 @@ def _listen(executor: SingleThreadedExecutor, bag, duration: float | None) -> No
         executor.spin_once(timeout_sec=min(keep_at, until) - now)
 
 
-def _read_on(executor: SingleThreadedExecutor, bag) -> None:
+def _read_on(executor: Executor, bag) -> None:
     """Take what has come but has not been read yet."""
     until, count = time.monotonic() + LONGEST_LAST_LOOK, -1
     while count < bag.message_count and time.monotonic() < until:
