@@ -4,6 +4,7 @@ PYTHON ?= python3
 DISTRO ?= jazzy
 VENV := $(if $(filter jazzy,$(DISTRO)),.venv,.venv-$(DISTRO))
 BIN := $(VENV)/bin
+PYTEST_OPTIONS := --numprocesses 2 --dist loadfile
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
@@ -21,15 +22,19 @@ $(VENV)/.ready: requirements/build.txt $(PINNED) setup.py setup.cfg
 run: setup
 	$(BIN)/demo
 
+# With COVERAGE=yes also which lines and branches of the package run, in processes of their own, too.
 test: setup
-	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile $(TESTS)
-
-# The tests, and which lines and branches of the package they ran, in processes of their own, too.
-coverage: setup
+ifdef COVERAGE
 	$(BIN)/python -m coverage erase
-	$(BIN)/python -m coverage run -m pytest --numprocesses 2 --dist loadfile $(TESTS)
+	$(BIN)/python -m coverage run -m pytest $(PYTEST_OPTIONS) $(TESTS)
 	$(BIN)/python -m coverage combine --quiet
 	$(BIN)/python -m coverage report
+else
+	$(BIN)/python -m pytest $(PYTEST_OPTIONS) $(TESTS)
+endif
+
+coverage:
+	$(MAKE) test COVERAGE=yes
 
 # Published vulnerabilities of what comes from the package index, with what that needs in turn; fails
 # also if one could not be looked up. ROS and its messages come from its distribution.
