@@ -102,7 +102,7 @@ def check_sound(faults: list[Fault], folder: Path) -> None:
 
 def row(fault: Fault, result: Result) -> str:
     """Of the table."""
-    test = result.test.rpartition("/")[2]
+    test = result.test.rpartition("/")[2].partition("[")[0]
     return f"| {fault.what} | `{fault.file}` | {result.verdict} | `{test}` |"
 
 
