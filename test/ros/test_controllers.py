@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from compare import CONTROLLERS, SCENARIOS, WITHOUT, drive, row, warning_line
 
-from vehicle_roll_sim.ros.topics import COMMANDS
+from vehicle_roll_sim.ros.topics import COMMANDS, message_class
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "msg_examples"
@@ -70,7 +70,7 @@ def test_each_gives_one_answer_for_every_set(start, peer):
     for program in sorted(PROGRAMS):
         start("", program=str(EXAMPLES / f"{program}.py"))
     answers = {name: [] for name in ANSWERS}
-    kinds = {topic.name: topic.type for topic in COMMANDS}
+    kinds = {topic.name: message_class(topic.type) for topic in COMMANDS}
     for name, kept in answers.items():
         peer.node.create_subscription(kinds[name], name, kept.append, PERIODS)
     peer.listen("state")

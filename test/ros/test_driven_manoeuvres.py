@@ -10,7 +10,7 @@ from peers import TOPICS
 from vehicle_roll_sim.command_line.main import main as offline
 from vehicle_roll_sim.manoeuvres.manoeuvre import manoeuvre_named
 from vehicle_roll_sim.ros.driver import Driver
-from vehicle_roll_sim.ros.topics import recording_qos
+from vehicle_roll_sim.ros.topics import message_class, recording_qos
 
 VEHICLE = {"cg_height": 0.55, "steering_ratio": 20.0}
 STEERING, BOTH = (
@@ -166,7 +166,8 @@ def test_whoever_is_known_to_listen_gets_every_command_and_none_from_before_the_
     commands = {"steering_cmd": [], "wheel_torque_cmd": []}
     for name, kept in commands.items():
         topic = TOPICS[name]
-        peer.node.create_subscription(topic.type, name, kept.append, recording_qos(topic))
+        kind = message_class(topic.type)
+        peer.node.create_subscription(kind, name, kept.append, recording_qos(topic))
     peer.wait(lambda: driver.count_subscribers("wheel_torque_cmd") == 2, "all to be known")
     driver.prepare()
     driver.play()
