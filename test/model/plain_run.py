@@ -35,6 +35,7 @@ VARIANTS = (
     Options(no_roll_centre=True),
     Options(tire_normal_to_ground=True),
     Options(link_load_transfer=ASYMMETRIC),
+    Options(steady_state_slip=True, euler_terms=True),
 )
 SLOPE = Road(grade=0.05, bank=-0.03)
 

@@ -35,8 +35,10 @@ def ends_cleanly(node, signum) -> str:
     return out
 
 
-@pytest.mark.parametrize("signum", SIGNALS)
-@pytest.mark.parametrize("moment", [IMPORTING, IMPORTED, JOINING])
+@pytest.mark.parametrize(
+    ("moment", "signum"),
+    [(IMPORTING, signal.SIGINT), (IMPORTED, signal.SIGTERM), (JOINING, signal.SIGINT)],
+)
 @pytest.mark.parametrize("module", WORDS)
 def test_a_node_that_is_starting_ends_as_cleanly_as_one_that_runs(
     start, tmp_path, module, moment, signum
