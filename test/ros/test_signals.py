@@ -11,7 +11,7 @@ from recordings import read_bag
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
 WORDS = {"simulator": (), "manoeuvre": ("j_turn",), "recorder": ("--output", "{}/bag")}
-IMPORTING, IMPORTED, JOINING = "multiarray_umath", "rclpy_pybind", "libfastrtps"
+IMPORTING, IMPORTED, JOINING = "multiarray_umath", "rclpy_pybind", "librmw_fastrtps_cpp"
 """Libraries that a node reads in: at first, with rclpy, and when it joins the others."""
 LONGEST_END = 10.0
 """s: five times what is promised, for a machine that does much else at the same time."""
