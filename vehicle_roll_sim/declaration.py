@@ -17,8 +17,8 @@ class InputError(ValueError):
     """Something that a user gave is not allowed; its text is one line for that user."""
 
     def __init__(self, field: str, value, allowed: str, problem: str = ""):
-        problem = problem or ("missing" if value is None else f"{_shown(value)} is not allowed")
-        super().__init__(_in_one_line(f"{field}: {problem}: {allowed}"))
+        what = problem or ("missing" if value is None else f"{_shown(value)} is not allowed")
+        super().__init__(_in_one_line(f"{field}: {what}: {allowed}"))
         self.field, self.value, self.allowed, self.problem = field, value, allowed, problem
 
 

@@ -55,7 +55,7 @@ def test_what_is_applied_in_real_time_is_the_limit(start, peer, huge):
         told = told_by(peer)
         return all(int(told[f"{topic} clamped"]) for topic in commands) and told
 
-    told = peer.wait(counted, "the clamped ones to be counted")
+    told = peer.command(commands, counted, "the clamped ones to be counted")
     for topic in commands:
         assert told[f"{topic} dropped"] == "0"
         assert told[f"{topic} last problem"].startswith("clamped: ")
