@@ -82,6 +82,8 @@ def test_what_live_nodes_use_is_what_the_policy_allows(start, peer, policy, tmp_
     start("manoeuvre", "step_steer", "--duration", "1000")
     peer.wait(lambda: peer.newest("applied_command").data[1] != 0.0, "the manoeuvre to steer")
     for node in NODES:
+        # Its endpoints may be found before the node itself.
+        peer.wait(lambda node=node: node in peer.node.get_node_names(), f"the node {node}")
         names = allowed(policy, node)
         if not is_installed(TRANSFORMS):  # allowed for where it is
             for kind in ("publisher", "subscriber"):
