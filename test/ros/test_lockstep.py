@@ -168,6 +168,26 @@ def test_a_pause_holds_the_answer_back(start, peer):
     assert answered(peer).data[0] == 0.02
 
 
+def test_pauses_leave_every_state_as_it_would_have_been(start, peer):
+    begin(start, peer)
+    simulation = Simulation(preset())
+
+    def newest():
+        return list(peer.received["state"][-1][1].data)
+
+    for number, value in enumerate((0.02, 0.05, 0.04, -0.03, -0.06, 0.01)):
+        answers_paused = number % 2 == 1
+        peer.call(SetBool, "simulator/pause", SetBool.Request(data=True))
+        if answers_paused:
+            peer.publish("steering_cmd", value)
+        peer.call(SetBool, "simulator/pause", SetBool.Request(data=False))
+        if not answers_paused:
+            peer.publish("steering_cmd", value)
+        simulation.step(Command(steering=value), PERIOD)
+        peer.wait(lambda: newest()[0] == simulation.time, "the next set")
+        assert newest() == [simulation.time, *simulation.model_state]  # to the bit
+
+
 def test_without_an_answer_in_time_it_stops_and_names_the_topic(start, peer):
     words = ("-p", "lockstep_timeout:=0.5", "-p", "lockstep_timeout_policy:=stop")
     simulator = begin(start, peer, *words)
