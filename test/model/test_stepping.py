@@ -11,6 +11,8 @@ from vehicle_roll_sim.model.records import COMMAND
 
 STEP = 0.001
 """s"""
+MOST_GRIP = 1.5
+"""Friction of the reference tire at any load, with something to spare."""
 HOUR_OF_STEPS = 3_600_000
 NANOSECONDS_PER_STEP = 1_000_000
 
@@ -151,6 +153,18 @@ def test_a_tire_never_pulls_on_the_road_and_a_lifted_one_makes_no_force(simulati
         assert (run.outputs[force][lifted] == 0.0).all()
     unloaded = run.outputs["loaded_radius"][lifted]
     assert (unloaded == simulation.vehicle.tire_radius).all()
+
+
+def test_at_contact_a_force_begins_at_nought_without_a_jump(simulation):
+    run = record_run(simulation, j_turn(wheel_torque=(200.0,) * 4), 6.0)
+    load, squeezed = run.outputs["normal_force"], np.maximum(run.state["tire_compression"], 0.0)
+    stiffness = simulation.vehicle.per_wheel("tire_stiffness")
+    changes = np.abs(np.diff(load, axis=0))
+    assert (np.diff(load == 0.0, axis=0)).sum() >= 2  # wheels leave the ground on the way
+    rounding = 1e-9 * load.max()
+    assert (changes <= stiffness * np.abs(np.diff(squeezed, axis=0)) + rounding).all()
+    for force in ("longitudinal_force", "lateral_force"):
+        assert (np.abs(run.outputs[force]) <= MOST_GRIP * load).all()
 
 
 def test_an_active_force_beyond_the_load_of_a_wheel_lifts_it(simulation):
