@@ -11,6 +11,7 @@ from vehicle_roll_sim.simulation.output_file import (
     check_folder,
     check_writable,
     filled_folder,
+    new_folder,
     replaced_file,
 )
 
@@ -267,3 +268,27 @@ def test_checking_a_folder_makes_and_changes_nothing(path, name, existing):
     before = everything()
     check_folder(Path(name), "--out")
     assert everything() == before
+
+
+@pytest.mark.parametrize(
+    ("method", "writing"),
+    [
+        ("touch", replaced_file),
+        ("mkdir", filled_folder),
+        ("mkdir", lambda path: new_folder(path, "--bag")),
+    ],
+    ids=["file", "folder", "new folder"],
+)
+def test_an_interruption_as_soon_as_something_is_there_leaves_nothing(
+    path, monkeypatch, method, writing
+):
+    make = getattr(Path, method)
+
+    def make_and_be_interrupted(self, *words, **options):
+        make(self, *words, **options)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Path, method, make_and_be_interrupted)
+    with pytest.raises(KeyboardInterrupt), writing(path):
+        pass
+    assert list(Path.cwd().iterdir()) == []

@@ -3,7 +3,8 @@
 import contextlib
 import errno
 import os
-import tempfile
+import shutil
+import uuid
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -63,19 +64,35 @@ def replaced_file(path: Path) -> Iterator[Path]:
 @contextlib.contextmanager
 def _partial_file(path: Path) -> Iterator[Path]:
     """A new, hidden file in the folder of `path`, gone in the end unless it was moved away."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".partial-", suffix=path.suffix)
-    os.close(handle)
-    partial = Path(name)
-    try:
+    partial = _hidden(path.parent, path.suffix)
+    try:  # from before it is made: an interruption may come at any moment
+        partial.touch(mode=0o600, exist_ok=False)
         yield partial
     finally:
         partial.unlink(missing_ok=True)
 
 
+@contextlib.contextmanager
+def _partial_folder(path: Path) -> Iterator[Path]:
+    """A new, hidden folder where `path` is to be, gone in the end with all that is still in it."""
+    partial = _hidden(_existing(path))
+    try:
+        partial.mkdir(mode=0o700)
+        yield partial
+    finally:
+        if partial.exists():
+            shutil.rmtree(partial)
+
+
+def _hidden(folder: Path, suffix: str = "") -> Path:
+    """A path that nothing else has."""
+    return folder / f".partial-{uuid.uuid4().hex}{suffix}"
+
+
 def check_folder(path: Path, field: str) -> None:
     """Raise InputError naming `field` if there can be no folder of results at `path`."""
     try:
-        with tempfile.TemporaryDirectory(dir=_existing(path), prefix=".partial-"):
+        with _partial_folder(path):
             pass
     except OSError as error:
         wanted = "a folder that can be written to, or made"
@@ -109,10 +126,10 @@ def new_folder(path: Path, field: str) -> Iterator[Path]:
     check_new_folder(path, field)
     try:
         path = _resolved(path)
-        with tempfile.TemporaryDirectory(dir=_existing(path), prefix=".partial-") as beside:
-            yield Path(beside) / path.name
+        with _partial_folder(path) as beside:
+            yield beside / path.name
             path.parent.mkdir(parents=True, exist_ok=True)
-            (Path(beside) / path.name).rename(path)
+            (beside / path.name).rename(path)
     except OSError as error:
         raise InputError(
             field, str(path), "a place to write to", f"{path}: {error.strerror}"
@@ -128,10 +145,10 @@ def filled_folder(path: Path) -> Iterator[Path]:
     """
     try:
         path = _resolved(path)
-        with tempfile.TemporaryDirectory(dir=_existing(path), prefix=".partial-") as partial:
-            yield Path(partial)
+        with _partial_folder(path) as partial:
+            yield partial
             path.mkdir(parents=True, exist_ok=True)
-            files = sorted(Path(partial).iterdir())
+            files = sorted(partial.iterdir())
             for file in files:
                 if (path / file.name).is_dir():
                     raise InputError(f"file {path / file.name}", "", "no folder of that name")
