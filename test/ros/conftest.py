@@ -10,9 +10,9 @@ LARGEST_DOMAIN = 100
 """Above it, ports may meet those that the system hands out."""
 WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
 WORKERS = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
-RUN = os.getppid() if WORKERS > 1 else os.getpid()
-"""A process that all workers of this run have in common."""
-_numbers = itertools.count(RUN * WORKERS + WORKER, WORKERS)
+DOMAINS = range(WORKER + 1, LARGEST_DOMAIN + 1, WORKERS)
+"""Those of this worker."""
+_numbers = itertools.count(os.getpid())
 
 
 @pytest.fixture(autouse=True)
@@ -24,7 +24,7 @@ def local_discovery(monkeypatch, tmp_path):
 @pytest.fixture(scope="session")
 def new_domain():
     """new_domain(): a ROS domain that no other test of this run has at the same time."""
-    return lambda: next(_numbers) % LARGEST_DOMAIN + 1
+    return lambda: DOMAINS[next(_numbers) % len(DOMAINS)]
 
 
 @pytest.fixture

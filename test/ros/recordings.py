@@ -1,9 +1,12 @@
-"""Bags, read by a library that did not write them."""
+"""Bags: while they are recorded, and read by a library that did not write them."""
 
 from pathlib import Path
 
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
+from rosbags.rosbag2 import ReaderError
+
+from vehicle_roll_sim.bags.unindexed import BagReader
 
 
 def read_bag(folder: Path) -> dict[str, list]:
@@ -14,3 +17,15 @@ def read_bag(folder: Path) -> dict[str, list]:
         for _, channel, _, message in reader.iter_decoded_messages():
             messages.setdefault(channel.topic, []).append(message)
     return messages
+
+
+def heard_so_far(folder: Path) -> set[str]:
+    """Topics of which a recorder has messages in its bag, which need not be closed.
+
+    Middlewares can take seconds until a late recorder hears a topic that is known to everybody.
+    """
+    try:
+        with BagReader(folder) as reader:
+            return {connection.topic for connection, _, _ in reader.messages()}
+    except (FileNotFoundError, ReaderError):  # it has not begun
+        return set()

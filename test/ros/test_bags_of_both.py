@@ -3,6 +3,7 @@
 import signal
 
 import pytest
+from recordings import heard_so_far
 from rosbags.rosbag2 import Reader
 
 from vehicle_roll_sim.bags.encoding import TYPES, decode
@@ -17,6 +18,8 @@ MANOEUVRES = {
     "step_steer": ("--set", "cg_height=0.55", "--duration", "1.5"),
 }
 """Steered by the state, and with the speed held."""
+DESCRIBED = {"/simulation_description", "/robot_description"}
+"""What comes before the first set."""
 EVERY_SET = "[" + ", ".join(topic.name for topic in STATE_SET) + "]"
 
 
@@ -44,14 +47,15 @@ def lockstep_bag(start, peer, tmp_path):
         }
         words = [word for item in values.items() for word in ("-p", ":=".join(item))]
         start("simulator", "--ros-args", *words)
-        recorder = start("recorder", "--output", str(tmp_path / "lockstep"))
-        peer.wait_for_listener("state", "recorder")
+        bag = tmp_path / "lockstep"
+        recorder = start("recorder", "--output", str(bag))
+        peer.wait(lambda: heard_so_far(bag) >= DESCRIBED, "the recorder to hear")
         _, duration = MANOEUVRES[name][-2:]
         status, _, err = start("manoeuvre", name, "--duration", duration).finish()
         assert (status, err) == (0, "")
         status, _, _ = recorder.finish(signal.SIGINT)
         assert status == 0
-        return tmp_path / "lockstep"
+        return bag
 
     return make
 

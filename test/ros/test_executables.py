@@ -4,7 +4,7 @@ import re
 import signal
 
 import pytest
-from recordings import read_bag
+from recordings import heard_so_far, read_bag
 
 from vehicle_roll_sim.command_line.main import main as offline
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED
@@ -85,16 +85,20 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
         "speed_cmd": 13.0,
     }
     topics = [topic for topic in (*COMMANDS, *PUBLISHED) if is_installed(topic)]
-    for topic in topics:
-        peer.wait_for_listener(topic.name, "recorder")
-    end = peer.newest("state").data[0] + 2.5  # /diagnostics comes once a second
-    peer.command(commands, lambda: peer.newest("state").data[0] > end, "2.5 s of driving")
+    names = {f"/{topic.name.removeprefix('/')}" for topic in topics}
+
+    def is_complete():
+        peer.newest("state")
+        return heard_so_far(bag) == names
+
+    peer.command(commands, is_complete, "every topic in the bag")
+    end = peer.newest("state").data[0] + 1.0
+    peer.wait(lambda: peer.newest("state").data[0] > end, "a second of driving")
     status, out, _ = recorder.finish(signal.SIGTERM)
     assert status == 0
     assert "messages in" in out
 
     messages = read_bag(bag)
-    names = {f"/{topic.name.removeprefix('/')}" for topic in topics}
     assert set(messages) == names
     assert CLOCK.name in messages
     assert messages["/wheel_torque_cmd"][-1].data == four

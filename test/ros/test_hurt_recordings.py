@@ -5,7 +5,7 @@ import signal
 import time
 
 import pytest
-from recordings import read_bag
+from recordings import heard_so_far, read_bag
 from std_srvs.srv import Trigger
 
 from vehicle_roll_sim.bags.reading import recorded_runs
@@ -15,6 +15,8 @@ from vehicle_roll_sim.simulation.description import described
 
 LAST_SECOND = 1_000_000_000
 """ns"""
+REPLAYED = {"/simulation_description", "/applied_command", "/state"}
+"""What a replay needs."""
 A_FEW_SECONDS = 3.0
 """s of recording: several times what is kept back."""
 
@@ -37,8 +39,7 @@ def recorder(start, peer, bag):
     start("simulator")
     recorder = start("recorder", "--output", str(bag))
     peer.listen("state")
-    peer.wait_for_listener("state", "recorder")
-    peer.wait(lambda: stamps_in(bag), "the recorder to hear it")
+    peer.wait(lambda: heard_so_far(bag) >= REPLAYED, "the recorder to hear it")
     peer.call(Trigger, "simulator/reset")
     peer.wait(lambda: peer.newest("state").data[0] < A_FEW_SECONDS / 2, "the reset")
     peer.wait(lambda: peer.newest("state").data[0] > A_FEW_SECONDS, "a few seconds")

@@ -1,6 +1,7 @@
 """Nodes that are told to go by a /clock which is absent or runs back, or that have no compiler."""
 
 import pytest
+from recordings import heard_so_far
 from rosgraph_msgs.msg import Clock
 
 SIM_TIME = ("--ros-args", "-p", "use_sim_time:=true")
@@ -28,7 +29,9 @@ def test_whoever_drives_or_records_goes_by_the_states_not_by_the_clock(
 ):
     """A clock that stands still or jumps back delays nothing and makes nothing run backwards."""
     start("simulator")
-    recorder = start("recorder", "--output", str(tmp_path / "bag"), "--duration", "60", *SIM_TIME)
+    bag = tmp_path / "bag"
+    recorder = start("recorder", "--output", str(bag), "--duration", "60", *SIM_TIME)
+    peer.wait(lambda: "/state" in heard_so_far(bag), "the recorder to hear")
     driver = start("manoeuvre", *SHORT, *SIM_TIME)
     publisher = peer.node.create_publisher(Clock, "/clock", 10)
     left = list(times)
