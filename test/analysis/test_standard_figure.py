@@ -1,89 +1,36 @@
 """The standard figure shows what the samples say: every curve, every shade, every mark."""
 
-import itertools
 import math
 
 import numpy as np
 import pytest
-from matplotlib.colors import to_rgb
+from drawn_runs import (
+    ANGLE,
+    LIFTS,
+    SAMPLES,
+    SIGNALS,
+    curves,
+    drawn,
+    labelled,
+    panels,
+    recorded,
+    same,
+    shown_texts,
+)
 
 from vehicle_roll_sim import WHEELS
 from vehicle_roll_sim.analysis.drawing import save_figure
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
-from vehicle_roll_sim.analysis.plots import (
-    COLOURS,
-    DrawnRun,
-    plot_run,
-    standard_figure,
-)
+from vehicle_roll_sim.analysis.plots import plot_run, standard_figure
 from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.simulation.history import COLUMNS, History
 
 pytestmark = pytest.mark.filterwarnings("error")
-DEGREES = math.degrees(1)
-SIGNALS = (
-    ("steering", "(deg)", DEGREES),
-    ("roll", "(deg)", DEGREES),
-    ("lateral_acceleration", "(m/s²)", 1.0),
-    ("yaw_rate", "(deg/s)", DEGREES),
-)
-SIGNAL_COUNT = len(SIGNALS) + 1
-SAMPLES = 21
-ANGLE = 1.0
-"""rad of roll that counts as rolled over."""
-LIFTS = {"lf": [(3, 8), (12, 20)], "rf": [], "lr": [(5, 5)], "rr": [(18, 20)]}
-"""First and last sample of every time that a wheel carries no load."""
-
-
-def recorded(rolls_over: bool = True, mirror: float = 1.0) -> History:
-    """Samples of smooth signals, each another one; wheels lift as `LIFTS` has it."""
-    rows = np.arange(float(SAMPLES))[:, np.newaxis] / 10 + np.arange(len(COLUMNS))
-    rows = mirror * np.sin(rows)
-    rows[:, 0] = np.arange(SAMPLES) / 10
-    rows[:, COLUMNS.index("roll")] *= 0.4
-    if rolls_over:
-        rows[:, COLUMNS.index("roll")] = mirror * np.linspace(0.0, 1.2, SAMPLES)
-    for wheel, spans in LIFTS.items():
-        load = rows[:, COLUMNS.index(f"normal_force_{wheel}")]
-        load[:] = 3000.0 + 500.0 * load
-        for first, last in spans:
-            load[first : last + 1] = 0.0
-        compression = rows[:, COLUMNS.index(f"tire_compression_{wheel}")]
-        compression[:] = np.where(load > 0.0, load, -1.0)
-    return History(rows)
-
-
-def drawn(history: History, label: str = "") -> DrawnRun:
-    return DrawnRun(history, events_of(history, ANGLE), label)
 
 
 @pytest.fixture
 def history() -> History:
     return recorded()
-
-
-def panels(figure) -> tuple[list, list, object]:
-    """Axes of the signals, of the loads and of the path."""
-    axes = figure.axes
-    return axes[:SIGNAL_COUNT], axes[SIGNAL_COUNT:-1], axes[-1]
-
-
-def curves(axis) -> list:
-    """What was drawn of the samples, and not of an event."""
-    return [line for line in axis.lines if len(line.get_xdata()) == SAMPLES]
-
-
-def labelled(axis, label: str) -> list:
-    return [each for each in axis.get_children() if each.get_label() == label]
-
-
-def shown_texts(figure) -> list[str]:
-    return [text.get_text() for legend in figure.legends for text in legend.get_texts()]
-
-
-def same(curve, x, y) -> None:
-    np.testing.assert_array_equal(curve.get_xdata(), x)
-    np.testing.assert_array_equal(curve.get_ydata(), y)
 
 
 def test_the_signals_are_those_of_the_samples_with_their_units(history):
@@ -179,49 +126,6 @@ def test_the_legend_explains_what_is_there_and_nothing_else(history):
     figure = standard_figure([drawn(calm)], "run")
     assert figure.legends == []
     assert not any("lifts" in axis.get_title() for axis in figure.axes)
-
-
-def load_of_rr(history: History) -> np.ndarray:
-    """kN"""
-    return history["normal_force_rr"] / 1000
-
-
-def test_runs_are_told_apart_by_colour_and_style_and_named_in_the_legend():
-    names = [f"run {i}" for i in range(len(COLOURS))]
-    histories = [recorded(rolls_over=i % 2 == 0, mirror=(-1.0) ** i) for i in range(len(names))]
-    runs = [drawn(*each) for each in zip(histories, names, strict=True)]
-    figure = standard_figure(runs, "all")
-    assert shown_texts(figure)[: len(names)] == names
-    signals, loads, _ = panels(figure)
-    for axis, shown in ((signals[1], lambda h: h["roll"] * DEGREES), (loads[3], load_of_rr)):
-        found = curves(axis)
-        for curve, run, colour in zip(found, runs, COLOURS, strict=True):
-            same(curve, run.history["time"], shown(run.history))
-            assert to_rgb(curve.get_color()) == to_rgb(colour)
-        assert len({(each.get_color(), each.get_linestyle()) for each in found}) == len(runs)
-        neighbours = itertools.pairwise(found)
-        assert all(one.get_linestyle() != other.get_linestyle() for one, other in neighbours)
-    assert [axis.get_title() for axis in loads] == list(WHEELS)
-
-
-def test_shades_of_several_runs_do_not_cover_each_other():
-    runs = [drawn(recorded(), "one"), drawn(recorded(), "other")]
-    _, loads, _ = panels(standard_figure(runs, ""))
-    one, other = labelled(loads[0], "wheel off the ground")
-    heights = [[path.vertices[:, 1] for path in shade.get_paths()] for shade in (one, other)]
-    assert {(min(y), max(y)) for y in heights[0]} == {(0.5, 1.0)}
-    assert {(min(y), max(y)) for y in heights[1]} == {(0.0, 0.5)}
-
-
-def test_time_reaches_from_the_first_sample_of_any_run_to_the_last():
-    late, short = recorded(), recorded()
-    late.rows[:, 0] += 1.0
-    short.rows = short.rows[:5]
-    figure = standard_figure([drawn(short, "short"), drawn(late, "late")], "")
-    for axis in figure.axes[:-1]:
-        begin, end = axis.get_xlim()
-        assert begin == 0.0
-        assert 3.0 < end < 3.2
 
 
 def test_what_no_topic_or_model_has_is_said_and_the_rest_is_drawn(history, tmp_path):

@@ -1,4 +1,7 @@
-"""The simulation that the tests of this folder drive."""
+"""The simulation that the tests of this folder drive, and the folder that they write to."""
+
+import os
+from pathlib import Path
 
 import pytest
 
@@ -21,3 +24,18 @@ def simulation() -> Simulation:
 def session(simulation) -> Session:
     """A session of 10 ms periods at 20 m/s, whose commands are given up after 0.5 s."""
     return Session(simulation, CommandInbox(), PERIOD_NS, SPEED)
+
+
+@pytest.fixture
+def umask():
+    """Sets the umask of the process until the end of the test."""
+    before = os.umask(0o022)
+    yield os.umask
+    os.umask(before)
+
+
+@pytest.fixture
+def path(tmp_path, monkeypatch):
+    """A name in an empty folder; short, so that messages show it whole."""
+    monkeypatch.chdir(tmp_path)
+    return Path("result.csv")

@@ -1,0 +1,78 @@
+"""In lockstep nothing begins before all are there, and nobody waits for ever unawares."""
+
+import os
+import signal
+import time
+
+from lockstep_partner import LOCKSTEP, answered, begin
+from std_srvs.srv import SetBool, Trigger
+
+
+def test_nothing_is_sent_before_the_partners_are_there(start, peer):
+    simulator = start(*LOCKSTEP, "-p", "lockstep_wait:=[imu]")
+    peer.listen("state")
+    peer.publisher("steering_cmd")
+    # it answers services while it waits, and a reset then must not begin the run
+    assert peer.call(Trigger, "simulator/reset").success
+    assert peer.received["state"] == []
+    peer.listen("imu")
+    assert peer.newest("state").data[0] == 0.0
+    _, _, err = simulator.finish(2)
+    assert "lockstep: waiting for" in err
+    assert "a listener of imu" in err
+
+
+def test_without_an_answer_in_time_it_stops_and_names_the_topic(start, peer):
+    words = ("-p", "lockstep_timeout:=0.5", "-p", "lockstep_timeout_policy:=stop")
+    simulator = begin(start, peer, *words)
+    status, _, err = simulator.finish()
+    assert status == 1
+    assert err.splitlines()[-1].startswith("simulator: error: steering_cmd: no message within 0.5")
+
+
+def test_an_answer_that_waits_to_be_read_is_not_late(start, peer):
+    words = ("-p", "lockstep_timeout:=0.5", "-p", "lockstep_timeout_policy:=stop")
+    simulator = begin(start, peer, *words)
+    os.kill(simulator.process.pid, signal.SIGSTOP)  # a simulator that does not get its turn
+    peer.publish("steering_cmd", 0.01)
+    time.sleep(1.0)  # the wait itself is what is tried: longer than the timeout
+    os.kill(simulator.process.pid, signal.SIGCONT)
+    peer.wait(lambda: peer.received["state"][-1][1].data[0] == 0.01, "the next state")
+
+
+def test_a_command_from_before_the_first_set_is_no_answer_to_it(start, peer):
+    start(*LOCKSTEP, "-p", "lockstep_wait:=[imu]")
+    peer.listen("state")
+    peer.publish("steering_cmd", 0.07)
+    assert peer.call(Trigger, "simulator/reset").success  # what was sent before has been read
+    peer.publish("steering_cmd", 0.07)
+    peer.call(SetBool, "simulator/pause", SetBool.Request(data=False))
+    peer.listen("imu")
+    peer.wait(lambda: peer.received["state"], "the first set")
+    assert answered(peer, 0.01).data[0] == 0.01
+
+
+def test_the_first_set_is_of_time_0_whatever_is_asked_before(start, peer):
+    start(*LOCKSTEP, "-p", "lockstep_wait:=[imu]")
+    peer.listen("state")
+    peer.publisher("steering_cmd")
+    assert peer.call(SetBool, "simulator/pause", SetBool.Request(data=True)).success
+    answer = peer.call(Trigger, "simulator/step")
+    assert not answer.success
+    assert "not begun" in answer.message
+    peer.listen("imu")
+    assert peer.call(SetBool, "simulator/pause", SetBool.Request(data=False)).success
+    assert peer.newest("state").data[0] == 0.0
+
+
+def test_without_an_answer_in_time_it_goes_on_with_the_last_command(start, peer):
+    begin(start, peer, "-p", "lockstep_timeout:=0.1")
+    peer.listen("applied_command", "/diagnostics")
+    answered(peer, 0.03)
+    peer.wait(lambda: peer.newest("state").data[0] > 0.03, "periods without answers")
+    assert peer.newest("applied_command").data[1] == 0.03
+
+    def complains():
+        return "no answer in time" in peer.newest("/diagnostics").status[0].message
+
+    peer.wait(complains, "a warning")
