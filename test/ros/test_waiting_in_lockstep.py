@@ -2,10 +2,17 @@
 
 import os
 import signal
+import threading
 import time
+from unittest.mock import Mock
 
+import pytest
 from lockstep_partner import LOCKSTEP, answered, begin
+from rclpy.executors import ExternalShutdownException
+from recordings import heard_so_far
 from std_srvs.srv import SetBool, Trigger
+
+from vehicle_roll_sim.ros import lockstep
 
 
 def test_nothing_is_sent_before_the_partners_are_there(start, peer):
@@ -20,6 +27,37 @@ def test_nothing_is_sent_before_the_partners_are_there(start, peer):
     _, _, err = simulator.finish(2)
     assert "lockstep: waiting for" in err
     assert "a listener of imu" in err
+
+
+def test_it_goes_on_when_all_have_received_the_first_set(start, peer, tmp_path):
+    bag = tmp_path / "bag"
+    start(*LOCKSTEP, "-p", "lockstep_wait:=[imu]")
+    recorder = start("recorder", "--output", str(bag)).process
+    peer.wait(lambda: "/simulation_description" in heard_so_far(bag), "the recorder to hear")
+    os.kill(recorder.pid, signal.SIGSTOP)  # known to the simulator, and deaf
+    peer.listen("state", "/diagnostics")
+    peer.publish("steering_cmd", 0.01)
+    peer.wait(lambda: peer.received["state"], "the first set")
+    peer.publish("steering_cmd", 0.01)
+    assert peer.newest("/diagnostics")
+    assert [state.data[0] for _, state in peer.received["state"]] == [0.0]
+    os.kill(recorder.pid, signal.SIGCONT)
+    peer.wait(lambda: peer.received["state"][-1][1].data[0] == 0.01, "the next set")
+
+
+def test_a_listener_that_never_receives_is_not_waited_for_for_ever(monkeypatch):
+    monkeypatch.setattr(lockstep, "LONGEST_RECEIPT", 0.05)
+    simulator, executor = Mock(), Mock()
+    simulator.unreceived.return_value = ["/imu", "/state"]
+    simulator.run_period.side_effect = ExternalShutdownException
+    simulator.session.paused, simulator.session.inbox.unanswered.return_value = False, []
+    simulator.lock = threading.Lock()
+    simulator.missing_partners.return_value = []
+    driver = lockstep.Lockstep([], [], 0.0, "hold")
+    with pytest.raises(ExternalShutdownException):
+        driver.run(simulator, executor)
+    (warning,) = simulator.get_logger().warning.call_args.args
+    assert "has not received /imu, /state" in warning
 
 
 def test_without_an_answer_in_time_it_stops_and_names_the_topic(start, peer):

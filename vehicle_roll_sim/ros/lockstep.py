@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from rclpy.executors import Executor
 
+from vehicle_roll_sim.ros.process import LOOK
 from vehicle_roll_sim.simulation.session import Session
 
 STOP = "stop"
@@ -13,10 +14,12 @@ SETTLING = 0.2
 """s to go on listening when all partners are found: they may find us a little later."""
 COMPLAINT_INTERVAL = 5.0
 """s between two lines on what is waited for."""
+LONGEST_RECEIPT = 10.0
+"""s until a listener that does not take the first set is waited for no longer."""
 LAST_LOOK = 0.02
 """s to go on reading before giving up: what has come is not late because it was not read."""
-LONGEST_WAIT = 0.1
-"""s until a wait for partners looks about again; one for answers does with every report."""
+SHARE = 0.1
+"""Of the time for an answer: by so much the end of it may be noticed late."""
 
 
 class UnansweredError(Exception):
@@ -41,6 +44,7 @@ class Lockstep:
         """Until the context is shut down, which raises ExternalShutdownException."""
         self._await_partners(simulator, executor)
         simulator.begin()
+        self._await_receipts(simulator, executor)
         while True:
             self._await_answers(simulator, executor)
             with simulator.lock:
@@ -52,10 +56,24 @@ class Lockstep:
                 f"lockstep: waiting for {' and '.join(missing)}",
                 throttle_duration_sec=COMPLAINT_INTERVAL,
             )
-            executor.spin_once(timeout_sec=LONGEST_WAIT)
+            executor.spin_once(timeout_sec=LOOK)
         settled = time.monotonic() + SETTLING
         while time.monotonic() < settled:
-            executor.spin_once(timeout_sec=LONGEST_WAIT)
+            executor.spin_once(timeout_sec=LOOK)
+
+    def _await_receipts(self, simulator, executor: Executor) -> None:
+        """Until all reliable listeners have the first set, and so will have what follows.
+
+        Those that are known here may know of this simulator seconds later.
+        """
+        until = time.monotonic() + LONGEST_RECEIPT
+        while missing := simulator.unreceived():
+            if time.monotonic() > until:
+                simulator.get_logger().warning(
+                    f"lockstep: goes on, though a listener has not received {', '.join(missing)}"
+                )
+                return
+            executor.spin_once(timeout_sec=LOOK)
 
     def _missing(self, simulator) -> list[str]:
         """What stands in the way of the first set."""
@@ -64,7 +82,7 @@ class Lockstep:
 
     def _await_answers(self, simulator, executor: Executor) -> None:
         """Until all answers are there and nobody has paused, or the time for them is over."""
-        session = simulator.session
+        session, look = simulator.session, SHARE * self.timeout or None
         self.restart()
         while (missing := session.inbox.unanswered(self.topics)) or session.paused:
             waited = 0.0 if session.paused else time.monotonic() - self._asked
@@ -77,7 +95,7 @@ class Lockstep:
                     f"lockstep: waiting for a message on {', '.join(missing)}",
                     throttle_duration_sec=COMPLAINT_INTERVAL,
                 )
-            executor.spin_once(timeout_sec=self.timeout - waited if self.timeout else None)
+            executor.spin_once(timeout_sec=look)
 
     def _read_on(self, session: Session, executor: Executor) -> None:
         """Take what has come but has not been read yet."""

@@ -15,6 +15,10 @@ from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.ros import ending
 
+LOOK = 0.05
+"""s that a loop waits in `spin_once`, always the same: an executor that is asked with another
+timeout than before begins with its first subscription again, and the last ones would starve."""
+
 
 def node_main(
     parser: argparse.ArgumentParser,

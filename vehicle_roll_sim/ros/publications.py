@@ -3,6 +3,7 @@
 import time
 
 from builtin_interfaces.msg import Time
+from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.node import Node
 
@@ -121,6 +122,14 @@ class Publications:
             seconds, nanoseconds = self._messages.stamp
             return Time(sec=seconds, nanosec=nanoseconds)
         return self._node.get_clock().now().to_msg()
+
+    def unreceived(self) -> list[str]:
+        """Topics of the set of which a reliable listener has not received everything."""
+        return [
+            publisher.topic_name
+            for publisher, _ in self._heard
+            if not publisher.wait_for_all_acked(Duration())
+        ]
 
     def listeners(self, name: str) -> int:
         """How many listen to a topic of the set."""

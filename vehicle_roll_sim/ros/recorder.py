@@ -15,7 +15,7 @@ from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.ros import ending
-from vehicle_roll_sim.ros.process import lifetime, node_main
+from vehicle_roll_sim.ros.process import LOOK, lifetime, node_main
 from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
 
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
@@ -91,7 +91,7 @@ def _listen(executor: Executor, bag, duration: float | None) -> None:
         if now >= keep_at:
             bag.keep()
             keep_at = now + KEPT_EVERY
-        executor.spin_once(timeout_sec=min(keep_at, until) - now)
+        executor.spin_once(timeout_sec=LOOK)
 
 
 def _read_on(executor: Executor, bag) -> None:

@@ -80,6 +80,11 @@ class Simulator(Node):
         self._publications.publish_set()
         self._publications.publish_rollover()
 
+    def unreceived(self) -> list[str]:
+        """Topics of the set of which a reliable listener has not received everything."""
+        with self.lock:
+            return self._publications.unreceived()
+
     def missing_partners(self, commands: Sequence[str], listened: Sequence[str]) -> list[str]:
         """Which publishers of commands and listeners to a set are not there yet."""
         publishers = {name: self._commands[name].get_publisher_count() for name in commands}

@@ -9,12 +9,12 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from std_srvs.srv import Trigger
 
+from vehicle_roll_sim.ros.process import LOOK
+
 PATIENCE = 10.0
 """Wall seconds that a simulator may take to answer."""
 ASK_AGAIN = 2.0
 """Wall seconds after which a question is repeated."""
-LONGEST_WAIT = 0.05
-"""Wall seconds until a wait looks about again."""
 
 
 class NoAnswerError(Exception):
@@ -81,10 +81,10 @@ class SimulatorClient:
         while not done():
             if time.monotonic() > until:
                 raise NoAnswerError(f"no answer from `{self.name}` in {PATIENCE:g} s: {what}")
-            self._executor.spin_once(timeout_sec=LONGEST_WAIT)
+            self._executor.spin_once(timeout_sec=LOOK)
 
     def linger(self, seconds: float) -> None:
         """Spin for so many wall seconds."""
         until = time.monotonic() + seconds
-        while (left := until - time.monotonic()) > 0.0:
-            self._executor.spin_once(timeout_sec=left)
+        while time.monotonic() < until:
+            self._executor.spin_once(timeout_sec=LOOK)
