@@ -14,6 +14,7 @@ from vehicle_roll_sim.command_line import run as run_module
 
 RUN = ("run", "step_steer", "--duration", "20", "--sample", "1", "--amplitude", "1")
 BAR = "s simulated"
+LAST = "<end of what was shown>"
 ROWS_AND_COLUMNS = struct.pack("HHHH", 24, 80, 0, 0)
 """Of the pseudo terminal, in the form that the system wants."""
 
@@ -23,7 +24,6 @@ def at_terminal(command, monkeypatch):
     """Runs a command whose stderr is a pseudo terminal; returns what is shown there."""
     reading, writing = os.openpty()
     fcntl.ioctl(writing, termios.TIOCSWINSZ, ROWS_AND_COLUMNS)
-    os.set_blocking(reading, False)
     stderr = os.fdopen(writing, "w", encoding="utf-8")
 
     def call(*words) -> str:
@@ -31,11 +31,12 @@ def at_terminal(command, monkeypatch):
         result = command(*words)
         assert result.status == 0
         assert BAR not in result.out
+        stderr.write(LAST)
         stderr.flush()
-        try:
-            return os.read(reading, 65536).decode()
-        except BlockingIOError:  # nothing was written
-            return ""
+        shown = b""
+        while not shown.endswith(LAST.encode()):  # a terminal passes on what it gets bit by bit
+            shown += os.read(reading, 65536)
+        return shown.decode().removesuffix(LAST)
 
     yield call
     stderr.close()

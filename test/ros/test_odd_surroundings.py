@@ -1,5 +1,7 @@
 """Nodes that are told to go by a /clock which is absent or runs back, or that have no compiler."""
 
+import re
+
 import pytest
 from recordings import heard_so_far
 from rosgraph_msgs.msg import Clock
@@ -44,7 +46,8 @@ def test_whoever_drives_or_records_goes_by_the_states_not_by_the_clock(
     peer.wait(told_and_over, "the end of the manoeuvre")
     status, out, err = driver.finish()
     assert (status, err) == (0, "")
-    assert "1.500 s, complete" in out
+    (end,) = re.findall(r"end: +(\S+) s, complete", out)
+    assert 1.5 <= float(end) < 3.0  # at 1.5 s, but for states that a busy machine loses
     status, out, _ = recorder.finish(2)
     assert status == 0
     assert int(out.splitlines()[-1].split()[1]) > 100  # messages
