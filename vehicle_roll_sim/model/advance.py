@@ -11,7 +11,7 @@ from vehicle_roll_sim.model.events import (
     note_rollover,
     without_rate,
 )
-from vehicle_roll_sim.model.integrator import BEFORE, K1, TRIAL, along, copy, rk4_step
+from vehicle_roll_sim.model.integrator import BEFORE, K1, KEPT, TRIAL, along, copy, rk4_step
 from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.wheel import note_turning, stop_reversed
 
@@ -29,10 +29,11 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     command of no force; they, outputs and events are one-element arrays of records. stages: work
     space.
 
-    A state that is implausible to begin with, or has a rate that is not finite, is left as it is; a
-    step after which that is so is taken back. The index of that state is the culprit, else -1. At
-    the end `outputs` belong to the final state and the last command or, since that may be what made
-    it diverge, to none.
+    Of a state that is implausible to begin with, or has a rate that is not finite, no step is
+    taken; a step after which that is so is taken back. The index of that state is the culprit, else
+    -1. In the place of an implausible state comes the one that the call before has left, which is
+    kept in `stages`. At the end `outputs` belong to the final state and the last command or, since
+    that may be what made it diverge, to none.
     """
     vehicle, tire, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
     idle = plant[4][0]
@@ -43,6 +44,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     taken, condition = 0, Condition.RUNNING
     culprit = most_implausible(state, limits.largest)
     if culprit >= 0:
+        copy(stages[KEPT], state)
         return taken, Condition.DIVERGED, culprit
     note_turning(state, out)
     derivatives(state, commands[0], vehicle, tire, options, out, stages[K1])
@@ -75,6 +77,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         note_turning(state, out)
         derivatives(state, idle, vehicle, tire, options, out, stages[K1])
     note_peaks((start_ns + taken * step_ns) / NANOSECONDS, state, tire, out, seen)
+    copy(state, stages[KEPT])
     return taken, condition, culprit
 
 

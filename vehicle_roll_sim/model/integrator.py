@@ -3,9 +3,10 @@
 from vehicle_roll_sim.model.derivatives import derivatives
 from vehicle_roll_sim.model.jit import kernel
 
-STAGE_VECTORS = 6
-"""Rows of work space: four slopes, the trial state and the state before the step."""
-K1, K2, K3, K4, TRIAL, BEFORE = range(STAGE_VECTORS)
+STAGE_VECTORS = 7
+"""Rows of work space: four slopes, the trial state, the state before the step, and that which the
+last call of `advance` has left."""
+K1, K2, K3, K4, TRIAL, BEFORE, KEPT = range(STAGE_VECTORS)
 
 
 @kernel

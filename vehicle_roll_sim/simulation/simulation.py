@@ -16,7 +16,7 @@ from vehicle_roll_sim.model.events import (
     no_events,
     plausible_magnitudes,
 )
-from vehicle_roll_sim.model.integrator import STAGE_VECTORS
+from vehicle_roll_sim.model.integrator import KEPT, STAGE_VECTORS
 from vehicle_roll_sim.model.jit import (
     discard_compiled_code,
     has_compiled_code,
@@ -181,8 +181,8 @@ class Simulation:
         self._checked_speed = speed
 
     def _start(self, state: np.ndarray) -> None:
-        self._state[:] = state
-        self._events[:] = no_events()
+        self._state[:], self._events[:] = state, no_events()
+        self._stages[KEPT] = self.state_vector
         self.time_ns = 0
         self.condition, self.implausible = Condition.RUNNING, None
         self._advance(Command().records(), 0)
