@@ -11,6 +11,7 @@ from vehicle_roll_sim import InputError, Options, Simulation, preset
 from vehicle_roll_sim.bags.encoding import TYPES, decode
 from vehicle_roll_sim.bags.reading import last_history, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
+from vehicle_roll_sim.command_line.main import main as command
 from vehicle_roll_sim.simulation.description import described
 
 ARRAY = "std_msgs/msg/Float64MultiArray"
@@ -174,6 +175,19 @@ def test_the_history_of_a_bag_is_that_of_the_run(j_turn):
     sprung = history["lateral_acceleration"]
     assert np.abs(sprung).max() == pytest.approx(9.353, abs=0.01)  # m/s^2, of the run's summary
     assert history["steering"][-1] == pytest.approx(np.radians(10.0))
+
+
+@pytest.mark.parametrize("model", ["1", "8dof"])
+def test_on_a_slope_too_the_lateral_acceleration_is_that_of_the_run(tmp_path, model):
+    bag, table = tmp_path / "bag", tmp_path / "run.csv"
+    road = ("--grade", "0.05", "--bank", "-0.2", "--model", model)
+    words = ("step_steer", "--duration", "3", *road, "--bag", str(bag), "--csv", str(table))
+    assert command(["run", *words]) == 0
+    told = np.genfromtxt(table, delimiter=",", names=True)
+    history = last_history(bag)
+    assert np.abs(np.degrees(told["yaw"][-1])) > 20.0  # where the grade, too, is across
+    for name in ("lateral_acceleration", "roll"):
+        assert history[name] == pytest.approx(told[name], abs=1e-9)  # rounding of the file
 
 
 def test_a_description_that_is_nested_without_end_is_refused():

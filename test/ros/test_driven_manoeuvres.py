@@ -65,18 +65,21 @@ def test_in_lockstep_a_manoeuvre_of_a_standard_has_the_summary_of_the_offline_ru
 
 
 @pytest.mark.parametrize(
-    ("name", "topics"), [("step_steer", BOTH), ("j_turn", BOTH), ("j_turn", STEERING)]
+    ("name", "topics", "bank"),
+    [("step_steer", BOTH, 0.1), ("j_turn", BOTH, 0.0), ("j_turn", STEERING, 0.0)],
 )
 def test_in_lockstep_it_is_the_offline_run_to_the_bit_with_and_without_speed_hold(
-    start, capsys, tmp_path, name, topics
+    start, capsys, tmp_path, name, topics, bank
 ):
     """Where torques are waited for and nobody else gives them, it answers with zeros."""
-    start("simulator", *lockstep(topics))
+    start("simulator", *lockstep(topics, "-p", f"bank:={bank}"))
     found, expected = tmp_path / "found.csv", tmp_path / "expected.csv"
     status, _, err = start("manoeuvre", name, "--csv", str(found)).finish()
     assert (status, err) == (0, "")
-    run_offline(capsys, name, "--csv", str(expected))
+    run_offline(capsys, name, "--csv", str(expected), "--bank", str(bank))
     for one, other in zip(rows_of(found), rows_of(expected), strict=True):
+        for column in FROM_MESSAGES:
+            assert float(one[column]) == pytest.approx(float(other[column]), abs=1e-9)
         for column in one.keys() - {*FROM_MESSAGES}:
             assert one[column] in (other[column], "nan"), (other["time"], column)
 

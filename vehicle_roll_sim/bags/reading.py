@@ -14,7 +14,9 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.collected import COLLECTED, COMMAND, STATE, Collected, by_name
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS
 from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.simulation.description import described
 from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.road import Road
 
 A_BAG = "a whole bag of a simulator: metadata.yaml, and the file that it names"
 READ = (*COLLECTED, SIMULATION_DESCRIPTION)
@@ -62,8 +64,13 @@ def recorded_runs(path: Path, namespace: str | None = None) -> list[RecordedRun]
 
 
 def last_history(path: Path, namespace: str | None = None) -> History:
-    """The samples of the last run in a bag; raises InputError as `recorded_runs` does."""
-    history = recorded_runs(path, namespace)[-1].kept.history()
+    """The samples of the last run in a bag, on a level road where the bag does not say which.
+
+    Raises InputError as `recorded_runs` and `described` do.
+    """
+    run = recorded_runs(path, namespace)[-1]
+    road = described(run.description).simulation.road if run.description else Road()
+    history = run.kept.history(road)
     if not len(history.rows):
         wanted = ", ".join(topic.name for topic in COLLECTED)
         raise InputError("BAG", str(path), f"sets of {wanted}", f"{path}: no complete set")

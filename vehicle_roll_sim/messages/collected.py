@@ -14,6 +14,8 @@ from vehicle_roll_sim.messages.topics import STATE_SET
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.history import COLUMNS, History
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.vehicle.parameters import GRAVITY
 
 STATE, COMMAND, IMU, LOADS = "state", "applied_command", "imu", "tire_normal_forces"
 COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS))
@@ -42,9 +44,9 @@ class Collected:
         sent = self.states[-1][0]
         return all(self._sent_between(name, sent, math.inf) for name in self._others)
 
-    def history(self) -> History:
-        """One row for every complete set; columns that no topic carries are nan."""
-        return History([_row(*parts) for parts in self.sets()])
+    def history(self, road: Road) -> History:
+        """One row for every complete set, driven on `road`; what no topic carries is nan."""
+        return History([_row(road, *parts) for parts in self.sets()])
 
     def sets(self) -> Iterator[tuple]:
         """(state, applied_command, imu, tire_normal_forces) of every complete set."""
@@ -80,7 +82,7 @@ def by_name(message) -> dict[str, float]:
     return dict(zip(labels, message.data, strict=True))
 
 
-def _row(state: dict, command, imu, loads) -> np.ndarray:
+def _row(road: Road, state: dict, command, imu, loads) -> np.ndarray:
     row = np.full(len(COLUMNS), np.nan)
     for name, value in state.items():
         if name in COLUMNS:
@@ -88,13 +90,15 @@ def _row(state: dict, command, imu, loads) -> np.ndarray:
     first = COLUMNS.index(f"normal_force_{WHEELS[0]}")
     row[first : first + len(WHEELS)] = loads.data
     row[COLUMNS.index("steering")] = command.data[COMMAND_LABELS.index("steering")]
-    row[COLUMNS.index("lateral_acceleration")] = _lateral_acceleration(state, imu)
+    row[COLUMNS.index("lateral_acceleration")] = _lateral_acceleration(road, state, imu)
     return row
 
 
-def _lateral_acceleration(state: dict, imu) -> float:
-    """Along the y axis of frame 2, where gravity has no share of the specific force."""
+def _lateral_acceleration(road: Road, state: dict, imu) -> float:
+    """Along the y axis of frame 2: the specific force there, and gravity, which it leaves out."""
     roll, pitch = state["roll"], state.get("pitch", 0.0)
     attitude = (np.sin(roll), np.cos(roll), np.sin(pitch), np.cos(pitch))
     specific = imu.linear_acceleration
-    return body_to_yawed(attitude, specific.x, specific.y, specific.z)[1]
+    _, ahead, across = road.gravity(GRAVITY)
+    gravity = np.cos(state["yaw"]) * across - np.sin(state["yaw"]) * ahead
+    return body_to_yawed(attitude, specific.x, specific.y, specific.z)[1] + gravity

@@ -7,6 +7,7 @@ from rclpy.node import Node
 from vehicle_roll_sim.messages.collected import COLLECTED, STATE, Collected, by_name
 from vehicle_roll_sim.ros.topics import message_class, recording_qos
 from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.road import Road
 
 
 class Collector:
@@ -50,6 +51,6 @@ class Collector:
         """Whether all messages of the last set have come."""
         return self._kept.is_complete()
 
-    def history(self) -> History:
+    def history(self, road: Road) -> History:
         """One row for every complete set (`Collected.history`)."""
-        return self._kept.history()
+        return self._kept.history(road)

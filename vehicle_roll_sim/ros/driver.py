@@ -8,7 +8,7 @@ from rclpy.node import Node
 from rclpy.publisher import Publisher
 from std_msgs.msg import Float64, Float64MultiArray
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.manoeuvres.manoeuvre import Manoeuvre
 from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
 from vehicle_roll_sim.ros import ending
@@ -21,6 +21,7 @@ from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
 from vehicle_roll_sim.ros.topics import COMMANDING
 from vehicle_roll_sim.simulation.command import command_at
 from vehicle_roll_sim.simulation.command_inbox import channels
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import compile_model
 
 STEERING, TORQUE = "steering_cmd", "wheel_torque_cmd"
@@ -60,6 +61,7 @@ class Driver(Node):
         self._simulator = simulator
         names = ["rollover_angle", "steady_state_slip", "mode", "lockstep_topics"]
         self.rollover_angle, steady, mode, awaited = simulator.get(names)
+        self.road = Road(*simulator.get(list(parameters_of(Road))))
         self._slowest = MINIMUM_SPEED if steady else -math.inf
         self._awaited = awaited if mode == LOCKSTEP else []
         if mode == LOCKSTEP:

@@ -57,7 +57,7 @@ def drive(
 
 def _tell(name: str, driver: Driver, csv: Path | None, plot: Path | None) -> int:
     """Write the files of a manoeuvre that was played and print its summary; the exit status."""
-    history = driver.collector.history()
+    history = driver.collector.history(driver.road)
     events = events_of(history, driver.rollover_angle)
     if csv:
         history.write_csv(csv)
