@@ -11,8 +11,14 @@ from rosbags.rosbag2 import Reader
 from vehicle_roll_sim.bags.encoding import decode
 from vehicle_roll_sim.bags.unindexed import BagReader
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.messages.collected import COLLECTED, COMMAND, STATE, Collected, by_name
-from vehicle_roll_sim.messages.sets import COMMAND_LABELS
+from vehicle_roll_sim.messages.collected import (
+    COLLECTED,
+    COMMAND,
+    STATE,
+    Collected,
+    by_name,
+    is_ours,
+)
 from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.simulation.description import described
 from vehicle_roll_sim.simulation.history import History
@@ -110,15 +116,7 @@ def _runs(path: Path, namespace: str | None) -> Iterator[RecordedRun]:
 
 def _check(topic: Topic, message, path: Path) -> None:
     """Raise InputError for a message that no simulator sends."""
-    if topic.name == STATE:
-        labels = [dimension.label for dimension in message.layout.dim]
-        is_ours = labels[:1] == ["time"] and len(labels) == len(message.data)
-        is_ours = is_ours and math.isfinite(message.data[0])
-    elif topic.name == COMMAND:
-        is_ours = len(message.data) == len(COMMAND_LABELS)
-    else:
-        return
-    if not is_ours:
+    if not is_ours(topic.name, message):
         raise InputError("BAG", str(path), A_BAG, f"{path}: a {topic.name} that is none")
 
 

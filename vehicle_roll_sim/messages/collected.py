@@ -22,6 +22,10 @@ COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS)
 """The topics that a history is made of."""
 
 
+NEEDED = {"x", "y", "yaw", "u", "v", "yaw_rate", "roll", "roll_rate"}
+"""States that every model has."""
+
+
 class Collected:
     """Messages of one run, each with the time at which it was sent (ns), in that order.
 
@@ -80,6 +84,16 @@ def by_name(message) -> dict[str, float]:
     """The values of a labelled multi-array."""
     labels = (dimension.label for dimension in message.layout.dim)
     return dict(zip(labels, message.data, strict=True))
+
+
+def is_ours(name: str, message) -> bool:
+    """Whether a message of a collected topic can be a simulator's; others may use its name, too."""
+    if name == STATE:
+        labels = [dimension.label for dimension in message.layout.dim]
+        is_whole = labels[:1] == ["time"] and len(labels) == len(message.data)
+        return is_whole and set(labels) >= NEEDED and math.isfinite(message.data[0])
+    sizes = {COMMAND: len(COMMAND_LABELS), LOADS: len(WHEELS)}
+    return name not in sizes or len(message.data) == sizes[name]
 
 
 def _row(road: Road, state: dict, command, imu, loads) -> np.ndarray:

@@ -4,14 +4,17 @@ from collections.abc import Callable
 
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.collected import COLLECTED, STATE, Collected, by_name
+from vehicle_roll_sim.messages.collected import COLLECTED, STATE, Collected, by_name, is_ours
 from vehicle_roll_sim.ros.topics import message_class, recording_qos
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.road import Road
 
 
 class Collector:
-    """Listens to the sets of a simulator. on_state is told every `state` kept, by name."""
+    """Listens to the sets of a simulator; what cannot be of one is passed over.
+
+    on_state is told every `state` kept, by name.
+    """
 
     def __init__(self, node: Node, on_state: Callable[[dict], None]):
         self._on_state = on_state
@@ -32,6 +35,8 @@ class Collector:
 
     def _listener(self, name: str):
         def listen(message, info: dict) -> None:
+            if not is_ours(name, message):
+                return
             if name == STATE:
                 self._keep_state(by_name(message), info["source_timestamp"])
             else:

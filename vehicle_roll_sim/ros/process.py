@@ -14,6 +14,7 @@ from rclpy.utilities import remove_ros_args
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
 
 LOOK = 0.05
 """s that a loop waits in `spin_once`, always the same: an executor that is asked with another
@@ -51,6 +52,7 @@ def node_main(
 @contextlib.contextmanager
 def executor_of(node: Node) -> Iterator[Executor]:
     """An executor for a node, which in the end is shut down before what it stands on is."""
+    refuse_malformed(node)
     executor = SingleThreadedExecutor(context=node.context)
     executor.add_node(node)
     try:
