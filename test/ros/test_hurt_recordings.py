@@ -73,6 +73,16 @@ def test_a_full_disk_ends_the_recorder_with_one_line_and_nobody_else(recorder, p
     assert read_bag(bag)["/state"]
 
 
+def test_a_recorder_that_nobody_reads_records(start, peer, bag):
+    recorder = start("recorder", "--output", str(bag))
+    recorder.process.stdout.close()
+    start("simulator")
+    peer.wait(lambda: "/state" in heard_so_far(bag), "the recorder to hear")
+    recorder.process.send_signal(signal.SIGTERM)
+    assert recorder.process.wait(60) == 0
+    assert read_bag(bag)["/state"]
+
+
 def test_a_recorder_does_not_touch_what_is_there(start, bag):
     bag.mkdir()
     (bag / "metadata.yaml").write_text("mine")

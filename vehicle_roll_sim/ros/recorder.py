@@ -1,6 +1,7 @@
 """The node `recorder`: writes every topic of the package into a rosbag2 bag (MCAP)."""
 
 import argparse
+import contextlib
 import sys
 import threading
 import time
@@ -64,7 +65,7 @@ def record(folder: Path, duration: float | None) -> int:
     bag = Bag(folder, "--output")
     try:
         with lifetime(Recorder(bag)) as executor:
-            print(f"recorder: recording to {folder}", flush=True)
+            _say(f"recording to {folder}")
             _listen(executor, bag, duration)
             _read_on(executor, bag)
     except OSError:  # a full disk: what could be written is whole
@@ -72,8 +73,14 @@ def record(folder: Path, duration: float | None) -> int:
         raise
     finally:
         bag.close()
-        print(f"recorder: {bag.message_count} messages in {folder}", flush=True)
+        _say(f"{bag.message_count} messages in {folder}")
     return 0
+
+
+def _say(text: str) -> None:
+    """A line on stdout; whether somebody reads it must not decide what is recorded."""
+    with contextlib.suppress(OSError):
+        print(f"recorder: {text}", flush=True)
 
 
 def _listen(executor: Executor, bag, duration: float | None) -> None:
