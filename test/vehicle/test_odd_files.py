@@ -3,7 +3,7 @@
 import pytest
 from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, refused, write
 
-from vehicle_roll_sim import load_tire, load_vehicle
+from vehicle_roll_sim import InputError, load_tire, load_vehicle
 
 
 @pytest.fixture
@@ -65,6 +65,8 @@ ODD_VALUES = [
     "!!float abc",
     "!!bool abc",
     "!!map abc",
+    "!!timestamp abc",
+    r'"\UFFFFFFFF"',
     "!!python/object/apply:os.getcwd []",
 ]
 
@@ -80,3 +82,41 @@ def test_a_tire_name_that_no_file_can_have_is_refused(tmp_path):
     text = edited(REFERENCE_YAML, "tire", r'tire: "a\0b"')
     with refused("null"):
         load_vehicle(write(tmp_path, "a.yaml", text))
+
+
+NESTED = "".join(f", &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]" for n in range(1, 6))
+SMALL_FILES_OF_MUCH = {
+    "nested aliases": f"sprung_mass: [&a0 [{', '.join('1' * 10)}]{NESTED}]\n",
+    "merged keys": "a: &b0 {x: 1}\n"
+    + "".join(f"b{n}: &b{n} {{<<: [*b{n - 1}, *b{n - 1}]}}\n" for n in range(1, 16)),
+    "a merge of itself": "sprung_mass: 1\n<<: {roll_inertia: 1}\n",
+    "a number in parts of 60": "sprung_mass: 1" + ":1" * 30_000,
+}
+
+
+@pytest.mark.parametrize("case", SMALL_FILES_OF_MUCH)
+def test_a_small_file_that_would_take_much_time_or_memory_is_refused_by_its_line(tmp_path, case):
+    """Of more levels none would end: each has ten times, or twice, what the one before has."""
+    line = {"merged keys": 2, "a merge of itself": 2}.get(case, 1)
+    with refused("a.yaml", f"in line {line}:"):
+        load_vehicle(write(tmp_path, "a.yaml", SMALL_FILES_OF_MUCH[case]))
+
+
+class Counted:
+    """Something that counts how often it is written out."""
+
+    times = 0
+
+    def __repr__(self):
+        Counted.times += 1
+        return "something"
+
+
+def test_of_a_large_value_no_more_is_written_out_than_is_shown():
+    value = Counted()
+    for _ in range(5):
+        value = [value] * 10
+    for wrong in (value, {"a": value}, (value,), [Counted()] * 100_000, "x" * 10**6, 16**5000):
+        assert len(str(InputError("name", wrong, "a number"))) < 120
+    assert Counted.times < 100
+    assert "[1, 'a', {'b': None}] is not" in str(InputError("name", [1, "a", {"b": None}], ""))
