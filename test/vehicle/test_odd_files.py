@@ -1,7 +1,7 @@
 """Files as they come in practice, and values that trip a parser: read right, or refused."""
 
 import pytest
-from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, refused, write
+from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, line_of, refused, write
 
 from vehicle_roll_sim import InputError, load_tire, load_vehicle
 
@@ -39,8 +39,9 @@ def test_a_comment_may_touch_the_value(tire_of):
 
 
 def test_a_coefficient_in_two_sections_is_refused(tire_of):
-    with refused("PCX1", "[SECOND]", "twice"):
-        tire_of(REFERENCE_TIR + "[SECOND]\nPCX1 = 1.7\n")
+    text = REFERENCE_TIR + "[SECOND]\nPCX1 = 1.7\n"
+    with refused(line_of(text, "PCX1"), "PCX1", "[SECOND]", "twice"):
+        tire_of(text)
 
 
 @pytest.mark.parametrize("line", ["KPUMIN = nan", "FNOMIN = 1e308"])
@@ -66,6 +67,7 @@ ODD_VALUES = [
     "!!bool abc",
     "!!map abc",
     "!!timestamp abc",
+    "\x01",
     r'"\UFFFFFFFF"',
     "!!python/object/apply:os.getcwd []",
 ]
@@ -74,7 +76,7 @@ ODD_VALUES = [
 @pytest.mark.parametrize("value", ODD_VALUES, ids=lambda value: value[:20])
 def test_a_value_that_trips_the_parser_is_refused_in_one_line(tmp_path, value):
     text = edited(REFERENCE_YAML, "sprung_mass", f"sprung_mass: {value}")
-    with refused("a.yaml"):
+    with refused("a.yaml", line_of(text, "sprung_mass")):
         load_vehicle(write(tmp_path, "a.yaml", text))
 
 
