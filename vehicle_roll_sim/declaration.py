@@ -7,6 +7,7 @@ line, tables in the documentation) reads it from here.
 import dataclasses
 import difflib
 import math
+import reprlib
 from collections.abc import Iterable, Mapping
 
 LONGEST_SHOWN = 60
@@ -27,9 +28,23 @@ def _in_one_line(text: str) -> str:
     return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
 
 
+class _Outline(reprlib.Repr):
+    """Values written out, of large ones no more than a message shows."""
+
+    def __init__(self):
+        super().__init__()
+        self.maxlevel = 3
+        self.maxlist = self.maxtuple = self.maxset = self.maxfrozenset = LONGEST_SHOWN // 3
+        self.maxdict = self.maxarray = self.maxdeque = LONGEST_SHOWN // 3
+        self.maxstring = self.maxother = self.maxlong = 3 * LONGEST_SHOWN  # these are cut inside
+
+    def repr_int(self, x, level):
+        return super().repr_int(x, level) if x.bit_length() < 1000 else hex(x)
+
+
 def _shown(value) -> str:
     """A value in an error message, cut where it would fill the line."""
-    text = repr(value)
+    text = _Outline().repr(value)
     return text if len(text) <= LONGEST_SHOWN else text[:LONGEST_SHOWN] + "..."
 
 
@@ -129,7 +144,7 @@ def unknown_name(name: str, known: Iterable[str], field: str) -> InputError:
     known = list(known)
     nearest = difflib.get_close_matches(name, known, n=1)
     allowed = f"did you mean {nearest[0]}?" if nearest else "one of " + ", ".join(known)
-    return InputError(field, name, allowed, f"{name!r} is unknown")
+    return InputError(field, name, allowed, f"{_shown(name)} is unknown")
 
 
 def validated(declaring_class, values: Mapping, prefix: str = "") -> dict:

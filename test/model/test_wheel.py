@@ -123,15 +123,24 @@ def test_brakes_hold_a_vehicle_on_a_grade_up_to_their_capacity_and_brake_it_beyo
         assert gained == pytest.approx(expected, rel=0.02)  # the radius is a mean; seen 0.3 %
 
 
-def test_a_locked_wheel_stays_locked_while_its_tire_slides(vehicle):
+@pytest.mark.parametrize("direction", [1, -1])
+def test_a_locked_wheel_stays_locked_while_its_tire_slides_and_its_force_opposes_that(
+    vehicle, direction
+):
     simulation = Simulation(vehicle, step=STEP)
     simulation.reset(15.0)
+    if direction < 0:  # in reverse
+        simulation.state.u *= -1.0
+        simulation.state.wheel_speed *= -1.0
     command = Command(brake_torque=everywhere(6000.0))
     spins(simulation, command, 0.2)
     seen = spins(simulation, command, 1.0)
-    assert simulation.state.u > 3.0, "it has stopped"
+    assert direction * simulation.state.u > 3.0, "it has stopped"
     assert (seen == 0.0).all()
-    assert np.abs(simulation.outputs.slip_ratio + 1).max() < 0.02  # slip of a locked wheel: -1
+    # slip of a locked wheel: -1, times the way it goes
+    assert np.abs(direction * simulation.outputs.slip_ratio + 1).max() < 0.02
+    force, load = simulation.outputs.longitudinal_force, simulation.outputs.normal_force
+    assert (-direction * force > 0.5 * load).all()
 
 
 def test_a_locked_wheel_turns_again_when_its_brake_lets_it(vehicle):

@@ -1,7 +1,7 @@
 """Nothing that is read is run, nothing of any size is read, and no file is named while running."""
 
 import ast
-from pathlib import Path
+import re
 
 import pytest
 
@@ -13,6 +13,7 @@ RUNS_WHAT_IT_READS = {
     *("pickle.load", "pickle.loads", "pickle.Unpickler", "marshal.loads", "shelve.open"),
     *("yaml.full_load", "yaml.unsafe_load", "yaml.load_all"),
 }
+OF_YAML = re.compile(r"yaml\..*load|_\w*Loader$", re.IGNORECASE)
 READS_WHOLE_FILES = {"read_text", "read_bytes", "read", "readlines", "loadtxt", "genfromtxt"}
 MAY_READ = {
     "vehicle_roll_sim/vehicle/text_file.py": "which has the limit",
@@ -48,12 +49,9 @@ def test_nothing_that_is_read_is_run(calls):
 
 
 def test_yaml_makes_plain_values_only(calls, sources):
-    loads = [(file, call) for file, name, call in calls if name == "yaml.load"]
-    assert len(loads) == 1
-    ((file, call),) = loads
-    loader = ast.unparse(argument(call, "Loader"))
-    assert f"class {loader}(yaml.SafeLoader)" in sources["vehicle_roll_sim.vehicle.vehicle_file"]
-    assert Path(file).name == "vehicle_file.py"
+    loaders = [(file, name) for file, name, _ in calls if OF_YAML.match(name)]
+    assert loaders == [("vehicle_roll_sim/vehicle/vehicle_file.py", "_Loader")]
+    assert "class _Loader(yaml.SafeLoader)" in sources["vehicle_roll_sim.vehicle.vehicle_file"]
 
 
 def test_no_file_is_read_whole_without_a_limit(calls):

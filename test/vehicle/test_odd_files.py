@@ -1,9 +1,9 @@
 """Files as they come in practice, and values that trip a parser: read right, or refused."""
 
 import pytest
-from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, refused, write
+from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, line_of, refused, write
 
-from vehicle_roll_sim import load_tire, load_vehicle
+from vehicle_roll_sim import InputError, load_tire, load_vehicle
 
 
 @pytest.fixture
@@ -39,8 +39,9 @@ def test_a_comment_may_touch_the_value(tire_of):
 
 
 def test_a_coefficient_in_two_sections_is_refused(tire_of):
-    with refused("PCX1", "[SECOND]", "twice"):
-        tire_of(REFERENCE_TIR + "[SECOND]\nPCX1 = 1.7\n")
+    text = REFERENCE_TIR + "[SECOND]\nPCX1 = 1.7\n"
+    with refused(line_of(text, "PCX1"), "PCX1", "[SECOND]", "twice"):
+        tire_of(text)
 
 
 @pytest.mark.parametrize("line", ["KPUMIN = nan", "FNOMIN = 1e308"])
@@ -65,6 +66,9 @@ ODD_VALUES = [
     "!!float abc",
     "!!bool abc",
     "!!map abc",
+    "!!timestamp abc",
+    "\x01",
+    r'"\UFFFFFFFF"',
     "!!python/object/apply:os.getcwd []",
 ]
 
@@ -72,7 +76,7 @@ ODD_VALUES = [
 @pytest.mark.parametrize("value", ODD_VALUES, ids=lambda value: value[:20])
 def test_a_value_that_trips_the_parser_is_refused_in_one_line(tmp_path, value):
     text = edited(REFERENCE_YAML, "sprung_mass", f"sprung_mass: {value}")
-    with refused("a.yaml"):
+    with refused("a.yaml", line_of(text, "sprung_mass")):
         load_vehicle(write(tmp_path, "a.yaml", text))
 
 
@@ -80,3 +84,41 @@ def test_a_tire_name_that_no_file_can_have_is_refused(tmp_path):
     text = edited(REFERENCE_YAML, "tire", r'tire: "a\0b"')
     with refused("null"):
         load_vehicle(write(tmp_path, "a.yaml", text))
+
+
+NESTED = "".join(f", &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]" for n in range(1, 6))
+SMALL_FILES_OF_MUCH = {
+    "nested aliases": f"sprung_mass: [&a0 [{', '.join('1' * 10)}]{NESTED}]\n",
+    "merged keys": "a: &b0 {x: 1}\n"
+    + "".join(f"b{n}: &b{n} {{<<: [*b{n - 1}, *b{n - 1}]}}\n" for n in range(1, 16)),
+    "a merge of itself": "sprung_mass: 1\n<<: {roll_inertia: 1}\n",
+    "a number in parts of 60": "sprung_mass: 1" + ":1" * 30_000,
+}
+
+
+@pytest.mark.parametrize("case", SMALL_FILES_OF_MUCH)
+def test_a_small_file_that_would_take_much_time_or_memory_is_refused_by_its_line(tmp_path, case):
+    """Of more levels none would end: each has ten times, or twice, what the one before has."""
+    line = {"merged keys": 2, "a merge of itself": 2}.get(case, 1)
+    with refused("a.yaml", f"in line {line}:"):
+        load_vehicle(write(tmp_path, "a.yaml", SMALL_FILES_OF_MUCH[case]))
+
+
+class Counted:
+    """Something that counts how often it is written out."""
+
+    times = 0
+
+    def __repr__(self):
+        Counted.times += 1
+        return "something"
+
+
+def test_of_a_large_value_no_more_is_written_out_than_is_shown():
+    value = Counted()
+    for _ in range(5):
+        value = [value] * 10
+    for wrong in (value, {"a": value}, (value,), [Counted()] * 100_000, "x" * 10**6, 16**5000):
+        assert len(str(InputError("name", wrong, "a number"))) < 120
+    assert Counted.times < 100
+    assert "[1, 'a', {'b': None}] is not" in str(InputError("name", [1, "a", {"b": None}], ""))

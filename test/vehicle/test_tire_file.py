@@ -1,7 +1,7 @@
 """Tire files: what is understood is understood rightly, the rest is refused in one line."""
 
 import pytest
-from vehicle_files import REFERENCE_TIR, edited, refused, write
+from vehicle_files import REFERENCE_TIR, edited, line_of, refused, write
 
 from vehicle_roll_sim import InputError, load_tire
 from vehicle_roll_sim.model.tire import REQUIRED
@@ -95,8 +95,9 @@ def test_lengths_in_millimetres_are_accepted_and_change_no_coefficient(tire_from
     ],
 )
 def test_a_unit_that_is_not_understood_is_refused(tire_from, path, name, unit):
-    with refused(path, name):
-        tire_from(edited(REFERENCE_TIR, name, f"{name} = '{unit}'"))
+    text = edited(REFERENCE_TIR, name, f"{name} = '{unit}'")
+    with refused(path, line_of(text, name), name, repr(unit)):
+        tire_from(text)
 
 
 @pytest.mark.parametrize("name", REQUIRED)
@@ -107,8 +108,9 @@ def test_a_coefficient_without_which_there_is_no_tire_may_not_be_missing(tire_fr
 
 @pytest.mark.parametrize("value", ["many", "1,5", "", "nan", "inf", "1e999", "1.2.3"])
 def test_a_coefficient_that_is_no_finite_number_is_refused(tire_from, path, value):
-    with refused(path, "PKY1"):
-        tire_from(edited(REFERENCE_TIR, "PKY1", f"PKY1 = {value}"))
+    text = edited(REFERENCE_TIR, "PKY1", f"PKY1 = {value}")
+    with refused(path, line_of(text, "PKY1"), "PKY1", repr(value)):
+        tire_from(text)
 
 
 @pytest.mark.parametrize(
@@ -116,19 +118,23 @@ def test_a_coefficient_that_is_no_finite_number_is_refused(tire_from, path, valu
     [("FNOMIN", -1), ("FNOMIN", 0), ("LFZO", 0), ("PCX1", 0), ("PCY1", 0), ("PKY2", 0)],
 )
 def test_a_number_that_the_formula_would_divide_by_is_not_zero(tire_from, path, name, value):
-    with refused(path, name):
-        tire_from(edited(REFERENCE_TIR, name, f"{name} = {value}"))
+    text = edited(REFERENCE_TIR, name, f"{name} = {value}")
+    with refused(path, line_of(text, name), name, f"{value:.1f} is not allowed"):
+        tire_from(text)
 
 
 def test_a_key_that_stands_twice_is_refused(tire_from, path):
-    with refused(path, "PKX1"):
-        tire_from(edited(REFERENCE_TIR, "PKX1", "PKX1 = 21.51\nPKX1 = 22.0"))
+    text = edited(REFERENCE_TIR, "PKX1", "PKX1 = 21.51\nPKX1 = 22.0")
+    with refused(path, line_of(text, "PKX1"), "PKX1"):
+        tire_from(text)
 
 
 @pytest.mark.parametrize("given", ["'FTIRE'", "'MF_62'", "", "6.1"])
 def test_another_kind_of_tire_model_is_refused(tire_from, path, given):
-    with refused(path, "PROPERTY_FILE_FORMAT"):
-        tire_from(edited(REFERENCE_TIR, "PROPERTY_FILE_FORMAT", f"PROPERTY_FILE_FORMAT = {given}"))
+    name = "PROPERTY_FILE_FORMAT"
+    text = edited(REFERENCE_TIR, name, f"{name} = {given}")
+    with refused(path, line_of(text, name), name):
+        tire_from(text)
 
 
 def test_a_file_that_does_not_say_what_it_is_is_refused(tire_from, path):
@@ -143,7 +149,7 @@ def test_of_the_versions_those_up_to_5_2_are_read(tire_from, path, version, allo
     if allowed:
         assert tire_from(text).coefficients == tire_from(REFERENCE_TIR).coefficients
         return
-    with refused(path, "FITTYP"):
+    with refused(path, line_of(text, "FITTYP"), "FITTYP"):
         tire_from(text)
 
 
@@ -153,8 +159,9 @@ def test_the_side_of_the_tire_is_read(tire_from, given, side):
 
 
 def test_a_side_that_no_vehicle_has_is_refused(tire_from, path):
-    with refused(path, "TYRESIDE"):
-        tire_from(edited(REFERENCE_TIR, "TYRESIDE", "TYRESIDE = 'middle'"))
+    text = edited(REFERENCE_TIR, "TYRESIDE", "TYRESIDE = 'middle'")
+    with refused(path, line_of(text, "TYRESIDE"), "TYRESIDE", "'middle'"):
+        tire_from(text)
 
 
 @pytest.mark.parametrize(

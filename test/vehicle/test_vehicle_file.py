@@ -4,7 +4,7 @@ from dataclasses import MISSING
 
 import numpy as np
 import pytest
-from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, refused, write
+from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, line_of, refused, write
 
 from vehicle_roll_sim import Vehicle, load_vehicle, preset
 from vehicle_roll_sim.declaration import parameters_of
@@ -98,8 +98,9 @@ def test_every_value_of_the_file_arrives_under_its_name(vehicle_from, name):
 
 @pytest.mark.parametrize(("name", "value"), WRONG)
 def test_a_value_that_is_not_allowed_is_refused(vehicle_from, path, name, value):
-    with refused(path, name):
-        vehicle_from(edited(WHOLE_YAML, name, f"{name}: {value}"))
+    text = edited(WHOLE_YAML, name, f"{name}: {value}")
+    with refused(path, line_of(text, name), name):
+        vehicle_from(text)
 
 
 @pytest.mark.parametrize("name", [n for n, p in PARAMETERS.items() if p.minimum > 0])
@@ -116,8 +117,9 @@ def test_a_missing_key_is_named(vehicle_from, path, name):
 
 @pytest.mark.parametrize("name", [*PARAMETERS, "tire"])
 def test_a_key_that_stands_twice_is_named(vehicle_from, path, name):
-    with refused(path, name):
-        vehicle_from(WHOLE_YAML + f"{name}: 1.0\n")
+    text = WHOLE_YAML + f"{name}: 1.0\n"
+    with refused(path, line_of(text, name), name):
+        vehicle_from(text)
 
 
 @pytest.mark.parametrize(
@@ -130,8 +132,9 @@ def test_whole_numbers_and_powers_of_ten_are_numbers(vehicle_from, text, value):
 
 
 def test_a_misspelt_key_is_named_with_the_one_that_was_meant(vehicle_from, path):
-    with refused(path, "sprung_mas", "sprung_mass"):
-        vehicle_from(REFERENCE_YAML + "sprung_mas: 1000.0\n")
+    text = REFERENCE_YAML + "sprung_mas: 1000.0\n"
+    with refused(path, line_of(text, "sprung_mas:"), "sprung_mas", "sprung_mass"):
+        vehicle_from(text)
 
 
 def test_a_misspelt_name_among_replaced_values_is_named_with_the_one_that_was_meant():
@@ -153,8 +156,9 @@ def test_moments_of_inertia_that_no_body_has_are_refused(vehicle_from, path, nam
     others = sum(SOURCE[n] for n in SOURCE if n.endswith("_inertia") and n != "wheel_inertia")
     limit = others - SOURCE[name]
     vehicle_from(edited(REFERENCE_YAML, name, f"{name}: {limit}"))  # a flat body
-    with refused(path, name):
-        vehicle_from(edited(REFERENCE_YAML, name, f"{name}: {limit + 0.1}"))
+    text = edited(REFERENCE_YAML, name, f"{name}: {limit + 0.1}")
+    with refused(path, line_of(text, name), name):
+        vehicle_from(text)
 
 
 @pytest.mark.parametrize(
@@ -168,8 +172,9 @@ def test_a_vehicle_that_does_not_stand_on_its_wheels_is_refused(vehicle_from, pa
 
 @pytest.mark.parametrize("given", ["3", "", "[a.tir]", "true"])
 def test_a_tire_that_is_no_name_of_a_file_is_refused(vehicle_from, path, given):
-    with refused(path, "tire"):
-        vehicle_from(edited(REFERENCE_YAML, "tire", f"tire: {given}"))
+    text = edited(REFERENCE_YAML, "tire", f"tire: {given}")
+    with refused(path, line_of(text, "tire:"), "tire"):
+        vehicle_from(text)
 
 
 def test_a_tire_file_that_is_missing_or_wrong_is_named(vehicle_from, tmp_path):

@@ -21,6 +21,12 @@ def edited(text: str, name: str, line: str) -> str:
     return "\n".join(lines) + "\n"
 
 
+def line_of(text: str, name: str) -> str:
+    """How a refusal says in which line `name` begins, the last one of them."""
+    numbers = [n for n, line in enumerate(text.splitlines(), 1) if line.startswith(name)]
+    return f" line {numbers[-1]}:"
+
+
 def write(folder: Path, name: str, content: str | bytes) -> Path:
     path = folder / name
     path.write_bytes(content if isinstance(content, bytes) else content.encode())

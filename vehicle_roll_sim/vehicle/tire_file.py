@@ -4,6 +4,7 @@ import dataclasses
 import math
 import re
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -60,12 +61,19 @@ class Tire:
         return dataclasses.replace(self, coefficients=self.coefficients | values)
 
 
+class Entry(NamedTuple):
+    """What stands behind a key, and where: file, line and key."""
+
+    text: str
+    where: str
+
+
 def load_tire(path: str | Path) -> Tire:
-    """Read a .tir file; raises InputError naming the file and the line or key."""
+    """Read a .tir file; raises InputError naming file, line and key."""
     path = Path(path)
     sections = _sections(path)
-    units = {name: _unit(path, sections.get("UNITS", {}), name) for name in UNITS}
-    values = _values(path, sections)
+    units = {name: _unit(sections.get("UNITS", {}), name) for name in UNITS}
+    values = _values(sections)
     _check_format(path, values)
     coefficients = {}
     for name in (*DEFAULTS, *REQUIRED):
@@ -73,19 +81,19 @@ def load_tire(path: str | Path) -> Tire:
         coefficients[name] = _number(path, values, name, unit)
     for name in ("FNOMIN", "LFZO"):
         if coefficients[name] <= 0.0:
-            raise InputError(f"{path}: {name}", coefficients[name], "a number above 0")
+            raise InputError(values[name].where, coefficients[name], "a number above 0")
     for name in ("PCX1", "LCX", "PCY1", "LCY", "PKY2"):
         if coefficients[name] == 0.0:
-            raise InputError(f"{path}: {name}", 0.0, "any number but 0")
-    side = values.get("TYRESIDE", "left").lower()
+            raise InputError(values[name].where, 0.0, "any number but 0")
+    side = values["TYRESIDE"].text.lower() if "TYRESIDE" in values else "left"
     if side not in SIDES:
-        raise InputError(f"{path}: TYRESIDE", side, " or ".join(SIDES))
+        raise InputError(values["TYRESIDE"].where, side, " or ".join(SIDES))
     return Tire(coefficients, side, str(path))
 
 
-def _sections(path: Path) -> dict[str, dict[str, str]]:
+def _sections(path: Path) -> dict[str, dict[str, Entry]]:
     """Every KEY = VALUE of the file by section, in upper case; rows of tables are passed over."""
-    sections: dict[str, dict[str, str]] = {}
+    sections: dict[str, dict[str, Entry]] = {}
     entries = None
     for number, line in enumerate(read_text(path).splitlines(), 1):
         where = f"{path}: line {number}"
@@ -97,53 +105,58 @@ def _sections(path: Path) -> dict[str, dict[str, str]]:
             key = entry["key"].upper()
             if key in entries:
                 raise InputError(where, key, "each key once in its section", f"second {key}")
-            entries[key] = entry["value"].strip().strip("'\"")
+            entries[key] = Entry(entry["value"].strip().strip("'\""), f"{where}: {key}")
         elif not PASSED_OVER.match(line):
             raise InputError(where, line.strip()[:40], "[SECTION] or KEY = VALUE")
     return sections
 
 
-def _values(path: Path, sections: dict[str, dict[str, str]]) -> dict[str, str]:
+def _values(sections: dict[str, dict[str, Entry]]) -> dict[str, Entry]:
     """The entries that are used here; none may stand in two sections."""
     used = {*DEFAULTS, *REQUIRED, "TYRESIDE", "PROPERTY_FILE_FORMAT", "FITTYP"}
     values = {}
     for section, entries in sections.items():
         for key in used & entries.keys():
             if key in values:
-                allowed = "each coefficient in one section"
-                raise InputError(f"{path}: [{section}] {key}", entries[key], allowed, "given twice")
+                text, where = entries[key]
+                again = f"given twice, again in [{section}]"
+                raise InputError(where, text, "each coefficient in one section", again)
             values[key] = entries[key]
     return values
 
 
-def _check_format(path: Path, values: dict[str, str]) -> None:
-    given = values.get("PROPERTY_FILE_FORMAT")
-    if given is None or given.upper() not in FORMATS:
-        raise InputError(f"{path}: PROPERTY_FILE_FORMAT", given, "one of " + ", ".join(FORMATS))
-    version = values.get("FITTYP", FITTYPES[0])
-    if version not in FITTYPES:
-        raise InputError(f"{path}: FITTYP", version, "one of " + ", ".join(FITTYPES))
+def _check_format(path: Path, values: dict[str, Entry]) -> None:
+    given, allowed = values.get("PROPERTY_FILE_FORMAT"), "one of " + ", ".join(FORMATS)
+    if given is None:
+        raise InputError(f"{path}: PROPERTY_FILE_FORMAT", None, allowed)
+    if given.text.upper() not in FORMATS:
+        raise InputError(given.where, given.text, allowed)
+    version = values.get("FITTYP")
+    if version and version.text not in FITTYPES:
+        raise InputError(version.where, version.text, "one of " + ", ".join(FITTYPES))
 
 
-def _unit(path: Path, units: dict[str, str], quantity: str) -> float:
+def _unit(units: dict[str, Entry], quantity: str) -> float:
     """The file's unit of a quantity in SI; a file without one is in SI."""
-    known = UNITS[quantity]
-    given = units.get(quantity, next(iter(known)))
-    if given.lower() not in known:
-        raise InputError(f"{path}: unit of {quantity}", given, "one of " + ", ".join(known))
-    return known[given.lower()]
+    if quantity not in units:
+        return 1.0
+    known, given = UNITS[quantity], units[quantity]
+    if given.text.lower() not in known:
+        raise InputError(f"{given.where}: unit", given.text, "one of " + ", ".join(known))
+    return known[given.text.lower()]
 
 
-def _number(path: Path, values: dict[str, str], name: str, unit: float) -> float:
+def _number(path: Path, values: dict[str, Entry], name: str, unit: float) -> float:
     """A coefficient in SI, or its default."""
     if name not in values:
         if name in REQUIRED:
             raise InputError(f"{path}: {name}", None, "a number is wanted")
         return DEFAULTS[name]
+    text, where = values[name]
     try:
-        number = float(values[name]) * unit
+        number = float(text) * unit
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
-        raise InputError(f"{path}: {name}", values[name], "a finite number")
+        raise InputError(where, text, "a finite number")
     return number

@@ -7,70 +7,112 @@ from pathlib import Path
 
 import yaml
 
-from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name, validated
+from vehicle_roll_sim.declaration import LONGEST_SHOWN, InputError, parameters_of, unknown_name
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.text_file import read_text
 from vehicle_roll_sim.vehicle.tire_file import load_tire
 
 A_MAPPING = "a YAML mapping of parameter names to values is wanted"
+LONGEST_VALUE = 4096
+"""Characters. So long may a file's name be; a number in parts of 60 costs the square of this."""
+LONGEST_PROBLEM = 200
+"""Characters of what YAML says of a file that an error message shows."""
+MERGE = "tag:yaml.org,2002:merge"
+ODD_VALUE = (ValueError, LookupError, TypeError, ArithmeticError, AttributeError)
+"""What YAML raises, beside its own errors, for a value with a wrong or odd tag."""
 PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 
 
-class _UniqueKeyLoader(yaml.SafeLoader):
-    """YAML's safe loader, which also refuses a key that stands twice."""
+class _Loader(yaml.SafeLoader):
+    """YAML's safe loader, for a file of plain names and values.
+
+    It refuses a key that stands twice or is no name, aliases and merge keys, with which a small
+    file holds any number of values, and values that are too long for a number or a file's name.
+    """
+
+    def compose_node(self, parent, index):
+        if self.check_event(yaml.AliasEvent):
+            alias = self.peek_event()
+            raise _refused(f"alias {alias.anchor[:20]!r} is not allowed", alias.start_mark)
+        node = super().compose_node(parent, index)
+        if isinstance(node, yaml.ScalarNode) and len(node.value) > LONGEST_VALUE:
+            raise _refused(f"{len(node.value)} characters are too many", node.start_mark)
+        return node
+
+    def construct_object(self, node, deep=False):
+        try:
+            return super().construct_object(node, deep)
+        except ODD_VALUE as error:
+            raise _refused(f"{type(error).__name__}: {error}", node.start_mark) from None
 
     def construct_mapping(self, node, deep=False):
         seen = set()
-        pairs = node.value if isinstance(node, yaml.MappingNode) else ()
-        for key_node, _ in pairs:
-            if isinstance(key_node, yaml.ScalarNode) and key_node.value in seen:
-                raise yaml.constructor.ConstructorError(
-                    problem=f"key {key_node.value!r} stands twice",
-                    problem_mark=key_node.start_mark,
-                )
-            seen.add(key_node.value if isinstance(key_node, yaml.ScalarNode) else None)
+        for key, _ in node.value if isinstance(node, yaml.MappingNode) else ():
+            if not isinstance(key, yaml.ScalarNode) or key.tag == MERGE:
+                raise _refused("a key that is no name", key.start_mark)
+            if key.value in seen:
+                raise _refused(f"key {key.value[:LONGEST_SHOWN]!r} stands twice", key.start_mark)
+            seen.add(key.value)
         return super().construct_mapping(node, deep)
 
 
-_UniqueKeyLoader.add_implicit_resolver(  # YAML 1.1 takes 35e3 for text
+def _refused(problem: str, mark: yaml.Mark) -> yaml.MarkedYAMLError:
+    return yaml.MarkedYAMLError(problem=problem, problem_mark=mark)
+
+
+_Loader.add_implicit_resolver(  # YAML 1.1 takes 35e3 for text
     "tag:yaml.org,2002:float", re.compile(r"[-+]?\d+[eE][-+]?\d+$"), list("-+0123456789")
 )
 
 
 def load_vehicle(path: str | Path) -> Vehicle:
-    """Read a vehicle file and the tire file it names; raises InputError naming file and key."""
+    """Read a vehicle file and the tire file it names; raises InputError naming file, line, key."""
     path = Path(path)
-    values = _mapping(path)
-    prefix = f"{path}: "
-    expected = (*parameters_of(Vehicle), "tire")
+    values, lines = _mapping(path)
+    where = {name: f"{path}: line {line}: {name}" for name, line in lines.items()}
+    known = parameters_of(Vehicle)
+    expected = (*known, "tire")
     for name in values:
         if name not in expected:
-            raise unknown_name(name, expected, f"{path}: name")
-    optional = {n for n, p in parameters_of(Vehicle).items() if p.default is not MISSING}
+            raise unknown_name(name, expected, f"{path}: line {lines[name]}: name")
+    optional = {n for n, p in known.items() if p.default is not MISSING}
     missing = [name for name in expected if name not in values and name not in optional]
     if missing:
-        raise InputError(prefix + missing[0], None, "every parameter must be given")
+        raise InputError(f"{path}: {missing[0]}", None, "every parameter must be given")
     tire = values.pop("tire")
     if not isinstance(tire, str) or not tire:
-        raise InputError(prefix + "tire", tire, "the name of a .tir file")
-    numbers = validated(Vehicle, values, prefix)
-    return Vehicle.checked(numbers, load_tire(path.parent / tire), prefix)
+        raise InputError(where["tire"], tire, "the name of a .tir file")
+    numbers = {name: known[name].validate(value, where[name]) for name, value in values.items()}
+    tire = load_tire(path.parent / tire)
+    try:
+        return Vehicle(**numbers, tire=tire)
+    except InputError as error:  # values that do not go together
+        raise InputError(where[error.field], error.value, error.allowed) from None
 
 
-def _mapping(path: Path) -> dict:
+def _mapping(path: Path) -> tuple[dict, dict[str, int]]:
+    """The values of a file, and the line of each, by name."""
     text = read_text(path)
     try:
-        values = yaml.load(text, Loader=_UniqueKeyLoader)
+        loader = _Loader(text)
+        node = loader.get_single_node()
+        values = loader.construct_document(node) if node else None
+    except yaml.reader.ReaderError as error:
+        line = text.count("\n", 0, error.position) + 1
+        raise _no_mapping(path, f"{error.reason} in line {line}") from None
     except yaml.YAMLError as error:
-        raise InputError(f"vehicle file {path}", "", A_MAPPING, _where(error)) from None
+        raise _no_mapping(path, _where(error)) from None
     except RecursionError:
-        raise InputError(f"vehicle file {path}", "", A_MAPPING, "nested too deep") from None
-    except (ValueError, LookupError, TypeError) as error:  # of a value with a wrong or odd tag
-        problem = " ".join(f"{type(error).__name__}: {error}".split())
-        raise InputError(f"vehicle file {path}", "", A_MAPPING, problem) from None
+        raise _no_mapping(path, f"nested too deep in line {loader.get_mark().line + 1}") from None
+    except ODD_VALUE as error:  # of an escaped character that there is not
+        raise _no_mapping(path, f"{error} in line {loader.get_mark().line + 1}") from None
     if not isinstance(values, dict) or not all(isinstance(name, str) for name in values):
-        raise InputError(f"vehicle file {path}", values, A_MAPPING, "no NAME: VALUE lines")
-    return values
+        raise _no_mapping(path, "no NAME: VALUE lines")
+    return values, {key.value: key.start_mark.line + 1 for key, _ in node.value}
+
+
+def _no_mapping(path: Path, problem: str) -> InputError:
+    return InputError(f"vehicle file {path}", "", A_MAPPING, problem)
 
 
 def _where(error: yaml.YAMLError) -> str:
@@ -78,7 +120,7 @@ def _where(error: yaml.YAMLError) -> str:
     mark = getattr(error, "problem_mark", None)
     problem = getattr(error, "problem", None) or str(error)
     line = f" in line {mark.line + 1}" if mark else ""
-    return " ".join(problem.split()) + line
+    return " ".join(problem.split())[:LONGEST_PROBLEM] + line
 
 
 def preset(name: str = "reference") -> Vehicle:
