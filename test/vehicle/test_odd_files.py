@@ -80,6 +80,21 @@ def test_a_value_that_trips_the_parser_is_refused_in_one_line(tmp_path, value):
         load_vehicle(write(tmp_path, "a.yaml", text))
 
 
+@pytest.mark.parametrize("value", ["01440", "0x5a0", "0b1", "24:00", "20:30.5", "1_440", "1_0.5"])
+def test_a_number_that_is_no_decimal_one_is_refused(tmp_path, value):
+    """YAML 1.1 takes 01440 for 800 and 24:00 for 1440."""
+    text = edited(REFERENCE_YAML, "sprung_mass", f"sprung_mass: {value}")
+    with refused("a.yaml", f"{value} is no decimal number", line_of(text, "sprung_mass")):
+        load_vehicle(write(tmp_path, "a.yaml", text))
+
+
+@pytest.mark.parametrize("value", ["1440", "1440.", "+1440.0", "1.44e3", "1.44E+3", "144e1"])
+def test_a_decimal_number_may_be_written_in_any_way(tmp_path, value):
+    text = edited(REFERENCE_YAML, "sprung_mass", f"sprung_mass: {value}")
+    write(tmp_path, "reference.tir", REFERENCE_TIR)
+    assert load_vehicle(write(tmp_path, "a.yaml", text)).sprung_mass == 1440.0
+
+
 def test_a_tire_name_that_no_file_can_have_is_refused(tmp_path):
     text = edited(REFERENCE_YAML, "tire", r'tire: "a\0b"')
     with refused("null"):

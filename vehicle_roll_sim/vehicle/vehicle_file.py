@@ -17,6 +17,11 @@ LONGEST_VALUE = 4096
 """Characters. So long may a file's name be; a number in parts of 60 costs the square of this."""
 LONGEST_PROBLEM = 200
 """Characters of what YAML says of a file that an error message shows."""
+NUMBERS = ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float")
+DECIMAL = re.compile(
+    r"[-+]?((0|[1-9]\d*)(\.\d*)?|\.\d+)([eE][-+]?\d+)?|[-+]?\.inf|\.nan", re.ASCII | re.IGNORECASE
+)
+"""Numbers as everybody reads them: to YAML 1.1, 01440 is 800, 1:30 is 90 and 1_0 is 10."""
 MERGE = "tag:yaml.org,2002:merge"
 ODD_VALUE = (ValueError, LookupError, TypeError, ArithmeticError, AttributeError)
 """What YAML raises, beside its own errors, for a value with a wrong or odd tag."""
@@ -27,7 +32,8 @@ class _Loader(yaml.SafeLoader):
     """YAML's safe loader, for a file of plain names and values.
 
     It refuses a key that stands twice or is no name, aliases and merge keys, with which a small
-    file holds any number of values, and values that are too long for a number or a file's name.
+    file holds any number of values, values that are too long for a number or a file's name, and
+    numbers that are not written in decimal digits.
     """
 
     def compose_node(self, parent, index):
@@ -37,6 +43,8 @@ class _Loader(yaml.SafeLoader):
         node = super().compose_node(parent, index)
         if isinstance(node, yaml.ScalarNode) and len(node.value) > LONGEST_VALUE:
             raise _refused(f"{len(node.value)} characters are too many", node.start_mark)
+        if node.tag in NUMBERS and not DECIMAL.fullmatch(node.value):
+            raise _refused(f"{node.value[:LONGEST_SHOWN]} is no decimal number", node.start_mark)
         return node
 
     def construct_object(self, node, deep=False):
@@ -60,8 +68,8 @@ def _refused(problem: str, mark: yaml.Mark) -> yaml.MarkedYAMLError:
     return yaml.MarkedYAMLError(problem=problem, problem_mark=mark)
 
 
-_Loader.add_implicit_resolver(  # YAML 1.1 takes 35e3 for text
-    "tag:yaml.org,2002:float", re.compile(r"[-+]?\d+[eE][-+]?\d+$"), list("-+0123456789")
+_Loader.add_implicit_resolver(  # YAML 1.1 takes 35e3 and 3.5e4 for text
+    NUMBERS[1], re.compile(r"[-+]?(\d+\.?\d*|\.\d+)[eE][-+]?\d+$"), list("-+.0123456789")
 )
 
 
