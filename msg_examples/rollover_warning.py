@@ -19,7 +19,6 @@ from vehicle_roll_sim.analysis.rollover_prediction import (
     RolloverPredictor,
 )
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.ros.process import executor_of
 from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.simulator_client import SimulatorClient
 
@@ -43,9 +42,8 @@ class RolloverWarning(Controller):
         self.warned = False
 
     def prepare(self) -> None:
-        with executor_of(self) as executor:
-            simulator = SimulatorClient(self, executor, self.simulator)
-            vehicle, _ = simulated_vehicle(simulator.get)
+        simulator = SimulatorClient(self, self.executor, self.simulator)
+        vehicle, _ = simulated_vehicle(simulator.get)
         self.predictor = RolloverPredictor(vehicle, self.foresight)
 
     def answer(self, imu: Imu) -> list[float]:

@@ -49,24 +49,15 @@ def node_main(
 
 
 @contextlib.contextmanager
-def executor_of(node: Node) -> Iterator[Executor]:
-    """An executor for a node, which in the end is shut down before what it stands on is."""
+def lifetime(node: Node) -> Iterator[Executor]:
+    """An executor for a node; in the end it is shut down, and both are gone."""
     executor = SingleThreadedExecutor(context=node.context)
     executor.add_node(node)
     try:
         yield executor
     finally:
+        node.destroy_node()
         executor.shutdown()
-
-
-@contextlib.contextmanager
-def lifetime(node: Node) -> Iterator[Executor]:
-    """An executor for a node; in the end both are gone."""
-    with executor_of(node) as executor:
-        try:
-            yield executor
-        finally:
-            node.destroy_node()
 
 
 def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespace) -> int:

@@ -22,7 +22,7 @@ SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
 """s"""
 KEPT_EVERY = 0.5
 """s after which messages are on disk, should the recorder be killed."""
-LAST_LOOK, LONGEST_LAST_LOOK = 0.02, 1.5
+LAST_LOOK, LONGEST_LAST_LOOK = 0.02, 1.0
 """s to go on reading in the end: until nothing comes any more, and at most."""
 
 
