@@ -1,10 +1,12 @@
-"""Nodes that are told to go by a /clock which is absent or runs back, or that have no compiler."""
+"""Nodes that go by a /clock which is absent or runs back, or that have no compiler or no home."""
 
 import re
 
 import pytest
 from recordings import heard_so_far
 from rosgraph_msgs.msg import Clock
+
+from vehicle_roll_sim.model.jit import CACHE
 
 SIM_TIME = ("--ros-args", "-p", "use_sim_time:=true")
 SHORT = ("step_steer", "--duration", "1.5")
@@ -63,3 +65,27 @@ def test_a_simulator_without_numba_says_so_in_one_line_and_runs(start, peer, tmp
     status, out, err = simulator.finish(2)
     assert status == 0
     assert len([line for line in (out + err).splitlines() if "numba is not installed" in line]) == 1
+
+
+@pytest.mark.parametrize("home", [None, "/proc/none"], ids=["missing", "not writable"])
+def test_a_simulator_without_a_home_says_where_its_logs_are_and_runs(
+    start, peer, monkeypatch, tmp_path, home
+):
+    """Under /proc nobody can make a folder, not even root."""
+    for name in ("ROS_LOG_DIR", "ROS_HOME", "HOME"):
+        monkeypatch.delenv(name, raising=False)
+    if home:
+        monkeypatch.setenv("HOME", home)
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    if CACHE:
+        monkeypatch.setenv("XDG_CACHE_HOME", str(CACHE.parents[1]))  # nothing to compile
+    simulator = start("simulator")
+    peer.listen("state")
+    peer.newest("state")
+    status, _, err = simulator.finish(2)
+    assert status == 0
+    (folder,) = tmp_path.glob("ros_log_*")
+    assert [line for line in err.splitlines() if "log" in line] == [
+        f"simulator: ~/.ros/log cannot be written, logs are in {folder}"
+    ]
+    assert list(folder.iterdir())

@@ -2,7 +2,11 @@
 
 import argparse
 import contextlib
+import os
+import sys
+import tempfile
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import rclpy
 from rclpy.exceptions import NameValidationException, NotInitializedException
@@ -37,6 +41,7 @@ def node_main(
         arguments = parser.parse_args(_without_ros_arguments(words))
         try:
             prepare()
+            _find_log_folder(parser.prog)
             _initialise(words)
             ending.shutting_down(_shut_down)
             return _run(body, arguments)
@@ -81,6 +86,26 @@ def _without_ros_arguments(words: list[str]) -> list[str]:
         return remove_ros_args(words)[1:]
     except RuntimeError as error:
         raise _not_started(error) from None
+
+
+def _find_log_folder(program: str) -> None:
+    """Where ROS could not write its logs, as without a home, they get a temporary folder."""
+    if os.environ.get("ROS_LOG_DIR") or os.environ.get("ROS_HOME"):
+        return
+    home = os.environ.get("HOME")
+    if home and _is_writable(Path(home, ".ros", "log")):
+        return
+    folder = os.environ["ROS_LOG_DIR"] = tempfile.mkdtemp(prefix="ros_log_")
+    print(f"{program}: ~/.ros/log cannot be written, logs are in {folder}", file=sys.stderr)
+
+
+def _is_writable(folder: Path) -> bool:
+    """Whether a folder, which is made if need be, takes files."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return False
+    return os.access(folder, os.W_OK | os.X_OK)
 
 
 def _initialise(words: list[str]) -> None:
