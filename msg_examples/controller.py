@@ -20,7 +20,12 @@ from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 
 from vehicle_roll_sim.arguments import OneLineParser
-from vehicle_roll_sim.ros.process import LOOK, lifetime, node_main
+from vehicle_roll_sim.ros.process import (
+    LOOK,
+    lifetime,
+    node_main,
+    refuse_unknown_parameters,
+)
 
 ASK_AGAIN = 1.0
 """s after which a question is repeated: a node that has not found us yet drops its answer."""
@@ -94,6 +99,7 @@ def run(kind: type[Controller]) -> None:
 
     def body(_) -> int:
         controller = kind()
+        refuse_unknown_parameters(controller)
         with lifetime(controller):
             controller.run()
         return 0

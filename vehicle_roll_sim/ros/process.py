@@ -5,7 +5,7 @@ import contextlib
 import os
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import rclpy
@@ -16,12 +16,14 @@ from rclpy.signals import SignalHandlerOptions
 from rclpy.utilities import remove_ros_args
 
 from vehicle_roll_sim.arguments import exit_status
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.ros import ending
 
 LOOK = 0.05
 """s that a loop waits in `spin_once`, always the same: an executor that is asked with another
 timeout than before begins with its first subscription again, and the last ones would starve."""
+OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides.")
+"""Parameters, or beginnings of their names, that rclpy itself knows."""
 
 
 def node_main(
@@ -51,6 +53,17 @@ def node_main(
             _shut_down()
 
     return exit_status(command, parser.prog)
+
+
+def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
+    """Every parameter that was given must be known, or declared if `known` is empty.
+
+    Raises InputError with the nearest name.
+    """
+    known = list(known or node._parameters)
+    for name in node._parameter_overrides:  # rclpy shows them nowhere else
+        if name not in known and not name.startswith(OF_EVERY_NODE):
+            raise unknown_name(name, known, "parameter")
 
 
 @contextlib.contextmanager
