@@ -6,16 +6,27 @@ node has found it, and the answer has a listener. A chain of controllers thus co
 simulator on, and nobody misses the first set.
 """
 
-import contextlib
+import math
+import sys
+import time
+
+from vehicle_roll_sim.ros import ending
+
+ending.at_once()  # a signal that comes while rclpy is imported; later ones are seen to in `run`
 
 import rclpy
 from rcl_interfaces.msg import ParameterDescriptor
 from rcl_interfaces.srv import GetParameters
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
-LOOK = 0.02
-"""s between two looks for the others."""
+from vehicle_roll_sim.arguments import OneLineParser
+from vehicle_roll_sim.ros.process import (
+    LOOK,
+    lifetime,
+    node_main,
+    refuse_unknown_parameters,
+)
+
 ASK_AGAIN = 1.0
 """s after which a question is repeated: a node that has not found us yet drops its answer."""
 UNNAMED = "_NODE_NAME_UNKNOWN_"
@@ -50,11 +61,12 @@ class Controller(Node):
     def run(self) -> None:
         """Connect, then answer until the end."""
         while not self._others_are_there():
-            rclpy.spin_once(self, timeout_sec=LOOK)
+            self.executor.spin_once(timeout_sec=LOOK)
         self._make_known()
         self.prepare()
         self._publisher = self.create_publisher(self._said[1], self._said[0], KEPT)
-        rclpy.spin(self)
+        while rclpy.ok():
+            self.executor.spin_once(timeout_sec=LOOK)
 
     def _others_are_there(self) -> bool:
         publishers = self.get_publishers_info_by_topic(self._heard.topic_name)
@@ -69,11 +81,12 @@ class Controller(Node):
         other = self.get_publishers_info_by_topic(self._heard.topic_name)[0]
         name = f"{other.node_namespace.rstrip('/')}/{other.node_name}/get_parameters"
         client = self.create_client(GetParameters, name)
-        answer = None
+        asked, answer = -math.inf, None
         while not (answer and answer.done()):
-            client.wait_for_service(ASK_AGAIN)
-            answer = client.call_async(GetParameters.Request(names=["use_sim_time"]))
-            rclpy.spin_until_future_complete(self, answer, timeout_sec=ASK_AGAIN)
+            if client.service_is_ready() and time.monotonic() > asked + ASK_AGAIN:
+                asked = time.monotonic()
+                answer = client.call_async(GetParameters.Request(names=["use_sim_time"]))
+            self.executor.spin_once(timeout_sec=LOOK)
         self.destroy_client(client)
 
     def _listen(self, message) -> None:
@@ -82,12 +95,13 @@ class Controller(Node):
 
 
 def run(kind: type[Controller]) -> None:
-    """Run a controller until SIGINT or SIGTERM."""
-    rclpy.init()
-    try:
-        kind().run()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        with contextlib.suppress(RuntimeError):  # a signal is shutting down just now
-            rclpy.try_shutdown()
+    """Run a controller until SIGINT or SIGTERM, which end it with status 0."""
+
+    def body(_) -> int:
+        controller = kind()
+        refuse_unknown_parameters(controller)
+        with lifetime(controller):
+            controller.run()
+        return 0
+
+    sys.exit(node_main(OneLineParser(), body, sys.argv))

@@ -18,13 +18,11 @@ from vehicle_roll_sim.analysis.rollover_prediction import (
     Prediction,
     RolloverPredictor,
 )
-from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.ros.process import executor_of
 from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.simulator_client import SimulatorClient
 
-FORESIGHT = parameters_of(Foresight)
-"""Its numbers, by name."""
+FORESIGHT = ("horizon", "interval", "persistence", "smoothing")
+"""Its numbers."""
 
 
 class RolloverWarning(Controller):
@@ -37,15 +35,14 @@ class RolloverWarning(Controller):
         self.simulator = self.declare_parameter("simulator", "simulator").value  # node's name
         self.warning_time = self.parameter("warning_time", 0.5)  # warn that long before, s
         self.foresight = Foresight(
-            **{name: self.parameter(name, each.default) for name, each in FORESIGHT.items()}
+            **{name: self.parameter(name, getattr(Foresight, name)) for name in FORESIGHT}
         )
         self.warning = self.create_publisher(Bool, "rollover_warning", 10)
         self.warned = False
 
     def prepare(self) -> None:
-        with executor_of(self) as executor:
-            simulator = SimulatorClient(self, executor, self.simulator)
-            vehicle, _ = simulated_vehicle(simulator.get)
+        simulator = SimulatorClient(self, self.executor, self.simulator)
+        vehicle, _ = simulated_vehicle(simulator.get)
         self.predictor = RolloverPredictor(vehicle, self.foresight)
 
     def answer(self, imu: Imu) -> list[float]:

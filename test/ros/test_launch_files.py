@@ -118,6 +118,17 @@ def test_a_controller_of_ones_own_is_a_path(launching, tmp_path, answers, expect
     )
 
 
+def test_a_parameter_goes_to_the_scripts_that_name_it(launching):
+    given = {
+        "controller": "roll_braking",
+        "parameters": "smoothing:=0.1 threshold:=0.7 thrshold:=1",
+    }
+    actions = actions_of("controller", **given)
+    expected = {"smoothing": "0.1", "thrshold": "1"}
+    assert parameters_of(actions["rollover_warning"].cmd) == expected
+    assert parameters_of(actions["roll_braking"].cmd) == {"threshold": "0.7", "thrshold": "1"}
+
+
 def test_lockstep_waits_for_the_torques_of_a_manoeuvre_that_holds_its_speed(launching):
     for given in ({"manoeuvre": "step_steer"}, {"options": "--speed-hold 500"}):
         actions = actions_of("manoeuvre", lockstep="true", **given)

@@ -2,6 +2,7 @@
 
 import math
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import pytest
 import rclpy
@@ -14,6 +15,7 @@ from vehicle_roll_sim import InputError
 from vehicle_roll_sim.ros.parameters import PARAMETERS
 from vehicle_roll_sim.ros.simulator import Simulator
 
+EXAMPLES = Path(__file__).parents[2] / "msg_examples"
 PLAUSIBLE_RUN = 1000
 """s: far more than a test lasts, far less than the time since 1970."""
 WRONG = {
@@ -96,6 +98,25 @@ def test_a_misspelt_parameter_in_a_file_is_refused_with_the_nearest_name(context
     file.write_text("simulator: {ros__parameters: {wheel_torqe_limit: 100.0}}")
     with pytest.raises(InputError, match=r"wheel_torqe_limit.*did you mean wheel_torque_limit\?"):
         Simulator(context=context, cli_args=["--ros-args", "--params-file", str(file)])
+
+
+@pytest.mark.parametrize(
+    ("words", "allowed"),
+    [
+        (("manoeuvre", "j_turn"), "one of use_sim_time"),
+        (("recorder", "--output", "{}/bag"), "one of use_sim_time"),
+        (("active_roll_bar",), "did you mean share?"),
+    ],
+)
+def test_a_misspelt_parameter_of_any_node_is_refused(start, tmp_path, words, allowed):
+    name, *words = (word.format(tmp_path) for word in words)
+    program = EXAMPLES / f"{name}.py"
+    given = {"program": str(program)} if program.exists() else {}
+    node = start(name, *words, "--ros-args", "-p", "use_sim_time:=true", "-p", "shar:=0.5", **given)
+    status, out, err = node.finish()
+    assert (status, out, list(tmp_path.glob("bag"))) == (2, "", [])
+    assert f"error: parameter: 'shar' is unknown: {allowed}" in err
+    assert len(err.splitlines()) == 1
 
 
 def test_integers_serve_for_all_numbers_of_a_file(context, tmp_path):

@@ -1,5 +1,6 @@
 """SIGINT and SIGTERM end every node with status 0 and no traceback, whatever it is doing."""
 
+import itertools
 import re
 import signal
 import time
@@ -7,14 +8,16 @@ from pathlib import Path
 
 import pytest
 from peers import PATIENCE
-from recordings import read_bag
+from recordings import heard_so_far, read_bag
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
-WORDS = {"simulator": (), "manoeuvre": ("j_turn",), "recorder": ("--output", "{}/bag")}
+WORDS = {"simulator": (), "manoeuvre": ("j_turn",), "recorder": ("--output", "{}/bag{}")}
+EXAMPLES = Path(__file__).parents[2] / "msg_examples"
+CONTROLLERS = ("active_roll_bar", "rear_steering", "rollover_warning", "roll_braking")
 IMPORTING, IMPORTED, JOINING = "multiarray_umath", "rclpy_pybind", "librmw_fastrtps_cpp"
 """Libraries that a node reads in: at first, with rclpy, and when it joins the others."""
-LONGEST_END = 10.0
-"""s: five times what is promised, for a machine that does much else at the same time."""
+LONGEST_END = 2.0
+"""s"""
 
 
 def wait_for_library(process, name: str) -> None:
@@ -26,13 +29,18 @@ def wait_for_library(process, name: str) -> None:
         assert time.monotonic() < until, f"{name} is not read in"
 
 
-def ends_cleanly(node, signum) -> str:
-    """Send a signal; what was printed. The end must be quick, with status 0 and no traceback."""
-    sent = time.monotonic()
-    status, out, err = node.finish(signum)
-    assert time.monotonic() - sent < LONGEST_END
-    assert (status, "Traceback" in out + err) == (0, False), err
-    return out
+def ends_cleanly(begin, signum) -> str:
+    """Send a signal to the node that `begin()` starts; what was printed. The end must be quick, in
+    one of two tries on a busy machine, and each with status 0 and no traceback."""
+    for _ in range(2):
+        node = begin()
+        sent = time.monotonic()
+        status, out, err = node.finish(signum)
+        took = time.monotonic() - sent
+        assert (status, "Traceback" in out + err) == (0, False), err
+        if took < LONGEST_END:
+            return out
+    raise AssertionError(f"it took {took:.1f} s to end, and as long before")
 
 
 @pytest.mark.parametrize(
@@ -43,31 +51,80 @@ def ends_cleanly(node, signum) -> str:
 def test_a_node_that_is_starting_ends_as_cleanly_as_one_that_runs(
     start, tmp_path, module, moment, signum
 ):
-    node = start(module, *(word.format(tmp_path) for word in WORDS[module]))
-    wait_for_library(node.process, moment)
-    ends_cleanly(node, signum)
+    tries = itertools.count()
+
+    def starting():
+        number = next(tries)
+        node = start(module, *(word.format(tmp_path, number) for word in WORDS[module]))
+        wait_for_library(node.process, moment)
+        return node
+
+    ends_cleanly(starting, signum)
+
+
+@pytest.mark.parametrize(
+    ("moment", "signum"), [(IMPORTED, signal.SIGINT), (JOINING, signal.SIGTERM)]
+)
+@pytest.mark.parametrize("name", CONTROLLERS)
+def test_a_controller_that_is_starting_ends_as_cleanly(start, name, moment, signum):
+    def starting():
+        node = start("", program=str(EXAMPLES / f"{name}.py"))
+        wait_for_library(node.process, moment)
+        return node
+
+    ends_cleanly(starting, signum)
+
+
+@pytest.mark.parametrize("signum", SIGNALS)
+def test_a_controller_that_answers_ends_as_cleanly(start, peer, signum):
+    start("simulator")
+    start("", program=str(EXAMPLES / "rollover_warning.py"))
+    answers = {"normal_force_cmd": "active_roll_bar", "brake_torque_cmd": "roll_braking"}
+    for topic, name in answers.items():
+
+        def answering(topic=topic, name=name):
+            node = start("", program=str(EXAMPLES / f"{name}.py"))
+            peer.listen(topic)
+            peer.newest(topic)
+            return node
+
+        ends_cleanly(answering, signum)
 
 
 @pytest.mark.parametrize("signum", SIGNALS)
 def test_a_recorder_closes_its_bag_and_a_manoeuvre_leaves_no_file(start, peer, tmp_path, signum):
     start("simulator")
-    recorder = start("recorder", "--output", str(tmp_path / "bag"))
-    peer.wait_for_listener("state", "recorder")
-    peer.listen("applied_command")
-    driver = start("manoeuvre", "j_turn", "--csv", str(tmp_path / "rows.csv"))
-    peer.wait(lambda: peer.newest("applied_command").data[1] > 0.0, "the manoeuvre to steer")
-    ends_cleanly(driver, signum)
-    assert "messages in" in ends_cleanly(recorder, signum)
-    assert len(read_bag(tmp_path / "bag")["/state"]) > 50
-    assert (tmp_path / "bag" / "metadata.yaml").exists()
+    peer.listen("applied_command", "state")
+    tries = itertools.count()
+
+    def steering():
+        driver = start("manoeuvre", "j_turn", "--csv", str(tmp_path / "rows.csv"))
+        peer.wait(lambda: peer.newest("applied_command").data[1] > 0.0, "the manoeuvre to steer")
+        return driver
+
+    def recording():
+        bag = tmp_path / f"bag{next(tries)}"
+        recorder = start("recorder", "--output", str(bag))
+        peer.wait(lambda: "/state" in heard_so_far(bag), "the recorder to hear")
+        enough = len(peer.received["state"]) + 100
+        peer.wait(lambda: len(peer.received["state"]) > enough, "a second of driving")
+        return recorder
+
+    ends_cleanly(steering, signum)
+    assert "messages in" in ends_cleanly(recording, signum)
+    bag = max(tmp_path.glob("bag*"))
+    assert len(read_bag(bag)["/state"]) > 50
+    assert (bag / "metadata.yaml").exists()
     assert not list(tmp_path.glob("*.csv"))
 
 
 @pytest.mark.parametrize("signum", SIGNALS)
 def test_one_that_waits_for_an_answer_in_lockstep_ends_too(start, peer, signum):
-    simulator = start("simulator", "--ros-args", "-p", "mode:=lockstep")
-    peer.listen("state")
-    steering = peer.publisher("steering_cmd")
-    peer.wait(lambda: peer.received["state"], "the first set, which is not answered")
-    ends_cleanly(simulator, signum)
-    assert steering is not None
+    def waiting():
+        simulator = start("simulator", "--ros-args", "-p", "mode:=lockstep")
+        peer.listen("state")
+        peer.publisher("steering_cmd")
+        peer.wait(lambda: peer.received["state"], "the first set, which is not answered")
+        return simulator
+
+    ends_cleanly(waiting, signum)

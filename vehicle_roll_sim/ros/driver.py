@@ -15,6 +15,7 @@ from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.collector import Collector
 from vehicle_roll_sim.ros.compatibility import UNNAMED, fitting_listeners
 from vehicle_roll_sim.ros.lockstep import SETTLING
+from vehicle_roll_sim.ros.process import refuse_unknown_parameters
 from vehicle_roll_sim.ros.settings import LOCKSTEP
 from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
@@ -44,6 +45,7 @@ class Driver(Node):
 
     def __init__(self, manoeuvre: Manoeuvre):
         super().__init__("manoeuvre")
+        refuse_unknown_parameters(self)
         self.manoeuvre = manoeuvre
         self._commands: dict[str, Publisher] = {}
         self.collector = Collector(self, self._on_state)

@@ -1,6 +1,5 @@
 """What the launch files are made of: arguments, and the processes that they describe."""
 
-import ast
 import importlib.util
 import os
 import shlex
@@ -26,6 +25,7 @@ from launch_ros.parameter_descriptions import ParameterValue
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
 from vehicle_roll_sim.messages.urdf import urdf
+from vehicle_roll_sim.ros.script_texts import assigned, texts_of
 from vehicle_roll_sim.ros.settings import COMMANDED, PUBLISHED_IN_SETS
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
@@ -170,16 +170,15 @@ def manoeuvre(given: Mapping[str, str]) -> Node:
 def controllers(given: Mapping[str, str]) -> list[ExecuteProcess]:
     """Scripts that this Python runs, those first that others need."""
     words = ["--ros-args", "-r", f"__ns:=/{given['namespace'].strip('/')}"]
-    for value in shlex.split(given["parameters"]):
-        words += ["-p", value]
+    values = assigned(shlex.split(given["parameters"]), _scripts(given))
     return [
         ExecuteProcess(
-            cmd=[sys.executable, str(script), *words],
+            cmd=[sys.executable, str(script), *words, *values[script]],
             name=script.stem,
             output="screen",
             on_exit=ends_all(script.stem),
         )
-        for script in _scripts(given)
+        for script in values
     ]
 
 
@@ -203,10 +202,7 @@ def answers_of(given: Mapping[str, str]) -> list[str]:
     """What the controllers command: topics that their scripts name, unless told."""
     if given["answers"]:
         return given["answers"].split()
-    named = set()
-    for script in _scripts(given):
-        tree = ast.parse(script.read_text(encoding="utf-8"))
-        named |= {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant)}
+    named = set().union(*map(texts_of, _scripts(given)))
     return [topic for topic in COMMANDED if topic in named]
 
 

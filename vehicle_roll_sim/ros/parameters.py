@@ -17,9 +17,9 @@ from vehicle_roll_sim.declaration import (
     Parameter,
     parameter,
     parameters_of,
-    unknown_name,
 )
 from vehicle_roll_sim.model.events import MINIMUM_SPEED
+from vehicle_roll_sim.ros.process import refuse_unknown_parameters
 from vehicle_roll_sim.ros.settings import Settings
 from vehicle_roll_sim.simulation.command_limits import CommandLimits
 from vehicle_roll_sim.simulation.options import Options
@@ -30,8 +30,6 @@ from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
 VEHICLE_PREFIX = "vehicle."
 TIRE = VEHICLE_PREFIX + "tire"
-OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides.")
-"""Parameters, or beginnings of their names, that rclpy itself knows."""
 ROS_TYPES = {
     float: ParameterType.PARAMETER_DOUBLE,
     bool: ParameterType.PARAMETER_BOOL,
@@ -60,7 +58,7 @@ class Declared:
 
 def declare(node: Node) -> Declared:
     """Declare all parameters on `node` and read them; raises InputError naming one."""
-    _refuse_unknown(node)
+    refuse_unknown_parameters(node, PARAMETERS)
     settings = Settings(**_declare_class(node, Settings))
     limits = CommandLimits(**_declare_class(node, CommandLimits))
     options = Options(**_declare_class(node, Options))
@@ -131,13 +129,6 @@ def _all_parameters() -> dict[str, Parameter]:
         **parameters_of(Road),
         **{VEHICLE_PREFIX + name: declared for name, declared in vehicle.items()},
     }
-
-
-def _refuse_unknown(node: Node) -> None:
-    """Every parameter that was given must be known."""
-    for name in node._parameter_overrides:  # rclpy shows them nowhere else
-        if name not in PARAMETERS and not name.startswith(OF_EVERY_NODE):
-            raise unknown_name(name, PARAMETERS, "parameter")
 
 
 def _declare_class(node: Node, declaring) -> dict:

@@ -2,7 +2,11 @@
 
 import argparse
 import contextlib
-from collections.abc import Callable, Iterator
+import os
+import sys
+import tempfile
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
 
 import rclpy
 from rclpy.exceptions import NameValidationException, NotInitializedException
@@ -12,13 +16,15 @@ from rclpy.signals import SignalHandlerOptions
 from rclpy.utilities import remove_ros_args
 
 from vehicle_roll_sim.arguments import exit_status
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
 
 LOOK = 0.05
 """s that a loop waits in `spin_once`, always the same: an executor that is asked with another
 timeout than before begins with its first subscription again, and the last ones would starve."""
+OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides.")
+"""Parameters, or beginnings of their names, that rclpy itself knows."""
 
 
 def node_main(
@@ -38,6 +44,7 @@ def node_main(
         arguments = parser.parse_args(_without_ros_arguments(words))
         try:
             prepare()
+            _find_log_folder(parser.prog)
             _initialise(words)
             ending.shutting_down(_shut_down)
             return _run(body, arguments)
@@ -49,26 +56,28 @@ def node_main(
     return exit_status(command, parser.prog)
 
 
+def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
+    """Every parameter that was given must be known, or declared if `known` is empty.
+
+    Raises InputError with the nearest name.
+    """
+    known = list(known or node._parameters)
+    for name in node._parameter_overrides:  # rclpy shows them nowhere else
+        if name not in known and not name.startswith(OF_EVERY_NODE):
+            raise unknown_name(name, known, "parameter")
+
+
 @contextlib.contextmanager
-def executor_of(node: Node) -> Iterator[Executor]:
-    """An executor for a node, which in the end is shut down before what it stands on is."""
+def lifetime(node: Node) -> Iterator[Executor]:
+    """An executor for a node; in the end it is shut down, and both are gone."""
     refuse_malformed(node)
     executor = SingleThreadedExecutor(context=node.context)
     executor.add_node(node)
     try:
         yield executor
     finally:
+        node.destroy_node()
         executor.shutdown()
-
-
-@contextlib.contextmanager
-def lifetime(node: Node) -> Iterator[Executor]:
-    """An executor for a node; in the end both are gone."""
-    with executor_of(node) as executor:
-        try:
-            yield executor
-        finally:
-            node.destroy_node()
 
 
 def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespace) -> int:
@@ -92,6 +101,26 @@ def _without_ros_arguments(words: list[str]) -> list[str]:
         return remove_ros_args(words)[1:]
     except RuntimeError as error:
         raise _not_started(error) from None
+
+
+def _find_log_folder(program: str) -> None:
+    """Where ROS could not write its logs, as without a home, they get a temporary folder."""
+    if os.environ.get("ROS_LOG_DIR") or os.environ.get("ROS_HOME"):
+        return
+    home = os.environ.get("HOME")
+    if home and _is_writable(Path(home, ".ros", "log")):
+        return
+    folder = os.environ["ROS_LOG_DIR"] = tempfile.mkdtemp(prefix="ros_log_")
+    print(f"{program}: ~/.ros/log cannot be written, logs are in {folder}", file=sys.stderr)
+
+
+def _is_writable(folder: Path) -> bool:
+    """Whether a folder, which is made if need be, takes files."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return False
+    return os.access(folder, os.W_OK | os.X_OK)
 
 
 def _initialise(words: list[str]) -> None:

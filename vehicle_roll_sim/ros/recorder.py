@@ -16,14 +16,19 @@ from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.ros import ending
-from vehicle_roll_sim.ros.process import LOOK, lifetime, node_main
+from vehicle_roll_sim.ros.process import (
+    LOOK,
+    lifetime,
+    node_main,
+    refuse_unknown_parameters,
+)
 from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
 
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
 """s"""
 KEPT_EVERY = 0.5
 """s after which messages are on disk, should the recorder be killed."""
-LAST_LOOK, LONGEST_LAST_LOOK = 0.02, 1.5
+LAST_LOOK, LONGEST_LAST_LOOK = 0.02, 1.0
 """s to go on reading in the end: until nothing comes any more, and at most."""
 
 
@@ -34,8 +39,12 @@ class Recorder(Node):
     recording, that at which they came.
     """
 
-    def __init__(self, bag):
+    def __init__(self):
         super().__init__("recorder")
+        refuse_unknown_parameters(self)
+
+    def begin(self, bag) -> None:
+        """Write into a bag from now on."""
         self._bag = bag
         connections = {
             topic: bag.add_topic(topic, self.resolve_topic_name(topic.name))
@@ -62,9 +71,11 @@ def record(folder: Path, duration: float | None) -> int:
     need_library("--output")
     from vehicle_roll_sim.bags.writing import Bag  # its library is optional
 
+    recorder = Recorder()
     bag = Bag(folder, "--output")
     try:
-        with lifetime(Recorder(bag)) as executor:
+        with lifetime(recorder) as executor:
+            recorder.begin(bag)
             _say(f"recording to {folder}")
             _listen(executor, bag, duration)
             _read_on(executor, bag)
