@@ -65,7 +65,7 @@ def test_somebody_elses_clock_is_no_trouble_where_none_is_published(start, peer)
     start("simulator")
     peer.node.create_publisher(Clock, "/clock", 1)
     peer.listen("/diagnostics")
-    assert [status_of(peer).message for _ in range(3)] == ["running"] * 3
+    assert not any("CLOCK" in status_of(peer).message for _ in range(3))
 
 
 def test_of_two_nodes_with_one_name_the_other_is_seen(make_peer):
@@ -98,8 +98,9 @@ def test_a_controller_that_falls_silent_is_a_warning_until_it_speaks_again(start
     command = {"wheel_torque_cmd": [5.0, 0.0, 0.0, 0.0]}
     peer.command(command, lambda: torque() == 5.0, "the torque")
     peer.wait(lambda: torque() == 0.0, "its end")
-    status = wait_for_status(peer, lambda s: s.level == DiagnosticStatus.WARN, "the warning")
-    assert "wheel_torque_cmd: no message within 0.5 s" in status.message
+    silent = "wheel_torque_cmd: no message within 0.5 s"
+    status = wait_for_status(peer, lambda s: silent in s.message, "the warning")
+    assert status.level == DiagnosticStatus.WARN
 
     def is_well():
         diagnostics = peer.received["/diagnostics"][-1][1]
@@ -107,4 +108,4 @@ def test_a_controller_that_falls_silent_is_a_warning_until_it_speaks_again(start
 
     peer.command(command, is_well, "the end of the trouble")
     _, _, err = simulator.finish(2)
-    assert "wheel_torque_cmd: no message within 0.5 s" in err
+    assert silent in err
