@@ -135,6 +135,22 @@ def test_structure_is_read_only_and_tunable_ones_keep_their_range(start, peer):
     assert not set_parameter(peer, "steering_timeout_policy", "let_go").successful
 
 
+def test_timeout_and_policy_that_are_set_while_it_runs_count(start, peer):
+    start("simulator", "--ros-args", "-p", "command_timeout:=0.0")
+    peer.listen("applied_command")
+
+    def applied():
+        data = peer.newest("applied_command").data
+        return data[1], data[3]
+
+    commands = {"steering_cmd": 0.02, "wheel_torque_cmd": [5.0, 0.0, 0.0, 0.0]}
+    peer.command(commands, lambda: applied() == (0.02, 5.0), "both commands")
+    assert set_parameter(peer, "command_timeout", 0.1).successful
+    peer.wait(lambda: applied() == (0.02, 0.0), "the torque to end, the steering to be held")
+    assert set_parameter(peer, "steering_timeout_policy", "centre").successful
+    peer.wait(lambda: applied() == (0.0, 0.0), "the steering to be centred")
+
+
 def test_with_transient_slip_it_may_stand_and_start_from_standstill(start, peer):
     start("simulator", "--ros-args", "-p", "initial_speed:=0.0")
     peer.listen("odom")
