@@ -167,13 +167,18 @@ def test_with_steady_state_slip_no_lower_speed_than_its_lowest_is_taken(start, p
     assert set_parameter(peer, "initial_speed", 3.5).successful
 
 
-def test_every_parameter_is_described(start, peer):
+def test_every_parameter_is_described_with_its_range(start, peer):
     start("simulator")
     listed = peer.call(ListParameters, "simulator/list_parameters").result.names
     assert set(PARAMETERS) <= set(listed)
     request = DescribeParameters.Request(names=list(PARAMETERS))
     answer = peer.call(DescribeParameters, "simulator/describe_parameters", request)
-    assert all(descriptor.description for descriptor in answer.descriptors)
+    for descriptor, (name, declared) in zip(answer.descriptors, PARAMETERS.items(), strict=True):
+        assert descriptor.name == name
+        assert descriptor.description
+        assert descriptor.read_only is not declared.tunable
+        spans = [(span.from_value, span.to_value) for span in descriptor.floating_point_range]
+        assert spans == [(declared.minimum, declared.maximum)] * (declared.kind is float), name
 
 
 def test_parameters_reach_the_model_and_its_description(start, peer):
