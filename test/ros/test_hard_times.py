@@ -31,8 +31,8 @@ WARM_UP = 2.0
 """s in which buffers get their size."""
 GROWTH = 5.0 / 60.0
 """MB/s; a tenth of the messages that the simulator takes in a flood is some 0.15 MB/s."""
-GROWTH_OF_RESETS = 5.0
-"""MB"""
+GROWTH_OF_RESETS = 1.0
+"""MB; 4 kB each would be 3.6."""
 RATE_ERROR = 0.05
 STANDSTILL = 1.5
 """s"""
