@@ -1,5 +1,7 @@
 """Diagnostics name who disturbs: two nodes with one command, a second clock, a silent one."""
 
+from pathlib import Path
+
 from diagnostic_msgs.msg import DiagnosticStatus
 from rclpy.node import Node
 from rosgraph_msgs.msg import Clock
@@ -8,6 +10,7 @@ from std_msgs.msg import Float64
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS
 from vehicle_roll_sim.ros.compatibility import other_publishers
 
+CONTROLLER = Path(__file__).with_name("steady_controller.py")
 STEERING = next(topic for topic in COMMANDS if topic.name == "steering_cmd")
 
 
@@ -109,3 +112,23 @@ def test_a_controller_that_falls_silent_is_a_warning_until_it_speaks_again(start
     peer.command(command, is_well, "the end of the trouble")
     _, _, err = simulator.finish(2)
     assert silent in err
+
+
+def test_of_a_controller_that_is_killed_the_torque_ends_and_the_steering_is_held(start, peer):
+    simulator = start("simulator")
+    controller = start("", program=str(CONTROLLER))
+    peer.listen("/diagnostics", "applied_command")
+
+    def applied():
+        data = peer.newest("applied_command").data
+        return data[1], data[3]
+
+    peer.wait(lambda: applied() == (0.02, 5.0), "its commands")
+    controller.process.kill()
+    peer.wait(lambda: applied() == (0.02, 0.0), "the end of the torque")
+    told = [f"{name}: no message within 0.5 s" for name in ("steering_cmd", "wheel_torque_cmd")]
+    status = wait_for_status(peer, lambda s: all(one in s.message for one in told), "warnings")
+    assert status.level == DiagnosticStatus.WARN
+    assert applied() == (0.02, 0.0)
+    _, _, err = simulator.finish(2)
+    assert all(one in err for one in told)
