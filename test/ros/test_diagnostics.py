@@ -1,5 +1,7 @@
 """Diagnostics name who disturbs: two nodes with one command, a second clock, a silent one."""
 
+from pathlib import Path
+
 from diagnostic_msgs.msg import DiagnosticStatus
 from rclpy.node import Node
 from rosgraph_msgs.msg import Clock
@@ -8,6 +10,7 @@ from std_msgs.msg import Float64
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS
 from vehicle_roll_sim.ros.compatibility import other_publishers
 
+CONTROLLER = Path(__file__).with_name("steady_controller.py")
 STEERING = next(topic for topic in COMMANDS if topic.name == "steering_cmd")
 
 
@@ -65,7 +68,7 @@ def test_somebody_elses_clock_is_no_trouble_where_none_is_published(start, peer)
     start("simulator")
     peer.node.create_publisher(Clock, "/clock", 1)
     peer.listen("/diagnostics")
-    assert [status_of(peer).message for _ in range(3)] == ["running"] * 3
+    assert not any("CLOCK" in status_of(peer).message for _ in range(3))
 
 
 def test_of_two_nodes_with_one_name_the_other_is_seen(make_peer):
@@ -98,8 +101,9 @@ def test_a_controller_that_falls_silent_is_a_warning_until_it_speaks_again(start
     command = {"wheel_torque_cmd": [5.0, 0.0, 0.0, 0.0]}
     peer.command(command, lambda: torque() == 5.0, "the torque")
     peer.wait(lambda: torque() == 0.0, "its end")
-    status = wait_for_status(peer, lambda s: s.level == DiagnosticStatus.WARN, "the warning")
-    assert "wheel_torque_cmd: no message within 0.5 s" in status.message
+    silent = "wheel_torque_cmd: no message within 0.5 s"
+    status = wait_for_status(peer, lambda s: silent in s.message, "the warning")
+    assert status.level == DiagnosticStatus.WARN
 
     def is_well():
         diagnostics = peer.received["/diagnostics"][-1][1]
@@ -107,4 +111,24 @@ def test_a_controller_that_falls_silent_is_a_warning_until_it_speaks_again(start
 
     peer.command(command, is_well, "the end of the trouble")
     _, _, err = simulator.finish(2)
-    assert "wheel_torque_cmd: no message within 0.5 s" in err
+    assert silent in err
+
+
+def test_of_a_controller_that_is_killed_the_torque_ends_and_the_steering_is_held(start, peer):
+    simulator = start("simulator")
+    controller = start("", program=str(CONTROLLER))
+    peer.listen("/diagnostics", "applied_command")
+
+    def applied():
+        data = peer.newest("applied_command").data
+        return data[1], data[3]
+
+    peer.wait(lambda: applied() == (0.02, 5.0), "its commands")
+    controller.process.kill()
+    peer.wait(lambda: applied() == (0.02, 0.0), "the end of the torque")
+    told = [f"{name}: no message within 0.5 s" for name in ("steering_cmd", "wheel_torque_cmd")]
+    status = wait_for_status(peer, lambda s: all(one in s.message for one in told), "warnings")
+    assert status.level == DiagnosticStatus.WARN
+    assert applied() == (0.02, 0.0)
+    _, _, err = simulator.finish(2)
+    assert all(one in err for one in told)

@@ -2,9 +2,11 @@
 
 import pytest
 import rclpy
+from rclpy.parameter import Parameter
 from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
 
+from vehicle_roll_sim.ros.settings import Settings
 from vehicle_roll_sim.ros.simulator import Simulator
 
 
@@ -21,7 +23,7 @@ def simulator(domain):
 
 @pytest.fixture
 def held(simulator, monkeypatch):
-    """The names of what has been done to the session, and whether the lock was held for it."""
+    """What has been done to the session or its settings, and whether the lock was held for it."""
     seen = {}
 
     def watch(owner, name):
@@ -36,6 +38,7 @@ def held(simulator, monkeypatch):
     watch(simulator.session.inbox, "receive")
     watch(simulator.session, "reset")
     watch(simulator.session, "run_period")
+    watch(Settings, "__setattr__")
     return seen
 
 
@@ -53,4 +56,11 @@ def test_messages_resets_and_single_steps_wait_for_the_lock(simulator, held):
     assert service(simulator, "step")(Trigger.Request(), Trigger.Response()).success
     assert service(simulator, "reset")(Trigger.Request(), Trigger.Response()).success
     assert held == {"receive": True, "run_period": True, "reset": True}
+    assert not simulator.lock.locked()
+
+
+def test_changes_of_parameters_wait_for_the_lock(simulator, held):
+    (result,) = simulator.set_parameters([Parameter("command_timeout", value=0.1)])
+    assert result.successful
+    assert held == {"__setattr__": True}
     assert not simulator.lock.locked()

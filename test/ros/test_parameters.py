@@ -156,6 +156,22 @@ def test_structure_is_read_only_and_tunable_ones_keep_their_range(start, peer):
     assert not set_parameter(peer, "steering_timeout_policy", "let_go").successful
 
 
+def test_timeout_and_policy_that_are_set_while_it_runs_count(start, peer):
+    start("simulator", "--ros-args", "-p", "command_timeout:=0.0")
+    peer.listen("applied_command")
+
+    def applied():
+        data = peer.newest("applied_command").data
+        return data[1], data[3]
+
+    commands = {"steering_cmd": 0.02, "wheel_torque_cmd": [5.0, 0.0, 0.0, 0.0]}
+    peer.command(commands, lambda: applied() == (0.02, 5.0), "both commands")
+    assert set_parameter(peer, "command_timeout", 0.1).successful
+    peer.wait(lambda: applied() == (0.02, 0.0), "the torque to end, the steering to be held")
+    assert set_parameter(peer, "steering_timeout_policy", "centre").successful
+    peer.wait(lambda: applied() == (0.0, 0.0), "the steering to be centred")
+
+
 def test_with_transient_slip_it_may_stand_and_start_from_standstill(start, peer):
     start("simulator", "--ros-args", "-p", "initial_speed:=0.0")
     peer.listen("odom")
@@ -172,13 +188,18 @@ def test_with_steady_state_slip_no_lower_speed_than_its_lowest_is_taken(start, p
     assert set_parameter(peer, "initial_speed", 3.5).successful
 
 
-def test_every_parameter_is_described(start, peer):
+def test_every_parameter_is_described_with_its_range(start, peer):
     start("simulator")
     listed = peer.call(ListParameters, "simulator/list_parameters").result.names
     assert set(PARAMETERS) <= set(listed)
     request = DescribeParameters.Request(names=list(PARAMETERS))
     answer = peer.call(DescribeParameters, "simulator/describe_parameters", request)
-    assert all(descriptor.description for descriptor in answer.descriptors)
+    for descriptor, (name, declared) in zip(answer.descriptors, PARAMETERS.items(), strict=True):
+        assert descriptor.name == name
+        assert descriptor.description
+        assert descriptor.read_only is not declared.tunable
+        spans = [(span.from_value, span.to_value) for span in descriptor.floating_point_range]
+        assert spans == [(declared.minimum, declared.maximum)] * (declared.kind is float), name
 
 
 def test_parameters_reach_the_model_and_its_description(start, peer):

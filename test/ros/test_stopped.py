@@ -53,6 +53,20 @@ def test_a_rollover_is_an_error_in_diagnostics(start, peer):
     assert status_of(peer).level == DiagnosticStatus.ERROR
 
 
+def test_a_model_that_has_stopped_takes_no_single_step(start, peer):
+    start("simulator")
+    peer.listen("rollover")
+    peer.command(
+        {"steering_cmd": 0.2}, lambda: any(m.data for _, m in peer.received["rollover"]), "it"
+    )
+    assert peer.call(SetBool, "simulator/pause", SetBool.Request(data=True)).success
+    answer = peer.call(Trigger, "simulator/step")
+    assert not answer.success
+    assert answer.message == "the model has stopped: reset first"
+    assert peer.call(Trigger, "simulator/reset").success
+    assert peer.call(Trigger, "simulator/step").success
+
+
 def test_stamps_keep_rising_over_a_reset(start, peer):
     start("simulator")
     peer.listen("imu", "state")

@@ -9,7 +9,11 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import rclpy
-from rclpy.exceptions import NameValidationException, NotInitializedException
+from rclpy.exceptions import (
+    InvalidParameterTypeException,
+    NameValidationException,
+    NotInitializedException,
+)
 from rclpy.executors import Executor, ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
@@ -23,8 +27,9 @@ from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
 LOOK = 0.05
 """s that a loop waits in `spin_once`, always the same: an executor that is asked with another
 timeout than before begins with its first subscription again, and the last ones would starve."""
-OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides.")
-"""Parameters, or beginnings of their names, that rclpy itself knows."""
+OF_EVERY_NODE = ("use_sim_time", "start_type_description_service")
+QOS_OVERRIDES = "qos_overrides."
+"""Parameters that rclpy itself knows, and how the names of others begin."""
 
 
 def node_main(
@@ -61,9 +66,9 @@ def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
 
     Raises InputError with the nearest name.
     """
-    known = list(known or node._parameters)
+    known = [*(known or node._parameters), *OF_EVERY_NODE]
     for name in node._parameter_overrides:  # rclpy shows them nowhere else
-        if name not in known and not name.startswith(OF_EVERY_NODE):
+        if name not in known and not name.startswith(QOS_OVERRIDES):
             raise unknown_name(name, known, "parameter")
 
 
@@ -83,7 +88,7 @@ def lifetime(node: Node) -> Iterator[Executor]:
 def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespace) -> int:
     try:
         return body(arguments)
-    except NameValidationException as error:
+    except (NameValidationException, InvalidParameterTypeException) as error:
         raise _not_started(error) from None
     except (RuntimeError, NotInitializedException):  # on a context that a signal has shut down
         if rclpy.ok():
@@ -93,7 +98,7 @@ def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespac
 
 def _shut_down() -> None:
     with contextlib.suppress(RuntimeError):  # it is being shut down just now
-        rclpy.try_shutdown()
+        rclpy.try_shutdown(uninstall_handlers=False)  # a second signal must find them, too
 
 
 def _without_ros_arguments(words: list[str]) -> list[str]:
