@@ -119,6 +119,19 @@ def test_a_misspelt_parameter_of_any_node_is_refused(start, tmp_path, words, all
     assert len(err.splitlines()) == 1
 
 
+@pytest.mark.parametrize("node", [("simulator",), ("recorder", "--output", "{}/bag")])
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [("use_sim_times:=true", "did you mean use_sim_time?"), ("use_sim_time:=maybe", "'BOOL'")],
+)
+def test_so_is_a_wrong_one_of_every_node(start, tmp_path, node, given, said):
+    name, *words = (word.format(tmp_path) for word in node)
+    status, _, err = start(name, *words, "--ros-args", "-p", given).finish()
+    assert (status, list(tmp_path.glob("bag"))) == (2, [])
+    assert said in err
+    assert "Traceback" not in err
+
+
 def test_integers_serve_for_all_numbers_of_a_file(context, tmp_path):
     file = tmp_path / "parameters.yaml"
     values = "{steering_limit: 1, command_timeout: 2, publish_rate: 50, vehicle.cg_height: 1}"
