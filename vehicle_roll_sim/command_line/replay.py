@@ -6,6 +6,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.bags import need_library
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     chosen_simulation,
@@ -32,7 +33,8 @@ def replay_command(words: list[str], program: str) -> int:
 
     told = _told(arguments)
     runs = recorded_runs(folder, arguments.namespace)
-    compile_model()
+    with ending.at_once():
+        compile_model()
     if not any(run.begins_at_a_reset for run in runs):
         allowed = "a recording of at least one run from its reset on, time 0"
         raise InputError("BAG", str(folder), allowed, f"{folder}: it begins under way")

@@ -5,6 +5,7 @@ import dataclasses
 import math
 
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.simulation.options import Options
@@ -47,7 +48,8 @@ def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
     integration = Integration(**declared_values(arguments, Integration))
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
     road = Road(**declared_values(arguments, Road))
-    compile_model()
+    with ending.at_once():
+        compile_model()
     return Simulation(
         vehicle,
         options,
