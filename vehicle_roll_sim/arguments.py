@@ -1,6 +1,7 @@
 """Command-line options from the declarations, and errors in one line."""
 
 import argparse
+import io
 import os
 import re
 import sys
@@ -40,8 +41,9 @@ def exit_status(command: Callable[[], int], program: str) -> int:
     """Run `command`; what goes wrong in its surroundings becomes one line on stderr.
 
     Status 2 for what the user gave, 1 for what the system refused, 130 after Ctrl-C. A reader of
-    our output that has gone, as `head` does, is none of these.
+    our output that has gone, as `head` does, or was never there is none of these.
     """
+    _show_anything()
     try:
         status = command()
         sys.stdout.flush()
@@ -59,6 +61,15 @@ def exit_status(command: Callable[[], int], program: str) -> int:
         print(f"{program}: error: {error}", file=sys.stderr)
         return REFUSED
     return status
+
+
+def _show_anything() -> None:
+    """Have stdout and stderr take any text: escaped where they lack a character, or nowhere."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed by whoever started us
+            setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115
+        if isinstance(getattr(sys, name), io.TextIOWrapper):
+            getattr(sys, name).reconfigure(errors="backslashreplace")
 
 
 def _write_no_more() -> None:

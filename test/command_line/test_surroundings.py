@@ -45,6 +45,22 @@ def test_an_output_that_is_full_is_said_in_one_line():
     assert "No space left" in result.stderr
 
 
+@pytest.mark.parametrize(("closed", "name", "status"), [(1, "step_steer", 0), (2, "step_ster", 2)])
+def test_an_output_that_is_closed_is_done_without(closed, name, status):
+    result = run(name, "--duration", "0.1", preexec_fn=lambda: os.close(closed))
+    assert (result.returncode, result.stdout, result.stderr) == (status, "", "")
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "utf-8"])
+def test_what_the_terminal_cannot_show_is_escaped(tmp_path, encoding):
+    path = os.fsencode(tmp_path) + b"/\xff.csv"
+    words = ("step_steer", "--duration", "0.1", "--csv", path)
+    result = run(*words, env=os.environ | {"PYTHONIOENCODING": encoding, "PYTHONUTF8": "1"})
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "\\udcff.csv" in result.stdout
+    assert os.path.exists(path)
+
+
 def test_a_run_that_is_terminated_leaves_nothing_half_written(tmp_path):
     words = ("step_steer", "--amplitude", "0", "--duration", "80000", "--bag", "bag")
     process = subprocess.Popen([*COMMAND, "run", *words], cwd=tmp_path)
