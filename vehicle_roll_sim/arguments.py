@@ -8,7 +8,13 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, unknown_name
+from vehicle_roll_sim.declaration import (
+    InputError,
+    Parameter,
+    number_in,
+    parameters_of,
+    unknown_name,
+)
 
 WRONG_INPUT = 2
 """Exit status after wrong usage or input."""
@@ -119,7 +125,7 @@ def declared_values(arguments: argparse.Namespace, declaring) -> dict:
 def number(text: str, field: str, parameter: Parameter) -> float:
     """The number that a word on the command line is; raises InputError naming `field`."""
     try:
-        return float(text)
+        return number_in(text)
     except ValueError:
         raise InputError(field, text, parameter.allowed) from None
 

@@ -124,6 +124,16 @@ def parameters_of(declaring_class) -> dict[str, Parameter]:
     }
 
 
+def number_in(text: str) -> float:
+    """The number that a text is; raises ValueError, also for what only Python reads as one.
+
+    It takes 1_0 for 10, and digits of any script.
+    """
+    if "_" in text or not text.isascii():
+        raise ValueError(text)
+    return float(text)
+
+
 def unknown_name(name: str, known: Iterable[str], field: str) -> InputError:
     """The error for a name that is not among the `known` ones, with the nearest of them."""
     known = list(known)

@@ -17,7 +17,7 @@ NUMBERS = {
     "--bank": ("-1", "1", "m/m"),
 }
 """Lowest and highest value, and unit."""
-NO_NUMBERS = ("nan", "inf", "-inf", "fast", "", "1,5", "0x10")
+NO_NUMBERS = ("nan", "inf", "-inf", "fast", "", "1,5", "0x10", "1_0", "1٠")
 BEYOND = [
     (option, repr(float(limit) + direction * max(abs(float(limit)), 1.0) * 1e-3))
     for option, limits in NUMBERS.items()

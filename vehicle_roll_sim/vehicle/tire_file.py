@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.model.records import LF, LR, RF, RR
 from vehicle_roll_sim.model.tire import OPTIONAL, RANGES, REQUIRED, SCALING, TIRE
 from vehicle_roll_sim.vehicle.text_file import read_text
@@ -141,7 +141,7 @@ def _number(path: Path, values: dict[str, str], name: str, unit: float) -> float
             raise InputError(f"{path}: {name}", None, "a number is wanted")
         return DEFAULTS[name]
     try:
-        number = float(values[name]) * unit
+        number = number_in(values[name]) * unit
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
