@@ -10,6 +10,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.declaration import (
     InputError,
+    NotWrittenError,
     Parameter,
     number_in,
     parameters_of,
@@ -55,7 +56,7 @@ def exit_status(command: Callable[[], int], program: str) -> int:
         sys.stdout.flush()
     except InputError as error:
         print(f"{program}: error: {error}", file=sys.stderr)
-        return WRONG_INPUT
+        return REFUSED if isinstance(error, NotWrittenError) else WRONG_INPUT
     except KeyboardInterrupt:
         print(f"{program}: interrupted", file=sys.stderr)
         return INTERRUPTED

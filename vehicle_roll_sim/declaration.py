@@ -22,6 +22,10 @@ class InputError(ValueError):
         self.field, self.value, self.allowed, self.problem = field, value, allowed, problem
 
 
+class NotWrittenError(InputError):
+    """The system did not let a result be written where the user wanted it."""
+
+
 def _in_one_line(text: str) -> str:
     """Characters that are not printable, such as a new line in a file's name, written out."""
     return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)

@@ -1,6 +1,7 @@
 """What the surroundings may do to a command: hang up, fill up, interrupt, damage the cache."""
 
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -59,6 +60,18 @@ def test_what_the_terminal_cannot_show_is_escaped(tmp_path, encoding):
     assert (result.returncode, result.stderr) == (0, "")
     assert "\\udcff.csv" in result.stdout
     assert os.path.exists(path)
+
+
+@pytest.mark.parametrize("option", ["--csv", "--bag"])
+def test_a_result_that_is_refused_while_it_is_written_is_no_wrong_input(tmp_path, option):
+    def limit() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
+
+    result = run("step_steer", option, "result", cwd=tmp_path, preexec_fn=limit)
+    assert result.returncode == 1
+    assert len(result.stderr.splitlines()) == 1
+    assert "File too large" in result.stderr
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_run_that_is_terminated_leaves_nothing_half_written(tmp_path):
