@@ -108,7 +108,7 @@ def _check(topic: Topic, message, path: Path) -> None:
         is_ours = labels[:1] == ["time"] and len(labels) == len(message.data)
         is_ours = is_ours and math.isfinite(message.data[0])
     elif topic.name == COMMAND:
-        is_ours = len(message.data) == len(COMMAND_LABELS)
+        is_ours = len(message.data) == len(COMMAND_LABELS) and math.isfinite(message.data[0])
     else:
         return
     if not is_ours:
