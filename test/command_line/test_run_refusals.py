@@ -76,6 +76,11 @@ def test_a_value_of_set_is_checked_like_one_of_a_vehicle_file(refused, case):
     refused(("run", "step_steer", "--set", assignment, "--csv", "rows.csv"), "--set", *words)
 
 
+def test_of_two_values_of_set_for_one_name_none_is_taken(refused):
+    words = ("--set", "sprung_mass=1500", "--set", "sprung_mass=1600")
+    refused(("run", "step_steer", *words), "--set sprung_mass", "twice")
+
+
 def test_of_several_values_of_set_each_is_checked(refused):
     words = ("run", "step_steer", "--set", "sprung_mass=1500", "--set", "yaw_inertia=-2")
     refused(words, "--set yaw_inertia")

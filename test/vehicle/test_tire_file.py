@@ -120,6 +120,15 @@ def test_a_number_that_the_formula_would_divide_by_is_not_zero(tire_from, path, 
         tire_from(edited(REFERENCE_TIR, name, f"{name} = {value}"))
 
 
+@pytest.mark.parametrize(
+    ("lowest", "highest", "value"),
+    [("FZMIN", "FZMAX", 15_001), ("KPUMIN", "KPUMAX", 1.5), ("ALPMIN", "ALPMAX", 2)],
+)
+def test_a_range_that_ends_before_it_begins_is_refused(tire_from, path, lowest, highest, value):
+    with refused(path, lowest, highest):
+        tire_from(edited(REFERENCE_TIR, lowest, f"{lowest} = {value}"))
+
+
 def test_a_key_that_stands_twice_is_refused(tire_from, path):
     with refused(path, "PKX1"):
         tire_from(edited(REFERENCE_TIR, "PKX1", "PKX1 = 21.51\nPKX1 = 22.0"))

@@ -87,6 +87,8 @@ def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
             raise InputError("--set", assignment, "NAME=VALUE")
         if name not in known:
             raise unknown_name(name, known, "--set")
+        if name in values:
+            raise InputError(f"--set {name}", text, "each name once", "given twice")
         values[name] = number(text, f"--set {name}", known[name])
     return vehicle.with_values(values, "--set ")
 

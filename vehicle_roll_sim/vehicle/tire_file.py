@@ -77,6 +77,10 @@ def load_tire(path: str | Path) -> Tire:
     for name in ("PCX1", "LCX", "PCY1", "LCY", "PKY2"):
         if coefficients[name] == 0.0:
             raise InputError(f"{path}: {name}", 0.0, "any number but 0")
+    for lowest, highest in zip(RANGES[::2], RANGES[1::2], strict=True):
+        low, high = coefficients[lowest], coefficients[highest]
+        if not low < high:
+            raise InputError(f"{path}: {lowest}", low, f"less than {highest}, {high:g}")
     side = values.get("TYRESIDE", "left").lower()
     if side not in SIDES:
         raise InputError(f"{path}: TYRESIDE", side, " or ".join(SIDES))
