@@ -142,7 +142,7 @@ def test_a_full_disk_is_said_in_one_line_and_leaves_no_file(command, folder, mon
 
     monkeypatch.setattr("pathlib.Path.replace", full)
     result = command("run", "step_steer", "--duration", "0.1", "--csv", "rows.csv")
-    assert result.status != 0
+    assert result.status == 1
     assert "No space left on device" in result.err
     assert len(result.err.splitlines()) == 1
     assert not any(folder.iterdir())
