@@ -1,13 +1,21 @@
 """Command-line options from the declarations, and errors in one line."""
 
 import argparse
+import io
 import os
 import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, unknown_name
+from vehicle_roll_sim.declaration import (
+    InputError,
+    NotWrittenError,
+    Parameter,
+    number_in,
+    parameters_of,
+    unknown_name,
+)
 
 WRONG_INPUT = 2
 """Exit status after wrong usage or input."""
@@ -40,14 +48,15 @@ def exit_status(command: Callable[[], int], program: str) -> int:
     """Run `command`; what goes wrong in its surroundings becomes one line on stderr.
 
     Status 2 for what the user gave, 1 for what the system refused, 130 after Ctrl-C. A reader of
-    our output that has gone, as `head` does, is none of these.
+    our output that has gone, as `head` does, or was never there is none of these.
     """
+    _show_anything()
     try:
         status = command()
         sys.stdout.flush()
     except InputError as error:
         print(f"{program}: error: {error}", file=sys.stderr)
-        return WRONG_INPUT
+        return REFUSED if isinstance(error, NotWrittenError) else WRONG_INPUT
     except KeyboardInterrupt:
         print(f"{program}: interrupted", file=sys.stderr)
         return INTERRUPTED
@@ -59,6 +68,15 @@ def exit_status(command: Callable[[], int], program: str) -> int:
         print(f"{program}: error: {error}", file=sys.stderr)
         return REFUSED
     return status
+
+
+def _show_anything() -> None:
+    """Have stdout and stderr take any text: escaped where they lack a character, or nowhere."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed by whoever started us
+            setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115
+        if isinstance(getattr(sys, name), io.TextIOWrapper):
+            getattr(sys, name).reconfigure(errors="backslashreplace")
 
 
 def _write_no_more() -> None:
@@ -108,7 +126,7 @@ def declared_values(arguments: argparse.Namespace, declaring) -> dict:
 def number(text: str, field: str, parameter: Parameter) -> float:
     """The number that a word on the command line is; raises InputError naming `field`."""
     try:
-        return float(text)
+        return number_in(text)
     except ValueError:
         raise InputError(field, text, parameter.allowed) from None
 

@@ -23,6 +23,10 @@ class InputError(ValueError):
         self.field, self.value, self.allowed, self.problem = field, value, allowed, problem
 
 
+class NotWrittenError(InputError):
+    """The system did not let a result be written where the user wanted it."""
+
+
 def _in_one_line(text: str) -> str:
     """Characters that are not printable, such as a new line in a file's name, written out."""
     return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
@@ -137,6 +141,16 @@ def parameters_of(declaring_class) -> dict[str, Parameter]:
         for field in dataclasses.fields(declaring_class)
         if field.metadata
     }
+
+
+def number_in(text: str) -> float:
+    """The number that a text is; raises ValueError, also for what only Python reads as one.
+
+    It takes 1_0 for 10, and digits of any script.
+    """
+    if "_" in text or not text.isascii():
+        raise ValueError(text)
+    return float(text)
 
 
 def unknown_name(name: str, known: Iterable[str], field: str) -> InputError:

@@ -11,7 +11,7 @@ from vehicle_roll_sim import InputError, Options, Simulation, preset
 from vehicle_roll_sim.bags.encoding import TYPES, decode
 from vehicle_roll_sim.bags.reading import last_history, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
-from vehicle_roll_sim.command_line.main import main as command
+from vehicle_roll_sim.command_line.main import main
 from vehicle_roll_sim.simulation.description import described
 
 ARRAY = "std_msgs/msg/Float64MultiArray"
@@ -182,7 +182,7 @@ def test_on_a_slope_too_the_lateral_acceleration_is_that_of_the_run(tmp_path, mo
     bag, table = tmp_path / "bag", tmp_path / "run.csv"
     road = ("--grade", "0.05", "--bank", "-0.2", "--model", model)
     words = ("step_steer", "--duration", "3", *road, "--bag", str(bag), "--csv", str(table))
-    assert command(["run", *words]) == 0
+    assert main(["run", *words]) == 0
     told = np.genfromtxt(table, delimiter=",", names=True)
     history = last_history(bag)
     assert np.abs(np.degrees(told["yaw"][-1])) > 20.0  # where the grade, too, is across
@@ -193,3 +193,29 @@ def test_on_a_slope_too_the_lateral_acceleration_is_that_of_the_run(tmp_path, mo
 def test_a_description_that_is_nested_without_end_is_refused():
     with pytest.raises(InputError, match="simulation description"):
         described("[" * 100_000)
+
+
+def timed(factor, *topics):
+    """A change of a bag that multiplies the times in messages on these topics."""
+
+    def change(topic, sent, data):
+        if topic in topics:
+            message = decode(data, ARRAY)
+            message.data = np.append(message.data[0] * factor, message.data[1:])
+            data = bytes(TYPES.serialize_cdr(message, ARRAY))
+        return [(topic, sent, data)]
+
+    return change
+
+
+def test_a_command_of_no_time_is_refused(j_turn, changed):
+    with pytest.raises(InputError, match="applied_command that is none"):
+        recorded_runs(changed(j_turn, timed(np.nan, "/applied_command")))
+
+
+def test_times_that_do_not_fit_the_publish_period_are_not_compared(j_turn, changed, capsys):
+    bag = changed(j_turn, timed(1e6, "/state", "/applied_command"))
+    assert main(["replay", str(bag), "--strict"]) == 1
+    verdict = capsys.readouterr().out
+    assert "nothing was compared; messages are missing from 0.000 s" in verdict
+    assert "reproduced" not in verdict

@@ -148,7 +148,7 @@ def test_a_full_disk_leaves_no_file(command, folder, monkeypatch):
 
     monkeypatch.setattr("pathlib.Path.replace", full)
     result = command("linearize", "--npz", "model.npz")
-    assert (result.status, result.out) == (2, "")
+    assert (result.status, result.out) == (1, "")
     assert "No space left on device" in result.err
     assert len(result.err.splitlines()) == 1
     assert not any(folder.iterdir())

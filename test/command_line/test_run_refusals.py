@@ -17,7 +17,7 @@ NUMBERS = {
     "--bank": ("-1", "1", "m/m"),
 }
 """Lowest and highest value, and unit."""
-NO_NUMBERS = ("nan", "inf", "-inf", "fast", "", "1,5", "0x10")
+NO_NUMBERS = ("nan", "inf", "-inf", "fast", "", "1,5", "0x10", "1_0", "1٠")
 BEYOND = [
     (option, repr(float(limit) + direction * max(abs(float(limit)), 1.0) * 1e-3))
     for option, limits in NUMBERS.items()
@@ -74,6 +74,11 @@ SET = {
 def test_a_value_of_set_is_checked_like_one_of_a_vehicle_file(refused, case):
     assignment, words = SET[case]
     refused(("run", "step_steer", "--set", assignment, "--csv", "rows.csv"), "--set", *words)
+
+
+def test_of_two_values_of_set_for_one_name_none_is_taken(refused):
+    words = ("--set", "sprung_mass=1500", "--set", "sprung_mass=1600")
+    refused(("run", "step_steer", *words), "--set sprung_mass", "twice")
 
 
 def test_of_several_values_of_set_each_is_checked(refused):
@@ -137,7 +142,7 @@ def test_a_full_disk_is_said_in_one_line_and_leaves_no_file(command, folder, mon
 
     monkeypatch.setattr("pathlib.Path.replace", full)
     result = command("run", "step_steer", "--duration", "0.1", "--csv", "rows.csv")
-    assert result.status != 0
+    assert result.status == 1
     assert "No space left on device" in result.err
     assert len(result.err.splitlines()) == 1
     assert not any(folder.iterdir())

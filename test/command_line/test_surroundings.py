@@ -1,6 +1,7 @@
 """What the surroundings may do to a command: hang up, fill up, interrupt, damage the cache."""
 
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -9,12 +10,17 @@ import time
 
 import pytest
 
-from vehicle_roll_sim.model.jit import CACHE, COMPILED
+from vehicle_roll_sim.model.jit import CACHE, COMPILED, interruptible
 
 COMMAND = (sys.executable, "-u", "-m", "vehicle_roll_sim")
 """With output that is not buffered: every line meets the surroundings at once."""
 PATIENCE = 120
 """s: a cold start takes 20."""
+ENDINGS = {
+    signal.SIGINT: (130, "vehicle_roll_sim: interrupted\n"),
+    signal.SIGTERM: (143, ""),
+}
+"""Exit status and stderr after a signal."""
 
 
 def run(*words, **options):
@@ -40,6 +46,34 @@ def test_an_output_that_is_full_is_said_in_one_line():
     assert "No space left" in result.stderr
 
 
+@pytest.mark.parametrize(("closed", "name", "status"), [(1, "step_steer", 0), (2, "step_ster", 2)])
+def test_an_output_that_is_closed_is_done_without(closed, name, status):
+    result = run(name, "--duration", "0.1", preexec_fn=lambda: os.close(closed))
+    assert (result.returncode, result.stdout, result.stderr) == (status, "", "")
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "utf-8"])
+def test_what_the_terminal_cannot_show_is_escaped(tmp_path, encoding):
+    path = os.fsencode(tmp_path) + b"/\xff.csv"
+    words = ("step_steer", "--duration", "0.1", "--csv", path)
+    result = run(*words, env=os.environ | {"PYTHONIOENCODING": encoding, "PYTHONUTF8": "1"})
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "\\udcff.csv" in result.stdout
+    assert os.path.exists(path)
+
+
+@pytest.mark.parametrize("option", ["--csv", "--bag"])
+def test_a_result_that_is_refused_while_it_is_written_is_no_wrong_input(tmp_path, option):
+    def limit() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
+
+    result = run("step_steer", option, "result", cwd=tmp_path, preexec_fn=limit)
+    assert result.returncode == 1
+    assert len(result.stderr.splitlines()) == 1
+    assert "File too large" in result.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_run_that_is_terminated_leaves_nothing_half_written(tmp_path):
     words = ("step_steer", "--amplitude", "0", "--duration", "80000", "--bag", "bag")
     process = subprocess.Popen([*COMMAND, "run", *words], cwd=tmp_path)
@@ -52,7 +86,8 @@ def test_a_run_that_is_terminated_leaves_nothing_half_written(tmp_path):
 
 
 @pytest.mark.skipif(not COMPILED, reason="interrupting compiled code needs compiled code")
-def test_ctrl_c_in_the_middle_of_a_computation_is_no_crash():
+@pytest.mark.parametrize("signum", ENDINGS)
+def test_a_signal_in_the_middle_of_a_computation_is_no_crash(signum):
     words = ("step_steer", "--amplitude", "0", "--duration", "3600", "--sample", "0.1")
     process = subprocess.Popen(
         [*COMMAND, "run", *words, "--step", "1e-5"],
@@ -62,11 +97,37 @@ def test_ctrl_c_in_the_middle_of_a_computation_is_no_crash():
     )
     with pytest.raises(subprocess.TimeoutExpired):  # it computes
         process.communicate(timeout=5)
-    process.send_signal(signal.SIGINT)
+    process.send_signal(signum)
     _, err = process.communicate(timeout=PATIENCE)
-    assert process.returncode == 130
-    assert err.splitlines()[-1] == "vehicle_roll_sim: interrupted"
-    assert "Traceback" not in err
+    assert (process.returncode, err) == ENDINGS[signum]
+
+
+@pytest.mark.parametrize("signum", ENDINGS)
+def test_a_signal_that_breaks_the_compiler_is_no_crash(signum):
+    code = f"""
+import ctypes, signal
+from vehicle_roll_sim.command_line import main, vehicle_options
+
+def breaks():
+    ctypes.CFUNCTYPE(None)(lambda: signal.raise_signal({int(signum)}))()
+    raise RuntimeError("of the compiler, whose callback lost the exception")
+
+vehicle_options.compile_model = breaks
+main.main()
+"""
+    words = [sys.executable, "-c", code, "run", "step_steer"]
+    result = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE)
+    assert (result.returncode, result.stderr) == ENDINGS[signum]
+
+
+@pytest.mark.parametrize("raised", [KeyboardInterrupt(), SystemExit(143)])
+def test_what_a_signal_raises_in_compiled_code_comes_as_what_it_is(raised):
+    def compiled():
+        raise SystemError("returned a result with an exception set") from raised
+
+    with pytest.raises(type(raised)) as caught:
+        interruptible(compiled, ())
+    assert caught.value is raised
 
 
 def test_a_link_stays_and_what_it_leads_to_is_written(tmp_path):

@@ -102,6 +102,7 @@ WRONG = {
     "time twice": ("time,time\n0,0\n", 1, ["time", "once"]),
     "nameless column": ("time,\n0,0\n", 1, []),
     "text": ("time,steering\n0,0\n1,left\n", 3, ["steering", "left", "number"]),
+    "digits apart": ("time,steering\n0,0\n1_0,0\n", 3, ["time", "1_0", "number"]),
     "no value": ("time,steering\n0,\n", 2, ["steering", "number"]),
     "decimal comma": ('time,steering\n0,0\n1,"0,5"\n', 3, ["steering", "0,5"]),
     "not a number": ("time,steering\n0,nan\n", 2, ["steering", "nan", "finite"]),

@@ -19,7 +19,7 @@ MAY_READ = {
     "vehicle_roll_sim/vehicle/text_file.py": "which has the limit",
     "vehicle_roll_sim/model/jit.py": "its own sources",
     "vehicle_roll_sim/bags/unindexed.py": "pieces of a bag, of any size by nature",
-    "vehicle_roll_sim/ros/launching.py": "a script that is run",
+    "vehicle_roll_sim/ros/script_texts.py": "a script that is run",
     "vehicle_roll_sim/ros/ending.py": "one byte of a pipe",
 }
 

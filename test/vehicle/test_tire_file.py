@@ -106,7 +106,7 @@ def test_a_coefficient_without_which_there_is_no_tire_may_not_be_missing(tire_fr
         tire_from(edited(REFERENCE_TIR, name, ""))
 
 
-@pytest.mark.parametrize("value", ["many", "1,5", "", "nan", "inf", "1e999", "1.2.3"])
+@pytest.mark.parametrize("value", ["many", "1,5", "", "nan", "inf", "1e999", "1.2.3", "1_4"])
 def test_a_coefficient_that_is_no_finite_number_is_refused(tire_from, path, value):
     text = edited(REFERENCE_TIR, "PKY1", f"PKY1 = {value}")
     with refused(path, line_of(text, "PKY1"), "PKY1", repr(value)):
@@ -121,6 +121,15 @@ def test_a_number_that_the_formula_would_divide_by_is_not_zero(tire_from, path, 
     text = edited(REFERENCE_TIR, name, f"{name} = {value}")
     with refused(path, line_of(text, name), name, f"{value:.1f} is not allowed"):
         tire_from(text)
+
+
+@pytest.mark.parametrize(
+    ("lowest", "highest", "value"),
+    [("FZMIN", "FZMAX", 15_001), ("KPUMIN", "KPUMAX", 1.5), ("ALPMIN", "ALPMAX", 2)],
+)
+def test_a_range_that_ends_before_it_begins_is_refused(tire_from, path, lowest, highest, value):
+    with refused(path, lowest, highest):
+        tire_from(edited(REFERENCE_TIR, lowest, f"{lowest} = {value}"))
 
 
 def test_a_key_that_stands_twice_is_refused(tire_from, path):

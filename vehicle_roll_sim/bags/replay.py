@@ -14,7 +14,7 @@ from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 LONGEST_PERIOD = 1.5
-"""Usual periods between two sets; where it is longer, some are missing between them."""
+"""Publish periods between two sets; where it is longer, some are missing between them."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -45,17 +45,19 @@ class Replay:
         return self.periods > 0 and math.isnan(self.missing_from)
 
 
-def replay(run: RecordedRun, simulation: Simulation) -> Replay:
+def replay(run: RecordedRun, simulation: Simulation, period: float | None = None) -> Replay:
     """Drive `simulation` as the recorded vehicle was, from its reset on.
 
-    Raises InputError for a recording that does not begin as this vehicle at a reset.
+    period: that of the sets (s), None for the usual one of the recording. Raises InputError for a
+    recording that does not begin as this vehicle at a reset.
     """
     recorded = _recorded_states(run, simulation)
     _reset_as(recorded[0], simulation)
     own, missing_from = [_state(simulation)], np.nan
-    usual = float(np.median(np.diff(np.unique(recorded[:, 0])))) if len(recorded) > 1 else 0.0
+    if period is None:
+        period = float(np.median(np.diff(np.unique(recorded[:, 0])))) if len(recorded) > 1 else 0.0
     for before, now in itertools.pairwise(recorded[:, 0].tolist()):
-        if now not in run.commands or now - before > LONGEST_PERIOD * usual:
+        if now not in run.commands or now - before > LONGEST_PERIOD * period:
             missing_from = before
             break
         steps = round((now - before) * NANOSECONDS / simulation.step_ns)

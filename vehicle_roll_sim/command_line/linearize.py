@@ -5,6 +5,7 @@ import dataclasses
 import math
 
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
     as_option,
@@ -18,6 +19,7 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_writable
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED, compile_model
 from vehicle_roll_sim.simulation.summary import line
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 DESCRIPTION = "Linearise the model about steady driving: A, B, C, D and the poles."
 HARDEST = 30.0
@@ -52,6 +54,17 @@ def linearize_command(words: list[str], program: str) -> int:
     if file:
         check_writable(file, "--npz")
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
+    with ending.at_once():
+        model = _linear_model(vehicle, options, given)
+    if file:
+        model.write_npz(file)
+    lines = [*_trim_lines(model), *_pole_lines(model)]
+    print("\n".join([*lines, *([line("NPZ", file)] if file else [])]))
+    return 0
+
+
+def _linear_model(vehicle: Vehicle, options: Options, given: dict):
+    """The model about the steady driving that the options give."""
     compile_model()
     from vehicle_roll_sim.analysis import linear_model, trim  # scipy: a quarter of a second
 
@@ -59,16 +72,11 @@ def linearize_command(words: list[str], program: str) -> int:
     if "steering" in driving:
         driving["steering"] = math.radians(driving["steering"])
     try:
-        model = linear_model.linearize(trim.find_trim(vehicle, options, **driving))
+        return linear_model.linearize(trim.find_trim(vehicle, options, **driving))
     except InputError as error:
         if error.field == "steering":
             error.value = given["steering"]
         raise as_option(error) from None
-    if file:
-        model.write_npz(file)
-    lines = [*_trim_lines(model), *_pole_lines(model)]
-    print("\n".join([*lines, *([line("NPZ", file)] if file else [])]))
-    return 0
 
 
 def _parser(program: str) -> argparse.ArgumentParser:

@@ -5,12 +5,19 @@ import signal
 import sys
 
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
-from vehicle_roll_sim.command_line import linearize, paper, parameters, plot, replay, run, series
+from vehicle_roll_sim.command_line import (
+    ending,
+    linearize,
+    paper,
+    parameters,
+    plot,
+    replay,
+    run,
+    series,
+)
+from vehicle_roll_sim.command_line.ending import PROGRAM
 from vehicle_roll_sim.declaration import unknown_name
 
-PROGRAM = "vehicle_roll_sim"
-SHELLS_SIGNAL = 128
-"""Added to a signal's number it is an exit status, as shells have it."""
 COMMANDS = {
     "run": (run.run_command, run.DESCRIPTION),
     "replay": (replay.replay_command, replay.DESCRIPTION),
@@ -26,13 +33,8 @@ def main(words: list[str] | None = None) -> int:
     """Run the command with `words` (default: those of the process); returns the exit status."""
     if words is None:
         words = sys.argv[1:]
-        signal.signal(signal.SIGTERM, _end)
+        signal.signal(signal.SIGTERM, ending.cleanly)
     return exit_status(lambda: _dispatch(words), PROGRAM)
-
-
-def _end(signum, frame) -> None:
-    """End as the signal would have, but clear away what is half-written."""
-    sys.exit(SHELLS_SIGNAL + signum)
 
 
 def _dispatch(words: list[str]) -> int:

@@ -16,6 +16,7 @@ from vehicle_roll_sim.analysis.paper.report import (
 )
 from vehicle_roll_sim.analysis.paper.study import Study
 from vehicle_roll_sim.arguments import OneLineParser, named_file
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.simulation.output_file import check_folder, filled_folder
 from vehicle_roll_sim.simulation.simulation import compile_model
 from vehicle_roll_sim.vehicle.vehicle_file import preset
@@ -43,7 +44,8 @@ def paper_command(words: list[str], program: str) -> int:
     arguments = parser.parse_args(words)
     folder = named_file(arguments.out, "--out")
     check_folder(folder, "--out")
-    compile_model()
+    with ending.at_once():
+        compile_model()
     with tqdm(disable=None, leave=False, unit="result") as bar:
         study = Study(preset(), bar.update)
         if not study.has_engine:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.bags import need_library
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     chosen_simulation,
@@ -32,7 +33,8 @@ def replay_command(words: list[str], program: str) -> int:
 
     told = _told(arguments)
     runs = recorded_runs(folder, arguments.namespace)
-    compile_model()
+    with ending.at_once():
+        compile_model()
     if not any(run.begins_at_a_reset for run in runs):
         allowed = "a recording of at least one run from its reset on, time 0"
         raise InputError("BAG", str(folder), allowed, f"{folder}: it begins under way")
@@ -40,7 +42,7 @@ def replay_command(words: list[str], program: str) -> int:
     for number, run in enumerate(runs, 1):
         verdict = f"under way already at {run.states[0]['time']:.3f} s: not replayed"
         if run.begins_at_a_reset:
-            results.append(replay(run, _simulation(run.description, told, folder)))
+            results.append(replay(run, *_simulation(run.description, told, folder)))
             verdict = _verdict(results[-1])
         print(line(f"run {number}", verdict))
     is_good = all(result.is_exact and result.is_complete for result in results)
@@ -68,13 +70,18 @@ def _told(arguments: argparse.Namespace) -> Simulation | None:
     return chosen_simulation(arguments) if given.keys() - {*NOT_OF_SIMULATION} else None
 
 
-def _simulation(description: str, told: Simulation | None, folder: Path) -> Simulation:
-    """What was recorded; raises InputError where bag and options do not agree on it."""
+def _simulation(
+    description: str, told: Simulation | None, folder: Path
+) -> tuple[Simulation, float | None]:
+    """What was recorded, and its publish period (s) where the bag says it.
+
+    Raises InputError where bag and options do not agree.
+    """
     if not description:
         if told is None:
             allowed = "options that say what was simulated, as in `run`"
             raise InputError("BAG", str(folder), allowed, f"{folder} does not say it")
-        return told
+        return told, None
     recorded = described(description)
     if (recorded.version, recorded.machine) != (VERSION, MACHINE):
         print(line("recorded with", f"version {recorded.version} on {recorded.machine}"))
@@ -83,13 +90,15 @@ def _simulation(description: str, told: Simulation | None, folder: Path) -> Simu
         name, theirs, ours = differs
         problem = f"{folder}: the bag has {theirs}"
         raise InputError(name, theirs, f"the options say {ours}", problem)
-    return recorded.simulation
+    return recorded.simulation, recorded.period
 
 
 def _verdict(result) -> str:
     """One line on a replay."""
     compared = f"{result.end:.3f} s"
-    if result.is_exact:
+    if not result.periods:
+        compared += ", so that nothing was compared"
+    elif result.is_exact:
         compared += ", every state reproduced to the bit"
     elif math.isinf(result.difference):
         compared += f", but {result.name} is nan at {result.time:.3f} s on one side"

@@ -13,6 +13,7 @@ from vehicle_roll_sim.arguments import (
     declared_values,
     named_file,
 )
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
     chosen_options,
@@ -44,7 +45,8 @@ def series_command(words: list[str], program: str) -> int:
     if path:
         check_writable(path, "--csv")
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
-    compile_model()
+    with ending.at_once():
+        compile_model()
     runs = series.rows(vehicle, options)
     rows = list(tqdm(runs, delay=1.0, disable=None, leave=False, unit=" runs"))
     if path:

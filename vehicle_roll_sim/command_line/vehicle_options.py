@@ -5,6 +5,7 @@ import dataclasses
 import math
 
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.simulation.options import Options
@@ -47,7 +48,8 @@ def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
     integration = Integration(**declared_values(arguments, Integration))
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
     road = Road(**declared_values(arguments, Road))
-    compile_model()
+    with ending.at_once():
+        compile_model()
     return Simulation(
         vehicle,
         options,
@@ -85,6 +87,8 @@ def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
             raise InputError("--set", assignment, "NAME=VALUE")
         if name not in known:
             raise unknown_name(name, known, "--set")
+        if name in values:
+            raise InputError(f"--set {name}", text, "each name once", "given twice")
         values[name] = number(text, f"--set {name}", known[name])
     return vehicle.with_values(values, "--set ")
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, unknown_name
+from vehicle_roll_sim.declaration import InputError, number_in, unknown_name
 from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.vehicle.text_file import read_text
@@ -87,7 +87,7 @@ def _numbers(path: Path, line: int, header: list[str], row: list[str]) -> list[f
 
 def _number(path: Path, line: int, name: str, text: str) -> float:
     try:
-        value = float(text)
+        value = number_in(text)
     except ValueError:
         value = math.nan
     if not math.isfinite(value):

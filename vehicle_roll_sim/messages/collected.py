@@ -92,8 +92,9 @@ def is_ours(name: str, message) -> bool:
         labels = [dimension.label for dimension in message.layout.dim]
         is_whole = labels[:1] == ["time"] and len(labels) == len(message.data)
         return is_whole and set(labels) >= NEEDED and math.isfinite(message.data[0])
-    sizes = {COMMAND: len(COMMAND_LABELS), LOADS: len(WHEELS)}
-    return name not in sizes or len(message.data) == sizes[name]
+    if name == COMMAND:
+        return len(message.data) == len(COMMAND_LABELS) and math.isfinite(message.data[0])
+    return name != LOADS or len(message.data) == len(WHEELS)
 
 
 def _row(road: Road, state: dict, command, imu, loads) -> np.ndarray:

@@ -166,12 +166,12 @@ def _plain(value):
 
 
 def interruptible(function, arguments: tuple):
-    """function(*arguments); Ctrl-C in compiled code comes as the KeyboardInterrupt that it is."""
+    """function(*arguments); what a signal raises in compiled code comes as what it is."""
     try:
         return function(*arguments)
     except SystemError as error:
-        if isinstance(error.__cause__, KeyboardInterrupt):
-            raise KeyboardInterrupt from None
+        if isinstance(error.__cause__, (KeyboardInterrupt, SystemExit)):
+            raise error.__cause__ from None
         raise
 
 

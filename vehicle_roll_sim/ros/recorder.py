@@ -13,7 +13,7 @@ from rclpy.serialization import deserialize_message
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.process import (
@@ -140,7 +140,7 @@ def _duration(text: str | None) -> float | None:
         return None
     allowed = f"a number from {SHORTEST_RECORDING:g} to {LONGEST_RECORDING:g} s"
     try:
-        seconds = float(text)
+        seconds = number_in(text)
     except ValueError:
         raise InputError("--duration", text, allowed) from None
     if not SHORTEST_RECORDING <= seconds <= LONGEST_RECORDING:

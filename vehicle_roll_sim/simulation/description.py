@@ -31,9 +31,11 @@ VERSION, MACHINE = _version(), f"{platform.system()} {platform.machine()}"
 
 @dataclasses.dataclass(frozen=True)
 class Described:
-    """A simulation that was described, and the version and machine that it ran on."""
+    """A simulation that was described, with its publish period (s), and the version and machine
+    that it ran on."""
 
     simulation: Simulation
+    period: float
     version: str
     machine: str
 
@@ -76,7 +78,8 @@ def described(text: str) -> Described:
             road=Road(**told["road"]),
             check_step=False,  # it has run, whatever its step
         )
-        return Described(simulation, str(told["version"]), str(told["machine"]))
+        period = float(told["publish_period"])
+        return Described(simulation, period, str(told["version"]), str(told["machine"]))
     except InputError as error:
         raise InputError(f"{FIELD}: {error.field}", error.value, error.allowed) from None
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, STATE_NAMES, WHEELS
 from vehicle_roll_sim.simulation.output_file import replaced_file
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -107,6 +107,6 @@ def _places(path: Path, header: list[str]) -> list[int]:
 
 def _number(path: Path, line: int, name: str, text: str) -> float:
     try:
-        return float(text)
+        return number_in(text)
     except ValueError:
         raise InputError(f"{path}: line {line}: {name}", text, "a number") from None

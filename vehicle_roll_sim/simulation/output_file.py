@@ -8,7 +8,7 @@ import uuid
 from collections.abc import Iterator
 from pathlib import Path
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, NotWrittenError
 
 FIGURE_FORMATS = (".png", ".svg", ".pdf")
 
@@ -46,7 +46,7 @@ def check_figure_format(path: Path, field: str) -> None:
 def replaced_file(path: Path) -> Iterator[Path]:
     """A path to write to, in the folder of `path` and with its suffix, moved there at the end.
 
-    Raises InputError if the system does not let it be written.
+    Raises NotWrittenError if the system does not let it be written.
     """
     try:
         path = _resolved(path)  # a link stays, what it leads to is replaced
@@ -58,7 +58,7 @@ def replaced_file(path: Path) -> Iterator[Path]:
             partial.replace(path)
     except OSError as error:
         wanted = "a place that can be written to"
-        raise InputError(f"file {path}", "", wanted, error.strerror) from None
+        raise NotWrittenError(f"file {path}", "", wanted, error.strerror) from None
 
 
 @contextlib.contextmanager
@@ -121,7 +121,8 @@ def check_new_folder(path: Path, field: str) -> None:
 def new_folder(path: Path, field: str) -> Iterator[Path]:
     """Where to make a folder, under the name of `path`; in the end it is moved to `path`, whole.
 
-    Raises InputError naming `field` if there is something already, or the system does not let it.
+    Raises InputError naming `field` if there is something already, NotWrittenError if the system
+    does not let it.
     """
     check_new_folder(path, field)
     try:
@@ -131,7 +132,7 @@ def new_folder(path: Path, field: str) -> Iterator[Path]:
             path.parent.mkdir(parents=True, exist_ok=True)
             (beside / path.name).rename(path)
     except OSError as error:
-        raise InputError(
+        raise NotWrittenError(
             field, str(path), "a place to write to", f"{path}: {error.strerror}"
         ) from None
 
@@ -141,7 +142,7 @@ def filled_folder(path: Path) -> Iterator[Path]:
     """A new folder to write files to; in the end they move to the folder `path`.
 
     It is made if need be; what it holds already stays, but for files of the same names. Raises
-    InputError if the system does not let it be filled.
+    NotWrittenError if the system does not let it be filled.
     """
     try:
         path = _resolved(path)
@@ -155,7 +156,7 @@ def filled_folder(path: Path) -> Iterator[Path]:
             for file in files:
                 file.replace(path / file.name)
     except OSError as error:
-        raise InputError(f"folder {path}", "", "a place to write to", error.strerror) from None
+        raise NotWrittenError(f"folder {path}", "", "a place to write to", error.strerror) from None
 
 
 def _existing(path: Path) -> Path:

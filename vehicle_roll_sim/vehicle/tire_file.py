@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.model.records import LF, LR, RF, RR
 from vehicle_roll_sim.model.tire import OPTIONAL, RANGES, REQUIRED, SCALING, TIRE
 from vehicle_roll_sim.vehicle.text_file import read_text
@@ -85,6 +85,11 @@ def load_tire(path: str | Path) -> Tire:
     for name in ("PCX1", "LCX", "PCY1", "LCY", "PKY2"):
         if coefficients[name] == 0.0:
             raise InputError(values[name].where, 0.0, "any number but 0")
+    for lowest, highest in zip(RANGES[::2], RANGES[1::2], strict=True):
+        low, high = coefficients[lowest], coefficients[highest]
+        if not low < high:
+            given = values[lowest] if lowest in values else values[highest]
+            raise InputError(given.where, f"{low:g} to {high:g}", f"{lowest} below {highest}")
     side = values["TYRESIDE"].text.lower() if "TYRESIDE" in values else "left"
     if side not in SIDES:
         raise InputError(values["TYRESIDE"].where, side, " or ".join(SIDES))
@@ -154,7 +159,7 @@ def _number(path: Path, values: dict[str, Entry], name: str, unit: float) -> flo
         return DEFAULTS[name]
     text, where = values[name]
     try:
-        number = float(text) * unit
+        number = number_in(text) * unit
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
