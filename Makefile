@@ -4,7 +4,8 @@ PYTHON ?= python3
 DISTRO ?= jazzy
 VENV := $(if $(filter jazzy,$(DISTRO)),.venv,.venv-$(DISTRO))
 BIN := $(VENV)/bin
-PYTEST_OPTIONS := --numprocesses 2 --dist loadfile
+# Nodes wait for one another most of the time: three tests at once for two cores.
+PYTEST_OPTIONS := --numprocesses 3 --dist loadfile
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 

@@ -37,6 +37,11 @@ def shutting_down(shut_down: Callable[[], None]) -> None:
     _handle(_nothing)
 
 
+def over() -> None:
+    """From now on signals change nothing: Python itself ends, without its handlers."""
+    _handle(signal.SIG_IGN)
+
+
 @contextlib.contextmanager
 def interruptible() -> Iterator[None]:
     """Within, a signal also raises KeyboardInterrupt: for long computations, which see nothing."""
@@ -48,7 +53,7 @@ def interruptible() -> Iterator[None]:
             signal.signal(signum, handler)
 
 
-def _handle(handler: Callable) -> None:
+def _handle(handler: Callable | signal.Handlers) -> None:
     for signum in SIGNALS:
         signal.signal(signum, handler)
 

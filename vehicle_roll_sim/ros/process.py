@@ -17,7 +17,7 @@ from rclpy.exceptions import (
 from rclpy.executors import Executor, ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
-from rclpy.utilities import remove_ros_args
+from rclpy.utilities import remove_ros_args, try_shutdown
 
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError, unknown_name
@@ -57,6 +57,7 @@ def node_main(
             return 0
         finally:
             _shut_down()
+            ending.over()
 
     return exit_status(command, parser.prog)
 
@@ -98,7 +99,7 @@ def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespac
 
 def _shut_down() -> None:
     with contextlib.suppress(RuntimeError):  # it is being shut down just now
-        rclpy.try_shutdown(uninstall_handlers=False)  # a second signal must find them, too
+        try_shutdown()  # that of rclpy itself also takes away the handlers of signals
 
 
 def _without_ros_arguments(words: list[str]) -> list[str]:
