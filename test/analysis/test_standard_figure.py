@@ -17,6 +17,7 @@ from drawn_runs import (
     same,
     shown_texts,
 )
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from vehicle_roll_sim import WHEELS
 from vehicle_roll_sim.analysis.drawing import save_figure
@@ -159,3 +160,23 @@ def test_few_samples_are_a_figure_too(history, tmp_path, rows):
     history.rows = history.rows[:rows]
     plot_run(history, events_of(history, ANGLE), tmp_path / "figure.png", "run")
     assert (tmp_path / "figure.png").stat().st_size > 0
+
+
+def test_the_last_bits_of_the_layout_do_not_reach_the_file(history, tmp_path, monkeypatch):
+    """They differ from run to run; here by more than they do."""
+    path, lay_out = tmp_path / "figure.svg", ConstrainedLayoutEngine.execute
+
+    def nudge(engine, figure):
+        lay_out(engine, figure)
+        for axes in figure.axes:
+            bounds = np.array(axes.get_position(original=True).bounds)
+            axes.set_position(bounds + 1e-13)
+            axes.set_in_layout(True)
+
+    def contents():
+        plot_run(history, events_of(history, ANGLE), path, "run")
+        return path.read_bytes()
+
+    as_solved = contents()
+    monkeypatch.setattr(ConstrainedLayoutEngine, "execute", nudge)
+    assert contents() == as_solved

@@ -4,8 +4,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from vehicle_roll_sim.simulation.output_file import replaced_file
 
@@ -16,11 +18,28 @@ LEGEND_GAP = 0.01
 CHARACTERS_PER_INCH, CHARACTERS_OF_AN_EXAMPLE = 13, 8
 """Of the text in a legend, and what stands beside it."""
 MOST_COLUMNS = 4
+DIGITS_OF_A_POSITION = 9
+"""As a share of the figure: far less than a pixel, far more than rounding."""
+
+
+class SteadyLayout(ConstrainedLayoutEngine):
+    """The constrained layout but for its last bits, which differ from run to run.
+
+    Its solver takes the constraints in an order that goes by addresses in memory, and an SVG makes
+    names from exact positions.
+    """
+
+    def execute(self, fig: Figure) -> None:
+        super().execute(fig)
+        for axes in fig.axes:
+            bounds = axes.get_position(original=True).bounds
+            axes.set_position(np.round(bounds, DIGITS_OF_A_POSITION))
+            axes.set_in_layout(True)  # else it would keep this place
 
 
 def new_figure(width: float, height: float) -> Figure:
     """An empty figure (inches), drawn without a screen."""
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = Figure(figsize=(width, height), layout=SteadyLayout())
     FigureCanvasAgg(figure)
     return figure
 
