@@ -47,10 +47,10 @@ class Reporter:
         with self._lock:
             wrong = [*clocks, *command_troubles(self._session, publishers)]
             status = self._status(wrong, publishers)
+        self._warn({*wrong, *incompatible_partners(self._node)})  # who is told may end the node
         diagnostics = DiagnosticArray(status=[status])
         diagnostics.header.stamp = self._publications.present_stamp()
         self._publisher.publish(diagnostics)
-        self._warn({*wrong, *incompatible_partners(self._node)})
 
     def _warn(self, wrong: set[str]) -> None:
         """In the log, of what was not wrong the last time."""
