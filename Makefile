@@ -5,7 +5,7 @@ DISTRO ?= jazzy
 VENV := $(if $(filter jazzy,$(DISTRO)),.venv,.venv-$(DISTRO))
 BIN := $(VENV)/bin
 # Nodes wait for one another most of the time: three tests at once for two cores.
-PYTEST_OPTIONS := --numprocesses 3 --dist loadfile
+PYTEST_OPTIONS := --numprocesses 3 --dist loadfile --no-loadscope-reorder
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 

@@ -1,9 +1,14 @@
-"""For all tests: the model is compiled before the first of them; the profiles of random cases."""
+"""For all tests: the model is compiled before them; profiles of random cases; who is measured."""
+
+import os
 
 import pytest
 from hypothesis import settings
 
 from vehicle_roll_sim.simulation.simulation import compile_model
+
+MEASURING = "COVERAGE_PROCESS_CONFIG"
+"""In the environment where coverage is measured; processes that are started take part by it."""
 
 settings.register_profile(
     "suite", derandomize=True, database=None, deadline=None, max_examples=200, print_blob=False
@@ -18,3 +23,19 @@ settings.load_profile("suite")
 def compiled_model():
     """On a fresh machine this takes some 15 s, and says so; no test should meet that by chance."""
     compile_model()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item):
+    """A test that is marked as unmeasured takes no part, nor do its processes."""
+    if MEASURING not in os.environ or not item.get_closest_marker("unmeasured"):
+        return (yield)
+    from coverage import Coverage  # not needed by those who do not measure
+
+    measurement, how = Coverage.current(), os.environ.pop(MEASURING)
+    measurement.stop()
+    try:
+        return (yield)
+    finally:
+        measurement.start()
+        os.environ[MEASURING] = how

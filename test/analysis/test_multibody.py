@@ -21,6 +21,8 @@ from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 pytest.importorskip("mujoco", reason="the multibody engine is not installed")
 from vehicle_roll_sim.analysis.multibody import SPEEDS, SPINS, Multibody
 
+pytestmark = pytest.mark.unmeasured
+
 STATES = 200
 SAMPLE = 1e-3
 """s"""

@@ -25,6 +25,8 @@ from vehicle_roll_sim.analysis.paper.study import (
 )
 from vehicle_roll_sim.model.records import WHEELS
 
+pytestmark = pytest.mark.unmeasured
+
 J_TURN = ("j_turn", {"1", SAME_AS_ENGINE, ENGINE})
 CURVES = {
     6: J_TURN,

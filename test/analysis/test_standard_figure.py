@@ -26,7 +26,7 @@ from vehicle_roll_sim.analysis.plots import plot_run, standard_figure
 from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.simulation.history import COLUMNS, History
 
-pytestmark = pytest.mark.filterwarnings("error")
+pytestmark = [pytest.mark.filterwarnings("error"), pytest.mark.unmeasured]
 
 
 @pytest.fixture

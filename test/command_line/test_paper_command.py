@@ -23,6 +23,8 @@ from vehicle_roll_sim.analysis.paper.report import (
 from vehicle_roll_sim.analysis.paper.study import RUNS, Study
 from vehicle_roll_sim.command_line import paper as paper_module
 
+pytestmark = pytest.mark.unmeasured
+
 pytest.importorskip("mujoco", reason="the multibody engine is not installed")
 
 NUMBERS = ("06", "07", "08", "09", "10", "11", "12", "13", "14", "15", "17", "18")

@@ -7,6 +7,8 @@ from xml.etree import ElementTree
 import pytest
 from matplotlib.image import imread
 
+pytestmark = pytest.mark.unmeasured
+
 SHORT = ("run", "step_steer", "--duration", "1.5")
 PRINTED = 0.0015
 """s: the references are certain to 1 ms, and the lines are rounded to 1 ms."""

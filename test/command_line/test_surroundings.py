@@ -12,6 +12,8 @@ import pytest
 
 from vehicle_roll_sim.model.jit import CACHE, COMPILED, interruptible
 
+pytestmark = pytest.mark.unmeasured
+
 COMMAND = (sys.executable, "-u", "-m", "vehicle_roll_sim")
 """With output that is not buffered: every line meets the surroundings at once."""
 PATIENCE = 120

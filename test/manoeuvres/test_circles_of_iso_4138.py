@@ -14,6 +14,8 @@ from vehicle_roll_sim.model.records import ROLL, YAW_RATE, U
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.run import run
 
+pytestmark = pytest.mark.unmeasured
+
 WHEELBASE = 1.016 + 1.524
 """m"""
 GRAVITY = 9.81

@@ -11,6 +11,8 @@ from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
 from vehicle_roll_sim.simulation.options import MODELS
 from vehicle_roll_sim.simulation.run import run
 
+pytestmark = pytest.mark.unmeasured
+
 SEVERE, PLAIN = "iso_severe_double_lane_change", "iso_double_lane_change"
 BOTH = (SEVERE, PLAIN)
 KMH = 1 / 3.6

@@ -10,6 +10,8 @@ from vehicle_roll_sim.manoeuvres.entry_speed_search import EntrySpeedSearch
 from vehicle_roll_sim.manoeuvres.series import SERIES
 from vehicle_roll_sim.manoeuvres.series_of_runs import driven
 
+pytestmark = pytest.mark.unmeasured
+
 SEVERE, PLAIN = "iso_severe_double_lane_change", "iso_double_lane_change"
 PLAUSIBLE = {SEVERE: (45, 65), PLAIN: (70, 110)}
 """km/h: a passenger car with a high c.g. and much grip, and a driver of the simplest kind."""

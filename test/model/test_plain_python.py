@@ -22,7 +22,7 @@ TO_ROLLOVER = 4000
 A_FEW = 1300
 """Steps of 1 ms: well into the turn."""
 A_SWERVE = 80
-"""Steps of 1 ms: into it, for each variant."""
+"""Steps of 1 ms: into it, for each variant. Every kernel has its turn, which coverage needs."""
 SHARE_OF_PEAK = 1e-9
 """The compiler may order a sum differently: 1e-15, grown by the fall to the side. Seen: 0."""
 compiled_only = pytest.mark.skipif(
@@ -30,22 +30,11 @@ compiled_only = pytest.mark.skipif(
 )
 
 
-MEASURING = "COVERAGE_PROCESS_CONFIG"
-"""What has a process take part in the measurement of coverage, which makes plain Python slow."""
-
-
-def in_another_process(
-    folder: Path, steps: int, *arguments: str, measured: bool = False, **environment: str
-):
-    """What plain_run.py saves, run in a process with further environment variables.
-
-    Whether its coverage may be measured: of short runs, in which every kernel has its turn.
-    """
+def in_another_process(folder: Path, steps: int, *arguments: str, **environment: str):
+    """What plain_run.py saves, run in a process with further environment variables."""
     result = folder / "run.npz"
     paths = os.pathsep.join(map(str, (ROOT, HERE)))
     environment = os.environ | {"PYTHONPATH": paths} | environment
-    if not measured:
-        environment.pop(MEASURING, None)
     command = [sys.executable, str(HERE / "plain_run.py"), str(steps), str(result), *arguments]
     subprocess.run(command, env=environment, check=True, timeout=120)
     return np.load(result)
@@ -69,6 +58,7 @@ def without_numba(tmp_path_factory):
     return in_another_process(folder, A_FEW, "without-numba")
 
 
+@pytest.mark.unmeasured
 @compiled_only
 def test_plain_python_follows_compiled_code_through_lift_off_to_rollover(plain, compiled):
     assert len(plain["state"]) == len(compiled.state)
@@ -78,12 +68,14 @@ def test_plain_python_follows_compiled_code_through_lift_off_to_rollover(plain, 
     assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 
+@pytest.mark.unmeasured
 @compiled_only
 def test_all_outputs_are_those_of_compiled_code_too(plain, compiled):
     shares = largest_difference(plain["outputs"], compiled.outputs, OUTPUTS.names)
     assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 
+@pytest.mark.unmeasured
 @compiled_only
 @pytest.mark.parametrize("name", OPTIONS)
 def test_the_8_dof_model_and_steady_state_slip_are_one_source_too(tmp_path, name):
@@ -96,24 +88,27 @@ def test_the_8_dof_model_and_steady_state_slip_are_one_source_too(tmp_path, name
 
 @compiled_only
 def test_every_variant_is_one_source_too(tmp_path):
-    plain = in_another_process(tmp_path, A_SWERVE, "variants", measured=True, NUMBA_DISABLE_JIT="1")
+    plain = in_another_process(tmp_path, A_SWERVE, "variants", NUMBA_DISABLE_JIT="1")
     compiled = run_variants(A_SWERVE)
     for part, dtype in (("state", STATE), ("outputs", OUTPUTS)):
         shares = largest_difference(plain[part], compiled[part], dtype.names)
         assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 
+@pytest.mark.unmeasured
 @compiled_only
 def test_the_model_runs_the_same_where_numba_is_not_installed(without_numba, compiled):
     shares = largest_difference(without_numba["state"], compiled.state[: A_FEW + 1], STATE.names)
     assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 
+@pytest.mark.unmeasured
 def test_without_numba_and_with_it_switched_off_the_same_bytes_come_out(without_numba, plain):
     """Both are plain Python, so not even rounding differs."""
     assert without_numba["state"].tobytes() == plain["state"][: A_FEW + 1].tobytes()
 
 
+@pytest.mark.unmeasured
 def test_the_reason_for_running_slowly_is_told(without_numba, plain):
     assert "numba is not installed" in str(without_numba["how"])
     assert "NUMBA_DISABLE_JIT" in str(plain["how"])

@@ -23,6 +23,8 @@ from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.simulation.road import Road
 
+pytestmark = pytest.mark.unmeasured
+
 SOME = settings(max_examples=settings().max_examples // 2)
 FEW = settings(max_examples=settings().max_examples // 5)
 COUNT, PERIOD = 10, 0.02

@@ -9,6 +9,8 @@ from vehicle_roll_sim import preset
 from vehicle_roll_sim.analysis.paper.report import CLAIMS, as_markdown, check_claims
 from vehicle_roll_sim.command_line.parameters import parameter_table
 
+pytestmark = pytest.mark.unmeasured
+
 SHOWN = 0.01
 """Relative: numbers are rounded to three digits."""
 ROUNDING_ERRORS = 22

@@ -6,6 +6,8 @@ import sys
 
 import pytest
 
+pytestmark = pytest.mark.unmeasured
+
 MESSAGES = 20_000
 """Some five seconds."""
 GROWTH = 8.0

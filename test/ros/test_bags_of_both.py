@@ -13,6 +13,8 @@ from vehicle_roll_sim.command_line.main import main as offline
 from vehicle_roll_sim.messages.topics import DIAGNOSTICS, ROLLOVER, STATE_SET
 from vehicle_roll_sim.simulation.description import described
 
+pytestmark = pytest.mark.unmeasured
+
 MANOEUVRES = {
     "nhtsa_fishhook": ("--set", "cg_height=0.55", "--duration", "3"),
     "step_steer": ("--set", "cg_height=0.55", "--duration", "1.5"),

@@ -9,6 +9,8 @@ from compare import CONTROLLERS, SCENARIOS, WITHOUT, drive, row, warning_line
 from vehicle_roll_sim.messages.topics import COMMANDS
 from vehicle_roll_sim.ros.topics import message_class
 
+pytestmark = pytest.mark.unmeasured
+
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "msg_examples"
 README = (ROOT / "README.md").read_text(encoding="utf-8")

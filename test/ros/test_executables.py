@@ -10,6 +10,8 @@ from vehicle_roll_sim.command_line.main import main as offline
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED
 from vehicle_roll_sim.ros.topics import is_installed
 
+pytestmark = pytest.mark.unmeasured
+
 LATE = 0.1
 """s: a command that comes late on a busy machine counts one period (0.01 s) later, now and then."""
 CHANGED = {"peak roll angle": 1.0, "peak lateral acceleration": 0.05}

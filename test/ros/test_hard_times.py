@@ -18,6 +18,8 @@ from vehicle_roll_sim.messages.topics import COMMANDS
 from vehicle_roll_sim.ros.topics import message_class
 from vehicle_roll_sim.simulation.pacing import DEFAULT_CATCH_UP
 
+pytestmark = pytest.mark.unmeasured
+
 SCALARS = {"steering_cmd": 0.0, "rear_steering_cmd": 0.0, "speed_cmd": 13.0}
 FLOOD = 6.0
 """s"""

@@ -13,6 +13,8 @@ from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.bags.unindexed import BagReader
 from vehicle_roll_sim.simulation.description import described
 
+pytestmark = pytest.mark.unmeasured
+
 LAST_SECOND = 1_000_000_000
 """ns"""
 REPLAYED = {"/simulation_description", "/applied_command", "/state"}

@@ -13,6 +13,8 @@ from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim import Command, Simulation, preset
 
+pytestmark = pytest.mark.unmeasured
+
 CONTROLLER = str(Path(__file__).with_name("lockstep_controller.py"))
 PERIODS, PERIOD = 300, 0.01
 """And s: the vehicle rolls over on the way."""

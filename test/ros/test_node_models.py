@@ -8,6 +8,8 @@ from vehicle_roll_sim import LR, Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
 from vehicle_roll_sim.messages.topics import STATE_SET
 
+pytestmark = pytest.mark.unmeasured
+
 
 @pytest.mark.parametrize(
     ("model", "steady"), [("1", False), ("1", True), ("1c-iii", True), ("8dof", False)]

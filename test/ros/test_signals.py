@@ -10,6 +10,8 @@ import pytest
 from peers import PATIENCE
 from recordings import heard_so_far, read_bag
 
+pytestmark = pytest.mark.unmeasured
+
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
 WORDS = {"simulator": (), "manoeuvre": ("j_turn",), "recorder": ("--output", "{}/bag{}")}
 EXAMPLES = Path(__file__).parents[2] / "msg_examples"

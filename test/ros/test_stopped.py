@@ -11,6 +11,8 @@ from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim.messages.topics import STATE_SET
 
+pytestmark = pytest.mark.unmeasured
+
 HUGE = 1e308
 """Finite, but its multiples are not."""
 HARDLY_LIMITED = ("-p", "wheel_torque_limit:=1e6", "-p", "normal_force_limit:=1e6")

@@ -10,6 +10,8 @@ from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim import LF, Simulation, preset
 
+pytestmark = pytest.mark.unmeasured
+
 ROLL, U = 4, 7
 """Places in `state`, whose first element is the time."""
 

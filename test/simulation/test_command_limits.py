@@ -14,6 +14,8 @@ from vehicle_roll_sim.simulation.command_inbox import CommandInbox, channels
 from vehicle_roll_sim.simulation.command_limits import CommandLimits
 from vehicle_roll_sim.simulation.session import Session
 
+pytestmark = pytest.mark.unmeasured
+
 LIMIT_OF = {topic: channel.limit for topic, channel in channels().items()}
 SIZE_OF = {topic: channel.size for topic, channel in channels().items()}
 USUAL = CommandLimits()

@@ -7,6 +7,8 @@ import pytest
 
 from vehicle_roll_sim.simulation.pacing import Pacer
 
+pytestmark = pytest.mark.unmeasured
+
 MS = 1_000_000
 PERIOD = 10 * MS
 CATCH_UP = 100 * MS

@@ -9,6 +9,8 @@ from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.session import Session
 
+pytestmark = pytest.mark.unmeasured
+
 ROCKING = 0.01
 """m/s beyond `OVERSHOOT`: it has begun to settle on the slope when its wheels begin to turn."""
 ROLL_BACK = 0.01
