@@ -19,6 +19,9 @@ PATIENCE = 60.0
 """Seconds until a wait fails: tenfold what a busy machine needs, compiling included."""
 ASK_AGAIN = 5.0
 """Seconds after which a service is asked again."""
+RACE_FOR_A_PORT = "RTPS_TRANSPORT_SHM Error"
+"""Fast DDS says so where another process, of whatever domain, has just taken the port of shared
+memory that it wanted. It takes the next one."""
 TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED)}
 
 
@@ -171,7 +174,8 @@ class Process:
         if signum is not None:
             self.process.send_signal(signum)
         out, err = self.process.communicate(timeout=PATIENCE)
-        return self.process.returncode, out, err
+        own = [line for line in err.splitlines(keepends=True) if RACE_FOR_A_PORT not in line]
+        return self.process.returncode, out, "".join(own)
 
     def close(self) -> None:
         if self.process.poll() is None:

@@ -36,6 +36,7 @@ def test_it_goes_on_when_all_have_received_the_first_set(start, peer, tmp_path):
     peer.wait(lambda: "/simulation_description" in heard_so_far(bag), "the recorder to hear")
     os.kill(recorder.pid, signal.SIGSTOP)  # known to the simulator, and deaf
     peer.listen("state", "/diagnostics")
+    peer.newest("/diagnostics")  # the simulator knows of both
     peer.publish("steering_cmd", 0.01)
     peer.wait(lambda: peer.received["state"], "the first set")
     peer.publish("steering_cmd", 0.01)
