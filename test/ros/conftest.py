@@ -3,6 +3,7 @@
 import itertools
 import os
 
+import launch_files
 import pytest
 from peers import Peer, Process
 
@@ -64,3 +65,10 @@ def make_peer(domain):
 @pytest.fixture
 def peer(make_peer):
     return make_peer()
+
+
+@pytest.fixture
+def launching(monkeypatch, tmp_path):
+    """The module of the launch files."""
+    with launch_files.stand_in(monkeypatch, tmp_path / "install") as module:
+        yield module

@@ -49,6 +49,11 @@ def load(name: str):
     return module.generate_launch_description()
 
 
+def actions_of(name: str, **given: str) -> dict[str, object]:
+    """The actions of a launch file by their names."""
+    return {action.name: action for action in launch_stand_in.actions_of(load(name), **given)}
+
+
 def run(name: str, domain: int, **given: str) -> dict[str, tuple[int, str, str]]:
     """Run a launch file to its end: status, stdout and stderr of every process."""
     actions = launch_stand_in.actions_of(load(name), **given)

@@ -128,6 +128,14 @@ def test_a_wrong_recording_ends_with_one_line_and_status_2(start, tmp_path, word
     assert named in err
 
 
+@pytest.mark.parametrize("name", ["steering_cmd", "imu", "a-b"])
+def test_a_name_that_a_topic_cannot_have_ends_with_one_line_and_status_2(start, name):
+    status, out, err = start("simulator", "--ros-args", "-r", f"state:={name}").finish()
+    assert (status, out, "Traceback" in err) == (2, "", False)
+    assert err.splitlines()[-1].startswith("simulator: error: ROS: ")
+    assert "--ros-args" in err.splitlines()[-1]
+
+
 def test_the_demo_prints_what_happened_and_where_the_files_are(start, tmp_path):
     folder = tmp_path / "run"
     status, out, _ = start("demo", "--output", str(folder)).finish()

@@ -11,28 +11,15 @@ import launch_files
 import launch_stand_in
 import numpy as np
 import pytest
+from launch_files import actions_of
 from recordings import read_bag
 
-from vehicle_roll_sim import preset
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS
 from vehicle_roll_sim.messages.topics import STATE_SET
-from vehicle_roll_sim.messages.urdf import urdf
 
 ROOT = Path(__file__).parents[2]
 MANUAL = ROOT / "docs" / "launch.md"
 EXAMPLES = ROOT / "msg_examples"
-
-
-@pytest.fixture
-def launching(monkeypatch, tmp_path):
-    with launch_files.stand_in(monkeypatch, tmp_path / "install") as module:
-        yield module
-
-
-def actions_of(name: str, **given: str) -> dict[str, object]:
-    """The actions of a launch file by their names."""
-    actions = launch_stand_in.actions_of(launch_files.load(name), **given)
-    return {action.name: action for action in actions}
 
 
 def parameters_of(command: list[str]) -> dict[str, str]:
@@ -168,31 +155,6 @@ def test_nobody_elses_network_is_joined_unless_the_environment_says_so(launching
     assert given[launching.DISCOVERY].value == "OFF"
 
 
-@pytest.mark.parametrize(("model", "suspended"), [("", True), ("1a", True), ("8dof", False)])
-def test_rviz_is_shown_the_vehicle_that_is_simulated(launching, model, suspended):
-    actions = actions_of("rviz", model=model)
-    (parameters,) = actions["robot_state_publisher"].parameters
-    description = parameters["robot_description"]
-    assert description.value == urdf(preset(), suspended)
-    assert description.value_type is str
-    (shown,) = (Path(word) for word in actions["rviz2"].cmd if word.endswith(".rviz"))
-    assert shown.samefile(launch_files.PACKAGE / "config" / "vehicle.rviz")
-
-
-@pytest.mark.parametrize(
-    ("given", "simulated"),
-    [({}, False), ({"lockstep": "true"}, True), ({"real_time_factor": "0.5"}, True)],
-)
-def test_pictures_go_by_the_clock_of_the_simulator(launching, given, simulated):
-    actions = actions_of("rviz", **given)
-    for name in ("robot_state_publisher", "rviz2"):
-        assert actions[name].parameters[0]["use_sim_time"] is simulated
-
-
-def test_pictures_can_do_without_rviz(launching):
-    assert "rviz2" not in actions_of("rviz", rviz="false")
-
-
 def test_controller_recording_and_manoeuvre_in_lockstep_end_with_the_manoeuvre(
     launching, domain, tmp_path
 ):
@@ -220,12 +182,16 @@ def test_a_launch_ends_when_its_simulator_does_not_start(launching, domain):
 
 
 @pytest.mark.parametrize(
-    ("given", "named"),
-    [({"manoeuvre": "j_tum"}, "j_turn"), ({"controller": "bar"}, "active_roll_bar")],
+    ("name", "given", "named"),
+    [
+        ("controller", {"manoeuvre": "j_tum"}, "j_turn"),
+        ("controller", {"controller": "bar"}, "active_roll_bar"),
+        ("rviz", {"real_time_factor": "half"}, "real_time_factor: 'half' is not allowed: a number"),
+    ],
 )
-def test_what_is_not_there_is_refused_with_what_is(launching, given, named):
+def test_a_wrong_argument_is_refused_with_what_is_allowed(launching, name, given, named):
     with pytest.raises((RuntimeError, ValueError), match=named):
-        actions_of("controller", **given)
+        actions_of(name, **given)
 
 
 @pytest.mark.skipif(

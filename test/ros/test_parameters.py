@@ -28,10 +28,10 @@ WRONG = {
     "normal_force_limit:=-1.0": ("normal_force_limit", "from 0 to 1e+06 N"),
     "steering_rate_limit:=.inf": ("steering_rate_limit", "from 0 to 1000 rad/s"),
     "catch_up_limit:=60": ("catch_up_limit", "from 0 to 10 s"),
-    "step:=fast": ("step", "number"),
+    "publish_rate:=.nan": ("publish_rate", "number"),
     "step:=0.0003": ("publish_rate", "multiple of the step"),
     "step:=0.005 initial_speed:=4.0 steady_state_slip:=true": ("step", "at most 0.0015 s at 4 m/s"),
-    "publish_rate:=.nan": ("publish_rate", "number"),
+    "step:=1e-6 publish_rate:=5": ("publish_rate", "at least 10 Hz with steps of 1e-06 s"),
     "initial_speed:=-0.1": ("initial_speed", "from 0 to 100 m/s"),
     "initial_speed:=3.4 steady_state_slip:=true": ("initial_speed", "3.5 m/s"),
     "grade:=1.5": ("grade", "from -1 to 1 m/m"),
@@ -68,9 +68,9 @@ def beyond(declared) -> list:
     """Wrong values of a parameter."""
     if declared.kind is not float:
         return [] if declared.kind is str and not declared.choices else [math.nan, "no_such", [], 7]
-    span = [math.nan, math.inf, -math.inf, "1", None, True]
-    span += [math.nextafter(declared.minimum, -math.inf)]
-    return [*span, math.nextafter(declared.maximum, math.inf)]
+    low, high = declared.minimum, declared.maximum
+    beside = math.nextafter(low, -math.inf), math.nextafter(high, math.inf)
+    return [math.nan, math.inf, -math.inf, "1", None, True, *beside]
 
 
 WRONG_VALUES = [

@@ -22,7 +22,7 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterValue
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
 from vehicle_roll_sim.messages.urdf import urdf
 from vehicle_roll_sim.ros.script_texts import assigned, texts_of
@@ -217,12 +217,19 @@ def recording(given: Mapping[str, str]) -> list[ExecuteProcess]:
     return [ExecuteProcess(cmd=command, output="screen", **ending)]
 
 
+def _real_time_factor(given: Mapping[str, str]) -> float:
+    text = given["real_time_factor"] or "1"
+    try:
+        return number_in(text)
+    except ValueError:
+        raise InputError("real_time_factor", text, "a number") from None
+
+
 def pictures(given: Mapping[str, str]) -> list[Node]:
     """robot_state_publisher, which moves the wheels, and RViz if it is wanted."""
     vehicle = load_vehicle(given["vehicle_file"]) if given["vehicle_file"] else preset()
     options = Options(model=given["model"] or Options().model)
-    simulated = given["lockstep"] == YES or float(given["real_time_factor"] or 1.0) != 1.0
-    clock = {"use_sim_time": simulated}
+    clock = {"use_sim_time": given["lockstep"] == YES or _real_time_factor(given) != 1.0}
     text = urdf(vehicle, not options.has_eight_dof)
     wheels = Node(
         package="robot_state_publisher",

@@ -27,6 +27,8 @@ from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
 LOOK = 0.05
 """s that a loop waits in `spin_once`, always the same: an executor that is asked with another
 timeout than before begins with its first subscription again, and the last ones would starve."""
+NOT_MADE = "Failed to create"
+"""In what rclpy says where the same name is given to topics of two types."""
 OF_EVERY_NODE = ("use_sim_time", "start_type_description_service")
 QOS_OVERRIDES = "qos_overrides."
 """Parameters that rclpy itself knows, and how the names of others begin."""
@@ -91,10 +93,12 @@ def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespac
         return body(arguments)
     except (NameValidationException, InvalidParameterTypeException) as error:
         raise _not_started(error) from None
-    except (RuntimeError, NotInitializedException):  # on a context that a signal has shut down
-        if rclpy.ok():
-            raise
-        return 0
+    except (RuntimeError, NotInitializedException) as error:
+        if not rclpy.ok():  # a signal has shut the context down
+            return 0
+        if NOT_MADE in str(error):
+            raise _not_started(error) from None
+        raise
 
 
 def _shut_down() -> None:

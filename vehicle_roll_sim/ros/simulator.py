@@ -33,6 +33,8 @@ DIAGNOSTICS_PERIOD = 1.0
 """s"""
 WARNING_INTERVAL = 1.0
 """s between two warnings of the same kind on the same topic."""
+MOST_STEPS = 100_000
+"""In a period: half a second of computing (model 1), in which no signal is heeded."""
 NO_ANSWER = 1
 """Exit status when a controller did not answer in lockstep and the policy is to stop."""
 
@@ -191,19 +193,27 @@ def _session(declared: parameters.Declared) -> Session:
         rollover_angle=settings.rollover_angle,
         road=declared.road,
     )
-    try:
-        steps = whole_steps(1.0 / settings.publish_rate, simulation.step_ns, "publish_rate")
-    except InputError:
-        limit = f"a rate whose period is a multiple of the step, {settings.step:g} s"
-        raise InputError("publish_rate", settings.publish_rate, limit) from None
     inbox = CommandInbox(
         settings.command_timeout, settings.steering_timeout_policy, declared.limits
     )
     controller = SpeedController(
         declared.vehicle, settings.speed_drive_limit, settings.speed_brake_limit
     )
-    period_ns = steps * simulation.step_ns
+    period_ns = _steps_in_a_period(settings, simulation.step_ns) * simulation.step_ns
     return Session(simulation, inbox, period_ns, settings.initial_speed, controller)
+
+
+def _steps_in_a_period(settings: Settings, step_ns: int) -> int:
+    rate, step = settings.publish_rate, settings.step
+    try:
+        steps = whole_steps(1.0 / rate, step_ns, "publish_rate")
+    except InputError:
+        limit = f"a rate whose period is a multiple of the step, {step:g} s"
+        raise InputError("publish_rate", rate, limit) from None
+    if steps > MOST_STEPS:
+        limit = f"at least {1.0 / (MOST_STEPS * step):g} Hz with steps of {step:g} s"
+        raise InputError("publish_rate", rate, limit)
+    return steps
 
 
 def main() -> int:
