@@ -5,10 +5,11 @@ from collections import Counter
 from unittest.mock import Mock
 
 import pytest
-from std_msgs.msg import Float64
+import rclpy
+from std_msgs.msg import Float64, Float64MultiArray
 
-from vehicle_roll_sim.ros import ending, recorder
 from vehicle_roll_sim.ros.lockstep import Lockstep, UnansweredError
+from vehicle_roll_sim.ros.recorder import Recorder
 from vehicle_roll_sim.ros.simulator_client import SimulatorClient
 
 TOPICS = ("first", "second", "last")
@@ -29,17 +30,18 @@ def taken(peer):
 
     for topic in TOPICS:
         peer.node.create_subscription(Float64, topic, lambda _, t=topic: take(t), WAITING)
-    publishers = [peer.node.create_publisher(Float64, topic, WAITING) for topic in TOPICS]
-    peer.wait(lambda: all(p.get_subscription_count() for p in publishers), "a match")
-    for publisher in publishers:
-        for _ in range(WAITING):
-            publisher.publish(Float64())
-    assert all(publisher.wait_for_all_acked() for publisher in publishers)
+    send(peer, TOPICS, Float64)
     return counts
 
 
-def record_for_a_while(peer):
-    recorder._listen(peer.executor, Mock(), A_WHILE)
+def send(peer, topics, kind):
+    """Many messages on each of them, until all have come to who listens."""
+    publishers = [peer.node.create_publisher(kind, topic, WAITING) for topic in topics]
+    peer.wait(lambda: all(p.get_subscription_count() for p in publishers), "a match")
+    for publisher in publishers:
+        for _ in range(WAITING):
+            publisher.publish(kind())
+    assert all(publisher.wait_for_all_acked() for publisher in publishers)
 
 
 def linger_for_a_while(peer):
@@ -53,10 +55,28 @@ def wait_for_an_answer(peer):
         Lockstep(["last"], [], A_WHILE, "stop")._await_answers(simulator, peer.executor)
 
 
-@pytest.mark.parametrize("wait", [record_for_a_while, linger_for_a_while, wait_for_an_answer])
-def test_no_subscription_starves(peer, taken, monkeypatch, wait):
-    monkeypatch.setattr(ending, "shutting_down", lambda end: None)
+@pytest.mark.parametrize("wait", [linger_for_a_while, wait_for_an_answer])
+def test_no_subscription_starves(peer, taken, wait):
     wait(peer)
     assert min(taken[topic] for topic in TOPICS) > 10
     assert max(taken.values()) - min(taken.values()) <= 2
     assert max(taken.values()) < WAITING
+
+
+@pytest.fixture
+def recorder(domain):
+    rclpy.init(domain_id=domain)
+    node = Recorder()
+    yield node
+    node.destroy_node()
+    rclpy.shutdown()
+
+
+def test_a_recorder_writes_all_that_has_come_at_one_look(peer, recorder):
+    bag, connections = Mock(), ("/state", "/applied_command", "/tire_normal_forces")
+    bag.add_topic = lambda topic, name: name
+    recorder.begin(bag)
+    send(peer, connections, Float64MultiArray)
+    recorder.take()
+    written = Counter(call.args[0] for call in bag.write.call_args_list)
+    assert written == dict.fromkeys(connections, WAITING)

@@ -5,31 +5,47 @@ import contextlib
 import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 
+from rclpy.callback_groups import CallbackGroup
+from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.executors import Executor
 from rclpy.node import Node
 from rclpy.serialization import deserialize_message
+from rclpy.subscription import Subscription
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.ros import ending
-from vehicle_roll_sim.ros.process import (
-    LOOK,
-    lifetime,
-    node_main,
-    refuse_unknown_parameters,
-)
+from vehicle_roll_sim.ros.process import lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
 
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
 """s"""
 KEPT_EVERY = 0.5
 """s after which messages are on disk, should the recorder be killed."""
-LAST_LOOK, LONGEST_LAST_LOOK = 0.02, 1.0
+TAKEN_EVERY = 0.01
+"""s between two looks at what has come."""
+LAST_LOOK, LONGEST_LAST_LOOK = 0.02, 0.2
 """s to go on reading in the end: until nothing comes any more, and at most."""
+MOST_AT_ONCE = 1000
+"""Messages of a topic, before others have their turn."""
+
+
+class Untouched(CallbackGroup):
+    """For subscriptions that an executor leaves alone."""
+
+    def can_execute(self, entity) -> bool:
+        return False
+
+    def beginning_execution(self, entity) -> bool:
+        return False
+
+    def ending_execution(self, entity) -> None:
+        """Nothing to end."""
 
 
 class Recorder(Node):
@@ -42,28 +58,49 @@ class Recorder(Node):
     def __init__(self):
         super().__init__("recorder")
         refuse_unknown_parameters(self)
+        self._untouched = Untouched()
 
     def begin(self, bag) -> None:
         """Write into a bag from now on."""
-        self._bag = bag
         connections = {
             topic: bag.add_topic(topic, self.resolve_topic_name(topic.name))
             for topic in filter(is_installed, (*COMMANDS, *PUBLISHED))
         }
         bag.begin()
-        for topic, connection in connections.items():
-            self._record(topic, connection)
+        self._writing = [self._record(bag, *each) for each in connections.items()]
 
-    def _record(self, topic: Topic, connection) -> None:
+    def take(self) -> None:
+        """Write all that has come.
+
+        An executor would look at all subscriptions before each message, for ten times as long.
+        """
+        for subscription, write in self._writing:
+            for _ in range(MOST_AT_ONCE):
+                taken = subscription.handle.take_message(subscription.msg_type, subscription.raw)
+                if taken is None:
+                    break
+                write(*taken)
+
+    def _record(self, bag, topic: Topic, connection) -> tuple[Subscription, Callable]:
+        """A subscription, and what writes its messages."""
         kind = message_class(topic.type)
         clock = "received_timestamp" if topic.latched else "source_timestamp"
 
         def write(data: bytes, info: dict) -> None:
-            self._bag.write(connection, info[clock], data)
+            bag.write(connection, info[clock], data)
             if topic is SIMULATION_DESCRIPTION:
-                self._bag.describe(deserialize_message(data, kind).data)
+                bag.describe(deserialize_message(data, kind).data)
 
-        self.create_subscription(kind, topic.name, write, recording_qos(topic), raw=True)
+        subscription = self.create_subscription(
+            kind,
+            topic.name,
+            write,
+            recording_qos(topic),
+            callback_group=self._untouched,
+            event_callbacks=SubscriptionEventCallbacks(use_default_callbacks=False),
+            raw=True,
+        )
+        return subscription, write
 
 
 def record(folder: Path, duration: float | None) -> int:
@@ -77,8 +114,8 @@ def record(folder: Path, duration: float | None) -> int:
         with lifetime(recorder) as executor:
             recorder.begin(bag)
             _say(f"recording to {folder}")
-            _listen(executor, bag, duration)
-            _read_on(executor, bag)
+            _listen(recorder, executor, bag, duration)
+            _read_on(recorder, bag)
     except OSError:  # a full disk: what could be written is whole
         bag.abort()
         raise
@@ -94,7 +131,7 @@ def _say(text: str) -> None:
         print(f"recorder: {text}", flush=True)
 
 
-def _listen(executor: Executor, bag, duration: float | None) -> None:
+def _listen(recorder: Recorder, executor: Executor, bag, duration: float | None) -> None:
     """Until a signal comes, or for `duration` (s)."""
     ended = threading.Event()
 
@@ -109,15 +146,17 @@ def _listen(executor: Executor, bag, duration: float | None) -> None:
         if now >= keep_at:
             bag.keep()
             keep_at = now + KEPT_EVERY
-        executor.spin_once(timeout_sec=LOOK)
+        executor.spin_once(timeout_sec=TAKEN_EVERY)
+        recorder.take()
 
 
-def _read_on(executor: Executor, bag) -> None:
-    """Take what has come but has not been read yet."""
+def _read_on(recorder: Recorder, bag) -> None:
+    """Take what has come but has not been read yet, and what was on its way."""
     until, count = time.monotonic() + LONGEST_LAST_LOOK, -1
     while count < bag.message_count and time.monotonic() < until:
         count = bag.message_count
-        executor.spin_once(timeout_sec=LAST_LOOK)
+        time.sleep(LAST_LOOK)
+        recorder.take()
 
 
 def main() -> int:
