@@ -46,9 +46,11 @@ def test_commands_of_one_process_change_the_state_of_the_other(simulator, peer):
 
 
 def test_lift_off_flags_equal_zero_load_in_every_set(simulator, peer):
-    peer.listen("state", "tire_normal_forces", "lift_off", "load_transfer_ratio", "rollover")
+    names = ("tire_normal_forces", "lift_off", "load_transfer_ratio")
+    peer.listen("state", *names, "rollover")
+    peer.wait(lambda: sets_of(peer.received, *names), "a whole set")
     roll_over(peer)
-    sets = sets_of(peer.received, "tire_normal_forces", "lift_off", "load_transfer_ratio")
+    sets = sets_of(peer.received, *names)
     flags = [list(found["lift_off"].data) for found in sets]
     assert flags == [[int(fz == 0.0) for fz in s["tire_normal_forces"].data] for s in sets]
     assert [0, 0, 0, 0] in flags
