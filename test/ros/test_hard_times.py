@@ -141,7 +141,10 @@ def test_after_a_standstill_of_the_machine_time_does_not_jump(start, peer):
     try:
         time.sleep(STANDSTILL)
     finally:
+        resumed = time.time_ns()
         simulator.process.send_signal(signal.SIGCONT)
+    for name in ("state", "/diagnostics"):
+        peer.wait(lambda name=name: peer.received[name][-1][0] > resumed, f"{name} after it")
     peer.wait(lambda: overruns(peer) > before, "the missed periods to be counted")
     states = [(sent * NS, state.data[0]) for sent, state in peer.received["state"]]
     steps = [after - before for (_, before), (_, after) in itertools.pairwise(states)]
