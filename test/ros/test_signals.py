@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from peers import PATIENCE
 from recordings import heard_so_far, read_bag
+from std_srvs.srv import Trigger
 
 pytestmark = pytest.mark.unmeasured
 
@@ -101,9 +102,14 @@ def test_a_recorder_closes_its_bag_and_a_manoeuvre_leaves_no_file(start, peer, t
     peer.listen("applied_command", "state")
     tries = itertools.count()
 
+    def angle():
+        return peer.newest("applied_command").data[1]
+
     def steering():
+        assert peer.call(Trigger, "simulator/reset").success
+        peer.wait(lambda: angle() == 0.0, "the end of what was commanded before")
         driver = start("manoeuvre", "j_turn", "--csv", str(tmp_path / "rows.csv"))
-        peer.wait(lambda: peer.newest("applied_command").data[1] > 0.0, "the manoeuvre to steer")
+        peer.wait(lambda: angle() > 0.0, "the manoeuvre to steer")
         return driver
 
     def recording():
@@ -125,9 +131,13 @@ def test_a_recorder_closes_its_bag_and_a_manoeuvre_leaves_no_file(start, peer, t
 @pytest.mark.parametrize("signum", SIGNALS)
 @pytest.mark.parametrize("module", ["simulator", "recorder"])
 def test_a_second_signal_changes_nothing(start, peer, tmp_path, module, signum):
+    def is_there():
+        return module in peer.node.get_node_names()
+
     for number, gap in enumerate(GAPS):
+        peer.wait(lambda: not is_there(), "the one before to be forgotten")
         node = start(module, *(word.format(tmp_path, number) for word in WORDS[module]))
-        peer.wait(lambda: module in peer.node.get_node_names(), "the node")
+        peer.wait(is_there, "the node")
         node.process.send_signal(signum)
         time.sleep(gap)  # what is tried
         status, _, err = node.finish(signum)
