@@ -6,6 +6,8 @@ VENV := $(if $(filter jazzy,$(DISTRO)),.venv,.venv-$(DISTRO))
 BIN := $(VENV)/bin
 # Nodes wait for one another most of the time: three tests at once for two cores.
 PYTEST_OPTIONS := --numprocesses 3 --dist loadfile --no-loadscope-reorder
+# Done once, and not by each of them at the same time.
+COMPILE := 'from vehicle_roll_sim.simulation.simulation import compile_model; compile_model()'
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
@@ -25,6 +27,7 @@ run: setup
 
 # With COVERAGE=yes also which lines and branches of the package run, in processes of their own, too.
 test: setup
+	$(BIN)/python -c $(COMPILE)
 ifdef COVERAGE
 	$(BIN)/python -m coverage erase
 	$(BIN)/python -m coverage run -m pytest $(PYTEST_OPTIONS) $(TESTS)

@@ -9,6 +9,8 @@ from rosgraph_msgs.msg import Clock
 
 from vehicle_roll_sim.model.jit import CACHE
 
+pytestmark = pytest.mark.unmeasured
+
 SIM_TIME = ("--ros-args", "-p", "use_sim_time:=true")
 EXAMPLES = Path(__file__).parents[2] / "msg_examples"
 ANSWERS = {
