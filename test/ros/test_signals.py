@@ -20,7 +20,7 @@ CONTROLLERS = ("active_roll_bar", "rear_steering", "rollover_warning", "roll_bra
 IMPORTING, IMPORTED, JOINING = "multiarray_umath", "rclpy_pybind", "librmw_fastrtps_cpp"
 """Libraries that a node reads in: at first, with rclpy, and when it joins the others."""
 LONGEST_END = 4.0
-"""s; seen: 0.25 to 1.2, that of a recorder, which reads on."""
+"""s; seen: 0.25 to 0.6 on a quiet machine."""
 GAPS = (0.02, 0.1, 0.2)
 """s between two signals of somebody impatient."""
 
