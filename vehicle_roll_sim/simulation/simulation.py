@@ -38,6 +38,7 @@ from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
 from vehicle_roll_sim.simulation.command import Command, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.snapshot import Restorable, identity
 from vehicle_roll_sim.simulation.stability import Modes
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
@@ -60,7 +61,7 @@ def whole_steps(duration: float, step_ns: int, field: str) -> int:
     return round(wanted)
 
 
-class Simulation:
+class Simulation(Restorable):
     """A model of one vehicle: that with 14 degrees of freedom, unless the options say otherwise.
 
     vehicle: what is simulated. options: variants of the equations. step: integration step (s),
@@ -76,9 +77,11 @@ class Simulation:
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.events)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
-    The records are views of memory that the next step changes: copy what is to be kept. States and
-    outputs that the model does not have are nan. With the 8 DOF model x, y, u and v are those of
-    the point of the roll axis below the c.g.; `cg_motion` has the c.g. itself in every model.
+    The records are views of memory that the next step changes: copy what is to be kept, or take a
+    `snapshot`. A copied or pickled simulation is independent of the first and goes on to the same
+    bits. States and outputs that the model does not have are nan. With the 8 DOF model x, y, u and
+    v are those of the point of the roll axis below the c.g.; `cg_motion` has the c.g. itself in
+    every model.
     """
 
     def __init__(
@@ -115,14 +118,16 @@ class Simulation:
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
         parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
         self._plant = tuple(kernel_argument(part) for part in (*parts, Command().records()))
+        self._identity = identity(type(self).__name__, parts, self.step_ns)
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
         self._events = no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
+        self._memory = (self._state, self._outputs, self._events, self._stages)
         self.state, self.outputs, self.events = self._state[0], self._outputs[0], self._events[0]
         self._modes = Modes(*parts[:3], self._places)
-        self._checks_step, self._checked_speed = check_step, math.nan
+        self._checks_step, self._checked_speed = check_step, None
         self._start(self._equilibrium(DEFAULT_SPEED))
 
     @property
@@ -195,11 +200,22 @@ class Simulation:
         has stopped stays where it is until a reset.
         """
         steps = whole_steps(duration, self.step_ns, "duration")
-        if math.isnan(self._checked_speed):
+        if self._checked_speed is None:
             self._check_start(DEFAULT_SPEED)
         if self.condition is Condition.RUNNING:
             self._advance(self._records(command, steps), steps)
         return self.condition
+
+    def _arguments(self) -> dict:
+        """What to build another one with that takes snapshots of this one."""
+        return {
+            "vehicle": self.vehicle,
+            "options": self.options,
+            "step": self.step_ns / NANOSECONDS,
+            "rollover_angle": self.rollover_angle,
+            "road": self.road,
+            "check_step": self._checks_step,
+        }
 
     def largest_stable_step(self, command: Command | None = None) -> float:
         """Largest step (s), up to 0.1, for the quickest mode about the present state.
