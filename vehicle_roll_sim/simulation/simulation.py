@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, number_of
 from vehicle_roll_sim.model.advance import NANOSECONDS, advance
 from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.events import (
@@ -25,7 +25,6 @@ from vehicle_roll_sim.model.jit import (
     silently,
 )
 from vehicle_roll_sim.model.records import (
-    COMMAND,
     MODEL_STATE,
     OUTPUTS,
     SLIP_STATES,
@@ -35,7 +34,7 @@ from vehicle_roll_sim.model.records import (
     element_names,
 )
 from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
-from vehicle_roll_sim.simulation.command import Command, Programme
+from vehicle_roll_sim.simulation.command import Command, Programme, records_of
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.snapshot import Restorable, identity
@@ -51,14 +50,34 @@ MAXIMUM_SPEED = 100.0
 """m/s"""
 DEFAULT_ROLLOVER_DEGREES = 85.0
 DEFAULT_ROLLOVER_ANGLE = math.radians(DEFAULT_ROLLOVER_DEGREES)
+ROLLOVER_ANGLES = (1e-6, math.pi / 2)
+"""rad: the least and the largest that may be set."""
 
 
 def whole_steps(duration: float, step_ns: int, field: str) -> int:
     """How many steps make `duration` (s); raises InputError naming `field` if no whole number."""
+    allowed = f"a multiple of the step, {step_ns / NANOSECONDS:g} s"
+    duration = number_of(duration, field, allowed)
     wanted = duration * NANOSECONDS / step_ns if math.isfinite(duration) else math.nan
     if not wanted >= 1 - 1e-6 or abs(wanted - round(wanted)) > 1e-6 * max(1.0, wanted / 1e6):
-        raise InputError(field, duration, f"a multiple of the step, {step_ns / NANOSECONDS:g} s")
+        raise InputError(field, duration, allowed)
     return round(wanted)
+
+
+def _within(field: str, value, least: float, most: float, unit: str) -> float:
+    """A number in a range; raises InputError."""
+    allowed = f"a number from {least:g} to {most:g} {unit}"
+    number = number_of(value, field, allowed)
+    if not least <= number <= most:
+        raise InputError(field, value, allowed)
+    return number
+
+
+def _given(field: str, value, kind: type):
+    """What has to be of a kind; raises InputError."""
+    if not isinstance(value, kind):
+        raise InputError(field, value, f"a {kind.__name__}")
+    return value
 
 
 class Simulation(Restorable):
@@ -94,19 +113,17 @@ class Simulation(Restorable):
         road: Road | None = None,
         check_step: bool = True,
     ):
-        if not SHORTEST_STEP <= step <= LONGEST_STEP:
-            allowed = f"a number from {SHORTEST_STEP:g} to {LONGEST_STEP:g} s"
-            raise InputError("step", step, allowed)
-        if not 0.0 < rollover_angle <= math.pi / 2:
-            raise InputError("rollover_angle", rollover_angle, "an angle up to 1.5708 rad")
-        self.vehicle, self.options = vehicle, options or Options()
+        self.vehicle = _given("vehicle", vehicle, Vehicle)
+        self.options = _given("options", options or Options(), Options)
+        self.road = _given("road", road or Road(), Road)
+        step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
-        self.road, self.rollover_angle = road or Road(), rollover_angle
+        self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
         self._vehicle = vehicle.record()
         self._vehicle["gravity"], along, across = self.road.gravity(GRAVITY)
         self._vehicle["gravity_along"], self._vehicle["gravity_across"] = along, across
         self._limits = np.zeros(1, LIMITS)
-        self._limits["rollover_angle"] = rollover_angle
+        self._limits["rollover_angle"] = self.rollover_angle
         self._slowest = MINIMUM_SPEED if self.options.steady_state_slip else 0.0
         self._limits["minimum_speed"] = self._slowest or -math.inf
         self.state_names = element_names(self.options.states)
@@ -169,9 +186,7 @@ class Simulation(Restorable):
 
     def reset(self, speed: float = DEFAULT_SPEED) -> None:
         """Back to time 0, static equilibrium and free rolling straight ahead at `speed` (m/s)."""
-        if not self._slowest <= speed <= MAXIMUM_SPEED:
-            allowed = f"from {self._slowest:g} to {MAXIMUM_SPEED:g} m/s"
-            raise InputError("speed", speed, allowed)
+        speed = _within("speed", speed, self._slowest, MAXIMUM_SPEED, "m/s")
         self._check_start(speed)
         self._start(self._equilibrium(speed))
 
@@ -203,8 +218,13 @@ class Simulation(Restorable):
         if self._checked_speed is None:
             self._check_start(DEFAULT_SPEED)
         if self.condition is Condition.RUNNING:
-            self._advance(self._records(command, steps), steps)
+            self._advance(records_of(command, lambda: self._stage_times(steps)), steps)
         return self.condition
+
+    def _stage_times(self, steps: int) -> np.ndarray:
+        """Times (s) at the ends and middles of the steps to come, shape (2 * steps + 1,)."""
+        halves = np.arange(2 * steps + 1)
+        return (self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS
 
     def _arguments(self) -> dict:
         """What to build another one with that takes snapshots of this one."""
@@ -223,16 +243,6 @@ class Simulation(Restorable):
         command: what is held there. nan where numbers are such that there are no modes.
         """
         return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
-
-    def _records(self, command: Command | Programme, steps: int) -> np.ndarray:
-        if isinstance(command, Command):
-            return command.records()
-        halves = np.arange(2 * steps + 1)
-        records = command((self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS)
-        if records.dtype != COMMAND or len(records) not in (1, len(halves)):
-            wanted = f"one COMMAND record, or one for each of the {len(halves)} times"
-            raise InputError("command", f"{len(records)} records of {records.dtype}", wanted)
-        return records
 
     def _advance(self, commands: np.ndarray, steps: int) -> None:
         arguments = (
