@@ -7,7 +7,7 @@ BIN := $(VENV)/bin
 # Nodes wait for one another most of the time: three tests at once for two cores.
 PYTEST_OPTIONS := --numprocesses 3 --dist loadfile --no-loadscope-reorder
 # Done once, and not by each of them at the same time.
-COMPILE := 'from vehicle_roll_sim.simulation.simulation import compile_model; compile_model()'
+COMPILE := 'from vehicle_roll_sim.simulation.compilation import compile_model; compile_model()'
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 

@@ -19,8 +19,9 @@ import numpy as np
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift
 from vehicle_roll_sim.ros.demo import LOCAL, start, stop
+from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE, compile_model
+from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE
 
 FOLDER = Path(__file__).parent
 INNER_WHEELS_OFF = 0.999

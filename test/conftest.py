@@ -5,7 +5,7 @@ import os
 import pytest
 from hypothesis import settings
 
-from vehicle_roll_sim.simulation.simulation import compile_model
+from vehicle_roll_sim.simulation.compilation import compile_model
 
 MEASURING = "COVERAGE_PROCESS_CONFIG"
 """In the environment where coverage is measured; processes that are started take part by it."""

@@ -6,6 +6,7 @@ import sys
 
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
 from vehicle_roll_sim.command_line import (
+    compile,
     ending,
     linearize,
     paper,
@@ -25,6 +26,7 @@ COMMANDS = {
     "plot": (plot.plot_command, plot.DESCRIPTION),
     "linearize": (linearize.linearize_command, linearize.DESCRIPTION),
     "paper": (paper.paper_command, paper.DESCRIPTION),
+    "compile": (compile.compile_command, compile.DESCRIPTION),
     "parameters": (parameters.parameters_command, parameters.DESCRIPTION),
 }
 

@@ -12,8 +12,9 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_simulation,
 )
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.description import MACHINE, VERSION, described, difference
-from vehicle_roll_sim.simulation.simulation import Simulation, compile_model
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.summary import line
 
 DESCRIPTION = "Simulate the runs in a bag again, on the commands that were applied, and compare."

@@ -21,9 +21,9 @@ from vehicle_roll_sim.command_line.vehicle_options import (
 )
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.series import SERIES, series_named
+from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_writable, replaced_file
-from vehicle_roll_sim.simulation.simulation import compile_model
 from vehicle_roll_sim.simulation.summary import line
 
 DESCRIPTION = "Drive the test series of a standard and print its table and verdict."

@@ -6,11 +6,7 @@ disk; without it the same function runs as ordinary Python, slower.
 
 import contextlib
 import functools
-import hashlib
 import math as standard_math
-import os
-import shutil
-import tempfile
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -48,32 +44,11 @@ math = standard_math if COMPILED else _quiet_math()
 """The mathematical functions for kernels."""
 
 
-def _source_fingerprint() -> str:
-    """Hash of every source file of the model and of where they lie.
+CACHE = None
+if COMPILED:
+    from vehicle_roll_sim.model import code_cache
 
-    numba renews its cache when the file of a function changes, but not when a function that it
-    calls, in another file, does; a folder named after all of the sources does both.
-    """
-    digest = hashlib.sha256(__file__.encode())
-    for source in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(source.read_bytes())
-    return digest.hexdigest()[:16]
-
-
-def _writable_cache() -> Path | None:
-    """The folder for compiled code, made if need be; None where none can be written to."""
-    home = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
-    chosen = numba.config.CACHE_DIR or os.path.join(home, "vehicle_roll_sim")
-    folder = Path(chosen) / _source_fingerprint()
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            return folder
-    except OSError:
-        return None
-
-
-CACHE = _writable_cache() if COMPILED else None
+    CACHE = code_cache.writable_folder(code_cache.source_fingerprint(Path(__file__).parent))
 
 
 def kernel(function, **options):
@@ -83,12 +58,15 @@ def kernel(function, **options):
     compiled = functools.partial(numba.njit, error_model="numpy", no_cfunc_wrapper=True, **options)
     if CACHE is None:
         return compiled(function)
-    users_choice = numba.config.CACHE_DIR
+    dispatcher, users_choice = compiled(function), numba.config.CACHE_DIR
     numba.config.CACHE_DIR = str(CACHE)
     try:
-        return compiled(function, cache=True)
+        dispatcher._cache = code_cache.CheckedCache(function)
+    except RuntimeError:  # numba finds no folder: since this process began, it has gone
+        code_cache.say(f"{CACHE} has gone: the model is compiled in memory")
     finally:
         numba.config.CACHE_DIR = users_choice
+    return dispatcher
 
 
 term = functools.partial(kernel, forceinline=True, no_cpython_wrapper=True)
@@ -175,15 +153,15 @@ def interruptible(function, arguments: tuple):
         raise
 
 
-def has_compiled_code() -> bool:
-    """Whether the first call of a kernel will find it compiled, or needs no compiling."""
-    return not COMPILED or (CACHE is not None and any(CACHE.rglob("*.nbc")))
+def is_to_be_compiled() -> bool:
+    """Whether the first call of a kernel will have to compile it."""
+    return COMPILED and not (CACHE and (CACHE / code_cache.COMPLETE).exists())
 
 
-def discard_compiled_code() -> None:
-    """Empty the cache, after a crash or a full disk has left it damaged."""
-    shutil.rmtree(CACHE, ignore_errors=True)
-    CACHE.mkdir(parents=True, exist_ok=True)
+def note_complete() -> None:
+    """Note in the cache that everything has been compiled and is in it."""
+    if CACHE and not code_cache.troubled():
+        (CACHE / code_cache.COMPLETE).touch()
 
 
 def describe() -> str:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.simulation.simulation import compile_model
+from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.summary import line
 
 PATIENCE = 10.0

@@ -8,6 +8,7 @@ from rclpy.node import Node
 
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, DIAGNOSTICS
 from vehicle_roll_sim.ros.compatibility import incompatible_partners, other_publishers
+from vehicle_roll_sim.ros.compiling import status_name
 from vehicle_roll_sim.ros.lockstep import Lockstep
 from vehicle_roll_sim.ros.publications import Publications
 from vehicle_roll_sim.ros.real_time import RealTime
@@ -74,7 +75,7 @@ class Reporter:
             wrong = [*wrong, *filter(None, passing)]
         level, message = verdict(session, wrong)
         status = DiagnosticStatus(level=bytes([level]), message=message, hardware_id="simulation")
-        status.name = f"{self._node.get_fully_qualified_name()}: model"
+        status.name = status_name(self._node.get_fully_qualified_name())
         values = {
             **model_values(session),
             "publish rate (Hz)": f"{self._rate():.1f}",

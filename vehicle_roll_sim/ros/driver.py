@@ -22,8 +22,8 @@ from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
 from vehicle_roll_sim.ros.topics import COMMANDING
 from vehicle_roll_sim.simulation.command import command_at
 from vehicle_roll_sim.simulation.command_inbox import channels
+from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import compile_model
 
 STEERING, TORQUE = "steering_cmd", "wheel_torque_cmd"
 FIELDS = {name: channel.field for name, channel in channels().items()}

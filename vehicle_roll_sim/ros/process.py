@@ -38,19 +38,17 @@ def node_main(
     parser: argparse.ArgumentParser,
     body: Callable[[argparse.Namespace], int],
     words: list[str],
-    prepare: Callable[[], None] = lambda: None,
 ) -> int:
     """Run `body` with the arguments among `words` (program name first); the exit status.
 
-    `prepare` runs before, and `body` within an rclpy context. SIGINT and SIGTERM end either with
-    status 0 (`ending`): the former at once, the latter as the context is shut down.
+    `body` runs within an rclpy context. SIGINT and SIGTERM end it with status 0 (`ending`), as the
+    context is shut down; before that, at once.
     """
 
     def command() -> int:
         ending.at_once()
         arguments = parser.parse_args(_without_ros_arguments(words))
         try:
-            prepare()
             _find_log_folder(parser.prog)
             _initialise(words)
             ending.shutting_down(_shut_down)

@@ -15,6 +15,7 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 from vehicle_roll_sim.model import jit
 from vehicle_roll_sim.ros import parameters
+from vehicle_roll_sim.ros.compiling import compile_and_tell
 from vehicle_roll_sim.ros.diagnostics import Reporter
 from vehicle_roll_sim.ros.lockstep import Lockstep, UnansweredError
 from vehicle_roll_sim.ros.process import lifetime, node_main
@@ -24,11 +25,12 @@ from vehicle_roll_sim.ros.settings import Settings
 from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, message_class
 from vehicle_roll_sim.simulation.command_inbox import DROPPED, CommandInbox
 from vehicle_roll_sim.simulation.session import Session
-from vehicle_roll_sim.simulation.simulation import Simulation, compile_model, whole_steps
+from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
 from vehicle_roll_sim.simulation.status import ending
 from vehicle_roll_sim.simulation.throttle import Throttle
 
+NAME = "simulator"
 DIAGNOSTICS_PERIOD = 1.0
 """s"""
 WARNING_INTERVAL = 1.0
@@ -47,7 +49,7 @@ class Simulator(Node):
     """
 
     def __init__(self, **node_options):
-        super().__init__("simulator", **node_options)
+        super().__init__(NAME, **node_options)
         declared = parameters.declare(self)
         self.settings = declared.settings
         self.lock = threading.Lock()
@@ -227,6 +229,7 @@ def main() -> int:
 
     def body(_) -> int:
         try:
+            compile_and_tell(NAME)
             simulator = Simulator()
             with lifetime(simulator) as executor:
                 simulator.driver.run(simulator, executor)
@@ -235,7 +238,7 @@ def main() -> int:
             return NO_ANSWER
         return 0
 
-    return node_main(parser, body, sys.argv, prepare=compile_model)
+    return node_main(parser, body, sys.argv)
 
 
 if __name__ == "__main__":

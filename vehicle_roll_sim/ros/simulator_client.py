@@ -9,6 +9,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from std_srvs.srv import Trigger
 
+from vehicle_roll_sim.ros.compiling import Compilations
 from vehicle_roll_sim.ros.process import LOOK
 
 PATIENCE = 10.0
@@ -24,16 +25,20 @@ class NoAnswerError(Exception):
 class SimulatorClient:
     """Asks the simulator of a name on behalf of `node`, which is spun while it waits.
 
-    All methods raise NoAnswerError if the simulator does not answer in time.
+    All methods raise NoAnswerError if the simulator does not answer in time. One that says that it
+    is compiling its model is waited for until it has.
     """
 
     def __init__(self, node: Node, executor: Executor, name: str):
         self._node, self._executor, self.name = node, executor, name
+        self._compilations = Compilations(node, name)
 
     def get(self, names: Sequence[str]) -> list:
         """Values of parameters."""
         client = self._node.create_client(GetParameters, f"{self.name}/get_parameters")
         answer = self._call(client, GetParameters.Request(names=names), f"its {names[0]}")
+        if len(answer.values) < len(names):
+            raise NoAnswerError(f"`{self.name}` is no simulator: it has no {', '.join(names)}")
         return [parameter_value_to_python(value) for value in answer.values]
 
     def set(self, name: str, value: float) -> None:
@@ -79,6 +84,8 @@ class SimulatorClient:
         """Spin until `done()`; what: the thing that is waited for, for an error message."""
         until = time.monotonic() + patience
         while not done():
+            if self._compilations.is_running():
+                until = time.monotonic() + patience
             if time.monotonic() > until:
                 raise NoAnswerError(f"no answer from `{self.name}` in {PATIENCE:g} s: {what}")
             self._executor.spin_once(timeout_sec=LOOK)

@@ -1,8 +1,6 @@
 """The simulated vehicle: reset it, step it, look at it. Everything else is built on this."""
 
 import math
-import pickle
-import sys
 
 import numpy as np
 
@@ -18,8 +16,6 @@ from vehicle_roll_sim.model.events import (
 )
 from vehicle_roll_sim.model.integrator import KEPT, STAGE_VECTORS
 from vehicle_roll_sim.model.jit import (
-    discard_compiled_code,
-    has_compiled_code,
     interruptible,
     kernel_argument,
     silently,
@@ -40,7 +36,6 @@ from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.snapshot import Restorable, identity
 from vehicle_roll_sim.simulation.stability import Modes
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
-from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 DEFAULT_STEP, SHORTEST_STEP, LONGEST_STEP = 0.001, 1e-6, 0.1
 """s"""
@@ -262,15 +257,3 @@ class Simulation(Restorable):
         self.condition = Condition(condition)
         if self.condition is Condition.DIVERGED:
             self.implausible = STATE_NAMES[culprit]
-
-
-def compile_model() -> None:
-    """Have the model compiled, or read from the cache, before time matters; says so if it lasts."""
-    if not has_compiled_code():
-        print("compiling the model, once for this version: up to 20 s", file=sys.stderr, flush=True)
-    try:
-        Simulation(preset())
-    except (EOFError, pickle.UnpicklingError) as error:
-        print(f"compiled code is damaged ({error}) and made anew", file=sys.stderr, flush=True)
-        discard_compiled_code()
-        Simulation(preset())

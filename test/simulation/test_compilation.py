@@ -1,0 +1,107 @@
+"""The model is compiled once, whoever waits for it and whoever stops waiting."""
+
+import fcntl
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from vehicle_roll_sim.model.code_cache import COMPLETE
+from vehicle_roll_sim.model.jit import CACHE
+from vehicle_roll_sim.simulation.compilation import COMPILING, LOCK
+
+pytestmark = [
+    pytest.mark.unmeasured,
+    pytest.mark.skipif(CACHE is None, reason="only compiled code is cached"),
+]
+COMMAND = [sys.executable, "-m", "vehicle_roll_sim", "compile"]
+PATIENCE = 60
+"""s"""
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch) -> Path:
+    """A cache in which everything is, but that nobody has noted as complete."""
+    folder = tmp_path / CACHE.name
+    shutil.copytree(CACHE, folder, ignore=shutil.ignore_patterns(COMPLETE, LOCK))
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    return folder
+
+
+@pytest.fixture
+def start():
+    """start(): the command `compile`, which ends with the test."""
+    processes = []
+
+    def start_command():
+        pipe = subprocess.PIPE
+        processes.append(subprocess.Popen(COMMAND, stdout=pipe, stderr=pipe, text=True))
+        return processes[-1]
+
+    yield start_command
+    for process in processes:
+        process.kill()
+        process.communicate()
+
+
+def wait_for(done) -> None:
+    until = time.monotonic() + PATIENCE
+    while not done():
+        assert time.monotonic() < until
+        time.sleep(0.02)
+
+
+def compiling_processes(folder: Path) -> list[Path]:
+    """Processes, by their folders in /proc, that were started to fill this cache."""
+    found = []
+    for words in Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            if b"fill_cache" in (text := words.read_bytes()) and os.fsencode(folder) in text:
+                found.append(words.parent)
+        except OSError:  # it has just ended
+            continue
+    return found
+
+
+def test_it_says_where_the_compiled_model_is(folder, start):
+    out, err = start().communicate(timeout=PATIENCE)
+    assert out == f"compiled model, cached in {folder}\n"
+    assert err == f"{COMPILING}\n"
+    assert (folder / COMPLETE).exists()
+    out, err = start().communicate(timeout=PATIENCE)
+    assert (out, err) == (f"compiled model, cached in {folder}\n", "")
+
+
+def test_an_interrupted_command_leaves_the_compiling_to_go_on(folder, start):
+    with (folder / LOCK).open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # as one that compiles for long
+        first, second = start(), start()
+        wait_for(lambda: len(compiling_processes(folder)) == 2)
+        first.send_signal(signal.SIGINT)
+        _, err = first.communicate(timeout=PATIENCE)
+        assert first.returncode == 130
+        assert err == f"{COMPILING}\nvehicle_roll_sim: interrupted\n"
+        assert len(compiling_processes(folder)) == 2
+        assert second.poll() is None
+        assert not (folder / COMPLETE).exists()
+    out, _ = second.communicate(timeout=PATIENCE)
+    assert second.returncode == 0
+    assert "cached in" in out
+    wait_for(lambda: not compiling_processes(folder))
+
+
+def test_a_compiling_process_that_dies_keeps_nobody_waiting(folder, start):
+    with (folder / LOCK).open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        command = start()
+        wait_for(lambda: compiling_processes(folder))
+        (compiling,) = compiling_processes(folder)
+        os.kill(int(compiling.name), signal.SIGKILL)
+        out, _ = command.communicate(timeout=PATIENCE)
+    assert command.returncode == 0
+    assert "cached in" in out

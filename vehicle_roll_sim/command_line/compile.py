@@ -1,0 +1,17 @@
+"""`vehicle_roll_sim compile`: compile the model before anybody waits for it."""
+
+from vehicle_roll_sim.arguments import OneLineParser
+from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.simulation.compilation import compile_model
+
+DESCRIPTION = "Compile the model now, once for this version, so that no first start waits for it."
+
+
+def compile_command(words: list[str], program: str) -> int:
+    """The command, given the words behind its name; returns the exit status."""
+    OneLineParser(prog=program, description=DESCRIPTION).parse_args(words)
+    with ending.at_once():
+        compile_model()
+    print(jit.describe())
+    return 0
