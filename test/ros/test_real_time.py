@@ -169,7 +169,8 @@ def test_partners_that_can_never_be_connected_are_told(start, peer):
     for _ in range(3):
         peer.newest("/diagnostics")
     _, _, err = simulator.finish(2)
-    warnings = [line for line in err.splitlines() if "WARN" in line]
+    lines = [line for line in err.splitlines() if "WARN" in line]
+    warnings = [line for line in lines if "too slow a machine" not in line]
     assert any("/imu: the subscription of peer" in line for line in warnings)
     assert any("/steering_cmd: the publisher of peer: std_msgs/msg/String" in w for w in warnings)
     assert len(warnings) == 2  # once each

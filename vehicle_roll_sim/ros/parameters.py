@@ -30,6 +30,8 @@ from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
 VEHICLE_PREFIX = "vehicle."
 TIRE = VEHICLE_PREFIX + "tire"
+SIM_TIME = "use_sim_time"
+"""A parameter of every node."""
 ROS_TYPES = {
     float: ParameterType.PARAMETER_DOUBLE,
     bool: ParameterType.PARAMETER_BOOL,
@@ -59,6 +61,7 @@ class Declared:
 def declare(node: Node) -> Declared:
     """Declare all parameters on `node` and read them; raises InputError naming one."""
     refuse_unknown_parameters(node, PARAMETERS)
+    _check_makes_time(node.get_parameter(SIM_TIME).value)
     settings = Settings(**_declare_class(node, Settings))
     limits = CommandLimits(**_declare_class(node, CommandLimits))
     options = Options(**_declare_class(node, Options))
@@ -75,6 +78,13 @@ def declare(node: Node) -> Declared:
     }
     vehicle = vehicle.with_values(values, VEHICLE_PREFIX)
     return Declared(settings, limits, options, road, vehicle)
+
+
+def _check_makes_time(use_sim_time) -> None:
+    """Raise InputError if the simulator, which makes time, is asked to take it from /clock."""
+    if use_sim_time:
+        allowed = "false, for the simulator makes time; publish_clock has others go by it"
+        raise InputError(SIM_TIME, use_sim_time, allowed)
 
 
 def _check_speed(speed: float, options: Options) -> None:
@@ -95,6 +105,7 @@ def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None
     def check(changes) -> SetParametersResult:
         values = {change.name: change.value for change in changes if change.name in tunable}
         try:
+            _check_makes_time(any(c.name == SIM_TIME and c.value for c in changes))
             checked = {name: PARAMETERS[name].validate(value) for name, value in values.items()}
             _check_speed(checked.get("initial_speed", settings.initial_speed), declared.options)
         except InputError as error:
