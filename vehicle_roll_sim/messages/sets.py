@@ -7,8 +7,17 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
+from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.encoded import MARK, STAMP_MARK, Encode, Encoded
-from vehicle_roll_sim.messages.topics import ARRAY, CLOCK, FLAGS, STATE_SET, TRANSFORMS, WRENCH
+from vehicle_roll_sim.messages.topics import (
+    ARRAY,
+    CLOCK,
+    FLAGS,
+    JOINTS,
+    STATE_SET,
+    TRANSFORMS,
+    WRENCH,
+)
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
@@ -43,6 +52,7 @@ TRANSLATION, ROTATION = slice(3), slice(3, 7)
 """Numbers of a Transform."""
 EMPTY_LIST = 4
 """Bytes of a list without elements: its length."""
+STAMPED_ENDING = "_stamped"
 FLAGS_MARK = (250, 251, 252, 253)
 """Flags that no lift-off has."""
 TYPES = {topic.name: topic.type for topic in STATE_SET}
@@ -55,7 +65,13 @@ class Messages:
     messages of a set share the time that `set_time` is told.
     """
 
-    def __init__(self, simulation: Simulation, frame_prefix: str, encode: Encode):
+    def __init__(
+        self,
+        simulation: Simulation,
+        frame_prefix: str,
+        encode: Encode,
+        covariances: Covariances = Covariances(),  # noqa: B008 - it cannot be changed
+    ):
         self.simulation, self.applied = simulation, Command()
         self.stamp = (0, 0)
         self._frame_prefix, self._encode = frame_prefix, encode
@@ -70,8 +86,10 @@ class Messages:
         odometry = self._in_frame("odom") | {"pose": {"pose": position}}
         odometry |= self._of_frame("base_link")
         self._odom = Encoded(encode(TYPES["odom"], odometry), OF_ODOMETRY)
+        covariances.odom.spread(self._odom.numbers)
         imu = self._in_frame("base_link") | {"orientation": {"x": MARK}}
         self._imu = Encoded(encode(TYPES["imu"], imu), OF_IMU)
+        covariances.imu.spread(self._imu.numbers)
         self._joints = self._joint_states()
         force = self._in_frame("base_footprint") | {"wrench": {"force": {"x": MARK}}}
         self._forces = [Encoded(encode(WRENCH, force), OF_WRENCH) for _ in WHEELS]
@@ -81,6 +99,8 @@ class Messages:
         family, _, wheel = topic.lstrip("/").partition("/")
         if wheel:
             return functools.partial(self.tire_force, WHEELS.index(wheel))
+        if family.endswith(STAMPED_ENDING):
+            return functools.partial(self.stamped, family.removesuffix(STAMPED_ENDING))
         return getattr(self, family)
 
     def _labelled(self, type_name: str, labels, mark=(MARK,), kind: str = "<f8") -> Encoded:
@@ -189,6 +209,30 @@ class Messages:
         loads = self.simulation.outputs["normal_force"]
         self._ratio.numbers[0] = load_transfer_ratio(loads)
         return bytes(self._ratio)
+
+    @functools.cached_property
+    def _stamped(self) -> dict[str, tuple[Encoded, Encoded]]:
+        """Of each topic without a header its message, and one with header, names and values."""
+        labelled = {
+            "state": (self._state, ("time", *self.simulation.state_names)),
+            "applied_command": (self._command, COMMAND_LABELS),
+            "tire_normal_forces": (self._loads, WHEELS),
+            "lift_off": (self._lift_off, WHEELS),
+            "load_transfer_ratio": (self._ratio, ("load_transfer_ratio",)),
+        }
+        return {name: (plain, self._named(names)) for name, (plain, names) in labelled.items()}
+
+    def _named(self, names: tuple[str, ...]) -> Encoded:
+        zeros = [0.0] * (len(names) - 1)
+        fields = {"header": {"stamp": STAMP_MARK}, "name": names, "position": [MARK, *zeros]}
+        return Encoded(self._encode(JOINTS, fields), len(names), tail=2 * EMPTY_LIST)
+
+    def stamped(self, topic: str) -> bytes:
+        """What a topic without a header says, with one."""
+        getattr(self, topic)()
+        plain, message = self._stamped[topic]
+        message.numbers[:] = plain.numbers
+        return self._dated(message)
 
     def _attitude(self) -> tuple[float, ...]:
         """As a quaternion (x, y, z, w); of a model that does not pitch, roll and yaw."""

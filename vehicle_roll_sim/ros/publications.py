@@ -7,6 +7,7 @@ from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.node import Node
 
+from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
@@ -14,6 +15,7 @@ from vehicle_roll_sim.messages.topics import (
     ROBOT_DESCRIPTION,
     ROLLOVER,
     SIMULATION_DESCRIPTION,
+    STAMPED,
     STATE_SET,
     TRANSFORMS,
     Topic,
@@ -22,6 +24,7 @@ from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.ros.encoding import encode
 from vehicle_roll_sim.ros.qos_overrides import make_publisher
+from vehicle_roll_sim.ros.settings import Settings
 from vehicle_roll_sim.ros.stamps import Stamps
 from vehicle_roll_sim.ros.topics import is_installed, message_class, offered_qos
 from vehicle_roll_sim.simulation.description import describe
@@ -31,44 +34,43 @@ LONGEST_UNNOTICED_NS = 50_000_000
 """Wall time (ns) for which real time may not notice a new listener: looking costs like sending."""
 
 
-def set_topics(own_clock: bool) -> tuple[Topic, ...]:
+def set_topics(settings: Settings) -> tuple[Topic, ...]:
     """What is published every period, in this order."""
-    topics = (CLOCK, *STATE_SET) if own_clock else STATE_SET
-    return (*topics, TRANSFORMS) if is_installed(TRANSFORMS) else topics
+    clock = (CLOCK,) if settings.has_own_clock else ()
+    stamped = STAMPED if settings.publish_stamped else ()
+    return (*clock, *STATE_SET, *stamped, *filter(is_installed, (TRANSFORMS,)))
 
 
-def published_topics(own_clock: bool) -> tuple[Topic, ...]:
+def published_topics(settings: Settings) -> tuple[Topic, ...]:
     """All that a simulator publishes."""
     beside = (ROLLOVER, ROBOT_DESCRIPTION, SIMULATION_DESCRIPTION, DIAGNOSTICS)
-    return (*set_topics(own_clock), *beside)
+    return (*set_topics(settings), *beside)
 
 
 class Publications:
     """The publishers of `node` for the messages of a session.
 
     own_clock: stamps are simulated time and published on /clock; else they are the times on the
-    node's clock at which the sets are due (Stamps). unnoticed_ns: wall time for which a new
-    listener may go unnoticed. sets: how many have been published.
+    node's clock at which the sets are due (Stamps). sets: how many have been published.
     """
 
     def __init__(
         self,
         node: Node,
         session: Session,
-        *,
-        frame_prefix: str,
-        own_clock: bool,
-        unnoticed_ns: int,
+        settings: Settings,
+        covariances: Covariances,
     ):
         self._node, self._session = node, session
-        self._messages = Messages(session.simulation, frame_prefix, encode)
-        clock = node.get_clock()
-        self._stamps = None if own_clock else Stamps(lambda: clock.now().nanoseconds)
+        prefix, clock = settings.frame_prefix, node.get_clock()
+        self._messages = Messages(session.simulation, prefix, encode, covariances)
+        self.own_clock = settings.has_own_clock
+        self._stamps = None if self.own_clock else Stamps(lambda: clock.now().nanoseconds)
         self._last_stamp_ns = 0
         self.sets = 0
-        self.own_clock, self._unnoticed_ns = own_clock, unnoticed_ns
+        self._unnoticed_ns = 0 if settings.is_lockstep else LONGEST_UNNOTICED_NS
         build = self._messages.builder
-        topics = set_topics(own_clock)
+        topics = set_topics(settings)
         self._set = {topic.name: (self.publisher(topic), build(topic.name)) for topic in topics}
         self._tree = self._set.get(TRANSFORMS.name, (None,))[0]
         self._prepare()

@@ -18,7 +18,13 @@ from rclpy.subscription import Subscription
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError, number_in
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.messages.topics import (
+    COMMANDS,
+    PUBLISHED,
+    SIMULATION_DESCRIPTION,
+    STAMPED,
+    Topic,
+)
 from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.process import lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
@@ -59,7 +65,7 @@ class Recorder(Node):
     def __init__(self):
         super().__init__("recorder")
         refuse_unknown_parameters(self)
-        self._topics = [topic for topic in (*COMMANDS, *PUBLISHED) if is_installed(topic)]
+        self._topics = [topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED) if is_installed(topic)]
         refuse_wrong_overrides(self, subscriptions=[topic.name for topic in self._topics])
         self._untouched = Untouched()
 

@@ -19,11 +19,7 @@ from vehicle_roll_sim.ros import parameters
 from vehicle_roll_sim.ros.diagnostics import Reporter
 from vehicle_roll_sim.ros.lockstep import Lockstep, UnansweredError
 from vehicle_roll_sim.ros.process import lifetime, node_main
-from vehicle_roll_sim.ros.publications import (
-    LONGEST_UNNOTICED_NS,
-    Publications,
-    published_topics,
-)
+from vehicle_roll_sim.ros.publications import Publications, published_topics
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
 from vehicle_roll_sim.ros.real_time import RealTime
 from vehicle_roll_sim.ros.settings import Settings
@@ -56,7 +52,7 @@ class Simulator(Node):
         self.settings = declared.settings
         refuse_wrong_overrides(
             self,
-            publishers=[each.name for each in published_topics(self.settings.has_own_clock)],
+            publishers=[each.name for each in published_topics(self.settings)],
             subscriptions=[each.name for each in COMMANDS],
             lossless=self.settings.is_lockstep,
         )
@@ -64,13 +60,7 @@ class Simulator(Node):
         self.session = _session(declared)
         self.get_logger().info(jit.describe())
         self.driver = _driver(self.settings, self.session.period_ns)
-        self._publications = Publications(
-            self,
-            self.session,
-            frame_prefix=self.settings.frame_prefix,
-            own_clock=self.settings.has_own_clock,
-            unnoticed_ns=0 if self.settings.is_lockstep else LONGEST_UNNOTICED_NS,
-        )
+        self._publications = Publications(self, self.session, self.settings, declared.covariances)
         self._has_begun = False
         self._warnings = Throttle(WARNING_INTERVAL)
         parameters.follow_changes(self, declared, self.lock)
