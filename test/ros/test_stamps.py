@@ -136,9 +136,7 @@ def pause(peer, is_paused: bool) -> None:
     assert peer.call(SetBool, "simulator/pause", SetBool.Request(data=is_paused)).success
 
 
-def test_stamps_are_at_the_clock_after_start_pause_reset_and_standstill_and_always_rise(
-    start, peer
-):
+def test_stamps_are_at_the_clock_after_start_pause_reset_and_standstill(start, peer):
     simulator = start("simulator")
     peer.listen("imu", "/diagnostics")
     wait_until_close(peer, "after the start")

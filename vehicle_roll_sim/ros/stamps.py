@@ -8,7 +8,7 @@ LARGEST_STEP_NS = 1_000_000
 """What the clock may gain or lose (ns) before it counts as having been set."""
 CLOSE_NS = 20_000
 """Time (ns) between two readings of a clock; another one read in between was read well enough."""
-MOST_READINGS = 5
+MOST_READINGS = 20
 """Of which the closest counts: a thread may be interrupted in between."""
 
 
