@@ -15,6 +15,7 @@ from vehicle_roll_sim.messages.covariances import (
     OdomCovariances,
 )
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, Messages
+from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import CLOCK, STAMPED, STATE_SET, TRANSFORMS, WRENCH
 from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.ros.encoding import encode
@@ -42,7 +43,7 @@ def session():
     return session
 
 
-TYPES = {topic.name: topic.type for topic in (*STATE_SET, *STAMPED)} | {"tire_force": WRENCH}
+TYPES = {topic.name: topic.type for topic in STATE_SET} | {"tire_force": WRENCH}
 
 
 class Decoded:
@@ -54,7 +55,7 @@ class Decoded:
         self._messages.set_time(12_345_678_901)
 
     def __getattr__(self, name):
-        method = self._messages.builder(name) if name in TYPES else self._messages.tire_force
+        method = getattr(self._messages, name)
         return lambda *arguments: deserialize_message(
             method(*arguments), message_class(TYPES[name])
         )
@@ -159,9 +160,12 @@ def test_applied_command_names_every_element(messages):
 
 @pytest.mark.parametrize("topic", STAMPED)
 def test_what_is_stamped_has_every_number_of_the_plain_one_by_name(session, topic):
-    messages = Decoded(session)
-    plain = getattr(messages, topic.name.removesuffix("_stamped"))()
-    stamped = getattr(messages, topic.name)()
+    messages = Messages(session.simulation, "", encode)
+    messages.applied = session.applied
+    messages.set_time(12_345_678_901)
+    build = builder(messages, encode, topic)
+    plain = getattr(Decoded(session), topic.name.removesuffix("_stamped"))()
+    stamped = deserialize_message(build(), message_class(topic.type))
     assert (stamped.header.stamp.sec, stamped.header.stamp.nanosec) == (12, 345_678_901)
     data = [plain.data] if isinstance(plain.data, float) else list(plain.data)
     assert list(stamped.position) == data  # to the bit
@@ -219,12 +223,13 @@ def test_without_heave_there_is_no_transform_to_the_body():
 @pytest.mark.parametrize("model", ["1", "8dof"])
 def test_ros_and_the_library_of_bags_encode_every_message_alike(model):
     simulation = Simulation(preset(), Options(model=model))
-    both = [Messages(simulation, "car/", code) for code in (encode, encoding.encode)]
+    encoders = (encode, encoding.encode)
+    both = [Messages(simulation, "car/", code) for code in encoders]
     simulation.step(Command(steering=0.1), 0.5)
     for messages in both:
         messages.set_time(500_000_000)
     for topic in (*STATE_SET, *STAMPED, CLOCK):
-        ours, theirs = (messages.builder(topic.name)() for messages in both)
+        ours, theirs = (builder(*each, topic)() for each in zip(both, encoders, strict=True))
         without_padding = encoding.TYPES.serialize_cdr(
             encoding.decode(ours, topic.type), topic.type
         )

@@ -7,6 +7,7 @@ from pathlib import Path
 from vehicle_roll_sim.bags.encoding import encode
 from vehicle_roll_sim.bags.writing import Bag, whole_bag
 from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     COMMANDS,
@@ -69,7 +70,7 @@ class RunBag:
         self._types = {topic.name: topic.type for topic in topics}
         messages = self._messages = Messages(simulation, "", encode)
         self._set = [
-            (topic.name, messages.builder(topic.name))
+            (topic.name, builder(messages, encode, topic))
             for topic in (CLOCK, *STATE_SET, *with_header, TRANSFORMS)
         ]
         fields = set(commanded)

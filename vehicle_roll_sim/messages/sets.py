@@ -9,15 +9,7 @@ import numpy as np
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.encoded import MARK, STAMP_MARK, Encode, Encoded
-from vehicle_roll_sim.messages.topics import (
-    ARRAY,
-    CLOCK,
-    FLAGS,
-    JOINTS,
-    STATE_SET,
-    TRANSFORMS,
-    WRENCH,
-)
+from vehicle_roll_sim.messages.topics import CLOCK, STATE_SET, TRANSFORMS, WRENCH
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
@@ -52,9 +44,9 @@ TRANSLATION, ROTATION = slice(3), slice(3, 7)
 """Numbers of a Transform."""
 EMPTY_LIST = 4
 """Bytes of a list without elements: its length."""
-STAMPED_ENDING = "_stamped"
 FLAGS_MARK = (250, 251, 252, 253)
 """Flags that no lift-off has."""
+RATIO = "load_transfer_ratio"
 TYPES = {topic.name: topic.type for topic in STATE_SET}
 
 
@@ -62,7 +54,8 @@ class Messages:
     """The messages of a set, encoded by `encode`; a method for each brings it up to date.
 
     applied: the command of the last period, to be kept up to date from outside. All stamped
-    messages of a set share the time that `set_time` is told.
+    messages of a set share the time that `set_time` is told. named: of each topic without a header
+    the names of its numbers, and the numbers, which are as new as its message.
     """
 
     def __init__(
@@ -76,11 +69,13 @@ class Messages:
         self.stamp = (0, 0)
         self._frame_prefix, self._encode = frame_prefix, encode
         self._whole_body = not simulation.options.has_eight_dof
-        self._state = self._labelled(ARRAY, ("time", *simulation.state_names))
-        self._command = self._labelled(ARRAY, COMMAND_LABELS)
-        self._loads = self._labelled(ARRAY, WHEELS)
-        self._lift_off = self._labelled(FLAGS, WHEELS, FLAGS_MARK, kind="u1")
-        self._ratio = Encoded(encode(TYPES["load_transfer_ratio"], {"data": MARK}), 1)
+        self.named: dict[str, tuple[tuple[str, ...], np.ndarray]] = {}
+        self._state = self._labelled("state", ("time", *simulation.state_names))
+        self._command = self._labelled("applied_command", COMMAND_LABELS)
+        self._loads = self._labelled("tire_normal_forces", WHEELS)
+        self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
+        self._ratio = Encoded(encode(TYPES[RATIO], {"data": MARK}), 1)
+        self.named[RATIO] = (RATIO,), self._ratio.numbers
         self._clock = Encoded(encode(CLOCK.type, {"clock": STAMP_MARK}))
         position = {"position": {"x": MARK}}
         odometry = self._in_frame("odom") | {"pose": {"pose": position}}
@@ -99,16 +94,16 @@ class Messages:
         family, _, wheel = topic.lstrip("/").partition("/")
         if wheel:
             return functools.partial(self.tire_force, WHEELS.index(wheel))
-        if family.endswith(STAMPED_ENDING):
-            return functools.partial(self.stamped, family.removesuffix(STAMPED_ENDING))
         return getattr(self, family)
 
-    def _labelled(self, type_name: str, labels, mark=(MARK,), kind: str = "<f8") -> Encoded:
+    def _labelled(self, topic: str, labels, mark=(MARK,), kind: str = "<f8") -> Encoded:
         """A multi-array whose layout names every element: dim[i].label is the name of data[i]."""
         dimensions = [{"label": name, "size": 1, "stride": 1} for name in labels]
         data = [*mark, *[0.0] * (len(labels) - len(mark))]
         fields = {"layout": {"dim": dimensions}, "data": data}
-        return Encoded(self._encode(type_name, fields), len(labels), mark, kind)
+        message = Encoded(self._encode(TYPES[topic], fields), len(labels), mark, kind)
+        self.named[topic] = labels, message.numbers
+        return message
 
     def _in_frame(self, frame: str) -> dict:
         return {"header": {"stamp": STAMP_MARK, "frame_id": self._frame_prefix + frame}}
@@ -209,30 +204,6 @@ class Messages:
         loads = self.simulation.outputs["normal_force"]
         self._ratio.numbers[0] = load_transfer_ratio(loads)
         return bytes(self._ratio)
-
-    @functools.cached_property
-    def _stamped(self) -> dict[str, tuple[Encoded, Encoded]]:
-        """Of each topic without a header its message, and one with header, names and values."""
-        labelled = {
-            "state": (self._state, ("time", *self.simulation.state_names)),
-            "applied_command": (self._command, COMMAND_LABELS),
-            "tire_normal_forces": (self._loads, WHEELS),
-            "lift_off": (self._lift_off, WHEELS),
-            "load_transfer_ratio": (self._ratio, ("load_transfer_ratio",)),
-        }
-        return {name: (plain, self._named(names)) for name, (plain, names) in labelled.items()}
-
-    def _named(self, names: tuple[str, ...]) -> Encoded:
-        zeros = [0.0] * (len(names) - 1)
-        fields = {"header": {"stamp": STAMP_MARK}, "name": names, "position": [MARK, *zeros]}
-        return Encoded(self._encode(JOINTS, fields), len(names), tail=2 * EMPTY_LIST)
-
-    def stamped(self, topic: str) -> bytes:
-        """What a topic without a header says, with one."""
-        getattr(self, topic)()
-        plain, message = self._stamped[topic]
-        message.numbers[:] = plain.numbers
-        return self._dated(message)
 
     def _attitude(self) -> tuple[float, ...]:
         """As a quaternion (x, y, z, w); of a model that does not pitch, roll and yaw."""

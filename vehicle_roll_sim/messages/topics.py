@@ -43,8 +43,9 @@ STATE_SET = (
     Topic("load_transfer_ratio", FLOAT),
 )
 """What is published every period, in this order: a set begins with its `state`."""
+STAMPED_ENDING = "_stamped"
 STAMPED = tuple(
-    Topic(f"{topic.name}_stamped", JOINTS)
+    Topic(topic.name + STAMPED_ENDING, JOINTS)
     for topic in STATE_SET
     if topic.type in (FLOAT, ARRAY, FLAGS)
 )

@@ -9,6 +9,7 @@ from rclpy.node import Node
 
 from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     DIAGNOSTICS,
@@ -69,9 +70,10 @@ class Publications:
         self._last_stamp_ns = 0
         self.sets = 0
         self._unnoticed_ns = 0 if settings.is_lockstep else LONGEST_UNNOTICED_NS
-        build = self._messages.builder
-        topics = set_topics(settings)
-        self._set = {topic.name: (self.publisher(topic), build(topic.name)) for topic in topics}
+        self._set = {
+            topic.name: (self.publisher(topic), builder(self._messages, encode, topic))
+            for topic in set_topics(settings)
+        }
         self._tree = self._set.get(TRANSFORMS.name, (None,))[0]
         self._prepare()
         self._rollover = self.publisher(ROLLOVER)
