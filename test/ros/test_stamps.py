@@ -5,13 +5,21 @@ import os
 import re
 import signal
 import time
+from unittest.mock import Mock
 
 import pytest
 from rcl_interfaces.srv import SetParameters
 from rclpy.parameter import Parameter
 from std_srvs.srv import SetBool, Trigger
 
+from vehicle_roll_sim import Simulation, preset
+from vehicle_roll_sim.messages.covariances import Covariances
+from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.ros.publications import Publications
+from vehicle_roll_sim.ros.settings import Settings
 from vehicle_roll_sim.ros.stamps import Stamps
+from vehicle_roll_sim.simulation.command_inbox import CommandInbox
+from vehicle_roll_sim.simulation.session import Session
 
 MS, SECOND = 1_000_000, 1_000_000_000
 PERIOD = 10 * MS
@@ -100,6 +108,28 @@ def test_a_thread_that_is_interrupted_between_two_clocks_does_not_take_that_for_
     stamps = Stamps(wall, lambda: clocks.steady_ns)
     assert [stamps.follow() for _ in range(4)] == [0] * 4
     assert stamps.lead_ns() == 0
+
+
+def test_a_clock_that_is_set_is_told_of_and_a_stopped_model_keeps_its_stamp(
+    peer, clocks, monkeypatch
+):
+    session = Session(Simulation(preset()), CommandInbox(), PERIOD, 13.9)
+    publications = Publications(peer.node, session, Settings(), Covariances())
+    publications._stamps = Stamps(lambda: clocks.wall_ns, lambda: clocks.steady_ns)
+    publications._unnoticed_ns, logger = 0, Mock()
+    monkeypatch.setattr(peer.node, "get_logger", lambda: logger)
+    clocks.wall_ns += 60 * SECOND
+    publications.publish_set()
+    logger.warning.assert_called_once_with("the clock was set 60.000 s ahead: stamps follow")
+    assert publications._messages.stamp == divmod(clocks.wall_ns, SECOND)
+    assert publications.clock_trouble() == ""
+    clocks.wall_ns -= 3600 * SECOND
+    assert "stamps go on rising, 3600.000 s ahead of it" in publications.clock_trouble()
+    stamp = publications._messages.stamp
+    session.simulation.condition = Condition.ROLLED_OVER
+    clocks.wall_ns += 7200 * SECOND
+    publications.publish_set()
+    assert publications._messages.stamp == stamp
 
 
 def stamps_and_sent(peer) -> list[tuple[int, int]]:

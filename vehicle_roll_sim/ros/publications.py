@@ -145,15 +145,16 @@ class Publications:
     def _follow_clock(self) -> None:
         """Where the clock was set ahead while it runs, so are the stamps."""
         if self._stamps and not self._session.stopped and (gained := self._stamps.follow()):
-            seconds = gained / NANOSECONDS
-            self._node.get_logger().warning(f"the clock has gained {seconds:.3g} s: so do stamps")
+            gain = f"{gained / NANOSECONDS:.3f} s"
+            self._node.get_logger().warning(f"the clock was set {gain} ahead: stamps follow")
 
     def clock_trouble(self) -> str:
         """What is wrong with the stamps, or ''."""
-        lead_s = self._stamps.lead_ns() / NANOSECONDS if self._stamps else 0.0
-        if lead_s <= 0.0:
+        lead_ns = self._stamps.lead_ns() if self._stamps else 0
+        if lead_ns <= 0:
             return ""
-        return f"the clock was set back: stamps go on rising, {lead_s:.3g} s ahead of it"
+        lead = f"{lead_ns / NANOSECONDS:.3f} s"
+        return f"the clock was set back: stamps go on rising, {lead} ahead of it"
 
     def present_stamp(self):
         """For messages of no set: the time on the clock that subscribers go by."""
