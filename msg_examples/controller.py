@@ -18,6 +18,7 @@ import rclpy
 from rcl_interfaces.msg import ParameterDescriptor
 from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
+from rclpy.qos import QoSProfile
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.ros.process import (
@@ -26,12 +27,17 @@ from vehicle_roll_sim.ros.process import (
     node_main,
     refuse_unknown_parameters,
 )
+from vehicle_roll_sim.ros.qos_overrides import (
+    make_publisher,
+    make_subscription,
+    refuse_wrong_overrides,
+)
 
 ASK_AGAIN = 1.0
 """s after which a question is repeated: a node that has not found us yet drops its answer."""
 UNNAMED = "_NODE_NAME_UNKNOWN_"
 """Node of an endpoint that was found before its node."""
-KEPT = 10
+QUEUED = QoSProfile(depth=10)
 """Messages that wait to be handled; in lockstep there is never more than one."""
 
 
@@ -44,7 +50,7 @@ class Controller(Node):
     def __init__(self, name: str, heard: tuple[str, type], said: tuple[str, type]):
         super().__init__(name)
         self._said, self._publisher = said, None
-        self._heard = self.create_subscription(heard[1], heard[0], self._listen, KEPT)
+        self._heard = make_subscription(self, heard[1], heard[0], self._listen, QUEUED)
 
     def answer(self, message):
         """The data of the answer to a message; to be written by the controller."""
@@ -58,13 +64,21 @@ class Controller(Node):
     def prepare(self) -> None:
         """What else is to be done before the first message."""
 
+    def refuse_wrong_overrides(self) -> None:
+        """Raise InputError for a quality of service of a topic that is not the controller's."""
+        refuse_wrong_overrides(
+            self,
+            publishers=[self._said[0], *(each.topic_name for each in self.publishers)],
+            subscriptions=[each.topic_name for each in self.subscriptions],
+        )
+
     def run(self) -> None:
         """Connect, then answer until the end."""
         while not self._others_are_there():
             self.executor.spin_once(timeout_sec=LOOK)
         self._make_known()
         self.prepare()
-        self._publisher = self.create_publisher(self._said[1], self._said[0], KEPT)
+        self._publisher = make_publisher(self, self._said[1], self._said[0], QUEUED)
         while rclpy.ok():
             self.executor.spin_once(timeout_sec=LOOK)
 
@@ -100,6 +114,7 @@ def run(kind: type[Controller]) -> None:
     def body(_) -> int:
         controller = kind()
         refuse_unknown_parameters(controller)
+        controller.refuse_wrong_overrides()
         with lifetime(controller):
             controller.run()
         return 0

@@ -9,7 +9,7 @@ its vehicle that of the simulator's parameters.
 
 import math
 
-from controller import Controller, run
+from controller import QUEUED, Controller, run
 from sensor_msgs.msg import Imu
 from std_msgs.msg import Bool, Float64MultiArray
 
@@ -18,6 +18,7 @@ from vehicle_roll_sim.analysis.rollover_prediction import (
     Prediction,
     RolloverPredictor,
 )
+from vehicle_roll_sim.ros.qos_overrides import make_publisher
 from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.simulator_client import SimulatorClient
 
@@ -37,7 +38,7 @@ class RolloverWarning(Controller):
         self.foresight = Foresight(
             **{name: self.parameter(name, getattr(Foresight, name)) for name in FORESIGHT}
         )
-        self.warning = self.create_publisher(Bool, "rollover_warning", 10)
+        self.warning = make_publisher(self, Bool, "rollover_warning", QUEUED)
         self.warned = False
 
     def prepare(self) -> None:

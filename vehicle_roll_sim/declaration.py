@@ -4,6 +4,7 @@ Everything that needs to know of a parameter (validation, vehicle files, ROS des
 line, tables in the documentation) reads it from here.
 """
 
+import array
 import dataclasses
 import difflib
 import math
@@ -72,7 +73,7 @@ def number_of(value, field: str, allowed: str) -> float:
 @dataclasses.dataclass(frozen=True)
 class Parameter:
     """What is known of one parameter. Its kind is float, bool, str or, for a list of some of the
-    choices, tuple."""
+    choices or of `size` numbers, tuple."""
 
     name: str
     kind: type
@@ -84,6 +85,7 @@ class Parameter:
     symbol: str
     choices: tuple[str, ...]
     tunable: bool
+    size: int
 
     def validate(self, value, field: str | None = None):
         """`value` as this parameter's type; raises InputError naming `field`, else the name."""
@@ -91,7 +93,8 @@ class Parameter:
         if self.kind is float:
             return self._validate_number(value, field)
         if self.kind is tuple:
-            return self._validate_names(value, field)
+            check = self._validate_numbers if self.size else self._validate_names
+            return check(value, field)
         if self.choices and str(value) in self.choices:
             return str(value)  # ROS reads `1` as a number
         if not isinstance(value, self.kind):
@@ -106,6 +109,14 @@ class Parameter:
             raise InputError(field, value, self.allowed)
         return value
 
+    def _validate_numbers(self, value, field: str) -> tuple[float, ...]:
+        if not isinstance(value, (list, tuple, array.array)) or len(value) != self.size:
+            raise InputError(field, value, self.allowed)
+        try:
+            return tuple(self._validate_number(number, field) for number in value)
+        except InputError:
+            raise InputError(field, value, self.allowed) from None
+
     def _validate_names(self, value, field: str) -> tuple[str, ...]:
         is_list = isinstance(value, (list, tuple)) and len(value) > 0
         if not is_list or any(name not in self.choices for name in value):
@@ -115,16 +126,17 @@ class Parameter:
     @property
     def allowed(self) -> str:
         """The allowed values in words."""
-        if self.kind is tuple:
+        if self.kind is tuple and not self.size:
             return "a list of one or more of " + ", ".join(self.choices)
         if self.kind is bool:
             return "true or false"
         if self.choices:
             return " or ".join(self.choices)
-        if self.kind is not float:
+        if self.kind is str:
             return "any text"
         unit = f" {self.unit}" if self.unit else ""
-        return f"a number from {self.minimum:g} to {self.maximum:g}{unit}"
+        what = f"a list of {self.size} numbers" if self.size else "a number"
+        return f"{what} from {self.minimum:g} to {self.maximum:g}{unit}"
 
 
 def parameter(
@@ -135,6 +147,7 @@ def parameter(
     symbol: str = "",
     choices: tuple[str, ...] = (),
     tunable: bool = False,
+    size: int = 0,
     default=dataclasses.MISSING,
 ):
     """A dataclass field that declares a parameter; without `default` it must be given."""
@@ -146,6 +159,7 @@ def parameter(
         "symbol": symbol,
         "choices": choices,
         "tunable": tunable,
+        "size": size,
     }
     return dataclasses.field(default=default, metadata=about)
 

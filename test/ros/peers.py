@@ -12,7 +12,7 @@ from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
+from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class, recording_qos
 
 PATIENCE = 60.0
@@ -22,7 +22,7 @@ ASK_AGAIN = 5.0
 RACE_FOR_A_PORT = "RTPS_TRANSPORT_SHM Error"
 """Fast DDS says so where another process, of whatever domain, has just taken the port of shared
 memory that it wanted. It takes the next one."""
-TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED)}
+TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED)}
 
 
 class Peer:

@@ -10,7 +10,7 @@ from vehicle_roll_sim.bags.encoding import TYPES, decode
 from vehicle_roll_sim.bags.reading import recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.command_line.main import main as offline
-from vehicle_roll_sim.messages.topics import DIAGNOSTICS, ROLLOVER, STATE_SET
+from vehicle_roll_sim.messages.topics import DIAGNOSTICS, ROLLOVER, STAMPED, STATE_SET
 from vehicle_roll_sim.simulation.description import described
 
 pytestmark = pytest.mark.unmeasured
@@ -22,7 +22,8 @@ MANOEUVRES = {
 """Steered by the state, and with the speed held."""
 DESCRIBED = {"/simulation_description", "/robot_description"}
 """What comes before the first set."""
-EVERY_SET = "[" + ", ".join(topic.name for topic in STATE_SET) + "]"
+SETS = (*STATE_SET, *STAMPED)
+EVERY_SET = "[" + ", ".join(topic.name for topic in SETS) + "]"
 
 
 def messages_of(bag) -> dict[str, list[bytes]]:
@@ -45,6 +46,7 @@ def lockstep_bag(start, peer, tmp_path):
             "mode": "lockstep",
             "lockstep_topics": "[steering_cmd, wheel_torque_cmd]",
             "lockstep_wait": EVERY_SET,
+            "publish_stamped": "true",
             "vehicle.cg_height": "0.55",
         }
         words = [word for item in values.items() for word in ("-p", ":=".join(item))]
@@ -65,14 +67,15 @@ def lockstep_bag(start, peer, tmp_path):
 @pytest.mark.parametrize("name", MANOEUVRES)
 def test_both_hold_the_same_sets_and_either_is_replayed_to_the_bit(lockstep_bag, tmp_path, name):
     recorded = lockstep_bag(name)
-    assert offline(["run", name, *MANOEUVRES[name], "--bag", str(tmp_path / "offline")]) == 0
+    bag = ("--stamped", "--bag", str(tmp_path / "offline"))
+    assert offline(["run", name, *MANOEUVRES[name], *bag]) == 0
     ours, theirs = messages_of(tmp_path / "offline"), messages_of(recorded)
     commands = {"/steering_cmd", "/wheel_torque_cmd"}
     assert ours.keys() - theirs.keys() <= {"/tf", *commands}  # a type not installed everywhere
     assert theirs.keys() - ours.keys() <= {DIAGNOSTICS.name}
     count = len(ours["/state"])
     assert count > 100
-    for topic in STATE_SET:
+    for topic in SETS:
         assert ours[f"/{topic.name}"] == theirs[f"/{topic.name}"][-count:], topic.name
     for topic in commands & theirs.keys():  # best effort: the first ones may be lost
         assert ours[topic][-len(theirs[topic]) :] == theirs[topic]

@@ -2,12 +2,14 @@
 
 from pathlib import Path
 
+import pytest
 from diagnostic_msgs.msg import DiagnosticStatus
 from rclpy.node import Node
 from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 
-from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS
+from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, STATE_SET
 from vehicle_roll_sim.ros.compatibility import other_publishers
 
 CONTROLLER = Path(__file__).with_name("steady_controller.py")
@@ -69,6 +71,39 @@ def test_somebody_elses_clock_is_no_trouble_where_none_is_published(start, peer)
     peer.node.create_publisher(Clock, "/clock", 1)
     peer.listen("/diagnostics")
     assert not any("CLOCK" in status_of(peer).message for _ in range(3))
+
+
+@pytest.mark.parametrize("second", ["simulator", "other"])
+def test_two_simulators_of_the_same_topics_are_warned_of_by_both(start, peer, second):
+    nodes = [start("simulator"), start("simulator", "--ros-args", "-r", f"__node:={second}")]
+    peer.listen("/diagnostics")
+    more = len(STATE_SET) - 3
+    warnings = [
+        f"TWO SIMULATORS: /{name} publishes state, applied_command, odom and {more} more topics too"
+        for name in ("simulator", second)
+    ]
+
+    def told() -> list[str]:
+        """Messages of the last two statuses of each node, which has one a second."""
+        recent = [message.status[0] for _, message in peer.received["/diagnostics"]][-4:]
+        return [status.message for status in recent if status.level == DiagnosticStatus.WARN]
+
+    def are_told() -> bool:
+        return len(told()) == 4 and all(any(w in text for text in told()) for w in warnings)
+
+    peer.wait(are_told, "both to be told")
+    logs = [node.finish(2)[2] for node in nodes]
+    assert [log.count("TWO SIMULATORS") for log in logs] == [1, 1]
+
+
+def test_a_node_that_publishes_one_topic_of_the_set_is_named_with_it(start, peer):
+    start("simulator", "--ros-args", "-r", "__ns:=/car")
+    peer.listen("/diagnostics")
+    peer.node.create_publisher(JointState, "/car/joint_states", 1)
+    status = wait_for_status(peer, lambda s: "/peer publishes" in s.message, "it to be seen")
+    assert status.level == DiagnosticStatus.WARN
+    assert "/peer publishes joint_states too" in status.message
+    assert "SIMULATORS" not in status.message
 
 
 def test_of_two_nodes_with_one_name_the_other_is_seen(make_peer):

@@ -8,7 +8,7 @@ import pytest
 from recordings import heard_so_far, read_bag
 
 from vehicle_roll_sim.command_line.main import main as offline
-from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED
+from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED, STAMPED
 from vehicle_roll_sim.ros.topics import is_installed
 
 pytestmark = pytest.mark.unmeasured
@@ -79,7 +79,7 @@ def test_a_wrong_manoeuvre_ends_with_one_line_and_status_2(start, words, named):
 
 def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp_path):
     bag = tmp_path / "bag"
-    start("simulator", "--ros-args", "-p", "publish_clock:=true")
+    start("simulator", "--ros-args", "-p", "publish_clock:=true", "-p", "publish_stamped:=true")
     recorder = start("recorder", "--output", str(bag))
     peer.listen("state", "applied_command", "/diagnostics")
     four = [1.0, 2.0, 3.0, 4.0]
@@ -91,7 +91,7 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
         "normal_force_cmd": four,
         "speed_cmd": 13.0,
     }
-    topics = [topic for topic in (*COMMANDS, *PUBLISHED) if is_installed(topic)]
+    topics = [topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED) if is_installed(topic)]
     names = {f"/{topic.name.removeprefix('/')}" for topic in topics}
 
     def is_complete():

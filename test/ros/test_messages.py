@@ -9,8 +9,14 @@ from scipy.spatial.transform import Rotation
 
 from vehicle_roll_sim import LF, LR, RF, RR, WHEELS, Command, Options, Simulation, preset
 from vehicle_roll_sim.bags import encoding
+from vehicle_roll_sim.messages.covariances import (
+    Covariances,
+    ImuCovariances,
+    OdomCovariances,
+)
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, Messages
-from vehicle_roll_sim.messages.topics import CLOCK, STATE_SET, TRANSFORMS, WRENCH
+from vehicle_roll_sim.messages.stamped import builder
+from vehicle_roll_sim.messages.topics import CLOCK, STAMPED, STATE_SET, TRANSFORMS, WRENCH
 from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.ros.encoding import encode
 from vehicle_roll_sim.ros.topics import message_class
@@ -43,8 +49,8 @@ TYPES = {topic.name: topic.type for topic in STATE_SET} | {"tire_force": WRENCH}
 class Decoded:
     """The messages of a session, each by the name of its method, as ROS's own decoder has them."""
 
-    def __init__(self, session, frame_prefix=""):
-        self._messages = Messages(session.simulation, frame_prefix, encode)
+    def __init__(self, session, frame_prefix="", covariances=Covariances()):  # noqa: B008
+        self._messages = Messages(session.simulation, frame_prefix, encode, covariances)
         self._messages.applied = session.applied
         self._messages.set_time(12_345_678_901)
 
@@ -152,6 +158,39 @@ def test_applied_command_names_every_element(messages):
     assert torques == list(range(1, 13))
 
 
+@pytest.mark.parametrize("topic", STAMPED)
+def test_what_is_stamped_has_every_number_of_the_plain_one_by_name(session, topic):
+    messages = Messages(session.simulation, "", encode)
+    messages.applied = session.applied
+    messages.set_time(12_345_678_901)
+    build = builder(messages, encode, topic)
+    plain = getattr(Decoded(session), topic.name.removesuffix("_stamped"))()
+    stamped = deserialize_message(build(), message_class(topic.type))
+    assert (stamped.header.stamp.sec, stamped.header.stamp.nanosec) == (12, 345_678_901)
+    data = [plain.data] if isinstance(plain.data, float) else list(plain.data)
+    assert list(stamped.position) == data  # to the bit
+    assert len(data) == len(stamped.name)
+    if hasattr(plain, "layout"):
+        assert stamped.name == [dimension.label for dimension in plain.layout.dim]
+    assert (len(stamped.velocity), len(stamped.effort)) == (0, 0)
+
+
+def test_covariances_have_the_diagonals_that_were_given_and_0_beside_them(session):
+    imu = ImuCovariances((1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0))
+    odom = OdomCovariances(tuple(range(1, 7)), tuple(range(7, 13)))
+    given, plain = Decoded(session, covariances=Covariances(imu, odom)), Decoded(session)
+    told = given.imu()
+    for name, diagonal in vars(imu).items():
+        found = getattr(told, name.removesuffix("_diagonal"))
+        assert found.reshape(3, 3).tolist() == np.diag(diagonal).tolist()
+    pose, twist = given.odom().pose, given.odom().twist
+    assert pose.covariance.reshape(6, 6).tolist() == np.diag(odom.pose_covariance_diagonal).tolist()
+    assert twist.covariance.reshape(6, 6).tolist() == np.diag(range(7, 13)).tolist()
+    assert not np.any([getattr(plain.imu(), name.removesuffix("_diagonal")) for name in vars(imu)])
+    assert told.linear_acceleration == plain.imu().linear_acceleration
+    assert (pose.pose, twist.twist) == (plain.odom().pose.pose, plain.odom().twist.twist)
+
+
 def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session):
     messages = Messages(session.simulation, "car/", encoding.encode)
     messages.set_time(12_345_678_901)
@@ -184,12 +223,13 @@ def test_without_heave_there_is_no_transform_to_the_body():
 @pytest.mark.parametrize("model", ["1", "8dof"])
 def test_ros_and_the_library_of_bags_encode_every_message_alike(model):
     simulation = Simulation(preset(), Options(model=model))
-    both = [Messages(simulation, "car/", code) for code in (encode, encoding.encode)]
+    encoders = (encode, encoding.encode)
+    both = [Messages(simulation, "car/", code) for code in encoders]
     simulation.step(Command(steering=0.1), 0.5)
     for messages in both:
         messages.set_time(500_000_000)
-    for topic in (*STATE_SET, CLOCK):
-        ours, theirs = (messages.builder(topic.name)() for messages in both)
+    for topic in (*STATE_SET, *STAMPED, CLOCK):
+        ours, theirs = (builder(*each, topic)() for each in zip(both, encoders, strict=True))
         without_padding = encoding.TYPES.serialize_cdr(
             encoding.decode(ours, topic.type), topic.type
         )

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 import rclpy
-from rcl_interfaces.srv import DescribeParameters, ListParameters, SetParameters
+from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 from rclpy.context import Context
 from rclpy.parameter import Parameter
 from std_srvs.srv import Trigger
@@ -40,9 +40,14 @@ WRONG = {
     "euler_terms:=3": ("euler_terms", "bool"),
     "steering_timeout_policy:=let_go": ("steering_timeout_policy", "hold, centre"),
     "model:=1d": ("model", "1c-iii"),
+    "imu.orientation_covariance_diagonal:=[0.1,0.1]": ("imu.orientation", "a list of 3 numbers"),
+    "imu.angular_velocity_covariance_diagonal:=[1.0,1.0,-0.1]": ("imu.angular", "from 0 to 1e+12"),
+    "odom.pose_covariance_diagonal:=0.1": ("odom.pose_cov", "a list of 6 numbers from 0"),
+    "odom.pos_covariance_diagonal:=[1.0]": ("odom.pos", "did you mean odom.pose_covariance_diag"),
     "mode:=walk": ("mode", "real_time, lockstep"),
     "real_time_factor:=0.01": ("real_time_factor", "0, or from 0.1 to 100"),
     "lockstep_topics:=[steering]": ("lockstep_topics", "steering_cmd, rear"),
+    "lockstep_wait:=[state_stamped]": ("lockstep_wait", "go with publish_stamped"),
     "lockstep_wait:=odom": ("lockstep_wait", "a list of one or more of state"),
 }
 
@@ -66,6 +71,10 @@ def test_a_wrong_parameter_is_refused_by_name_with_what_is_allowed(context, assi
 
 def beyond(declared) -> list:
     """Wrong values of a parameter."""
+    if declared.size:
+        fewer = [1.0] * (declared.size - 1)
+        with_wrong_end = [[*fewer, end] for end in ("1", -1e-9, math.nan, math.inf, True, None)]
+        return [1.0, "1", None, [], fewer, [*fewer, 1.0, 1.0], *with_wrong_end]
     if declared.kind is not float:
         return [] if declared.kind is str and not declared.choices else [math.nan, "no_such", [], 7]
     low, high = declared.minimum, declared.maximum
@@ -213,6 +222,22 @@ def test_every_parameter_is_described_with_its_range(start, peer):
         assert descriptor.read_only is not declared.tunable
         spans = [(span.from_value, span.to_value) for span in descriptor.floating_point_range]
         assert spans == [(declared.minimum, declared.maximum)] * (declared.kind is float), name
+
+
+def test_covariances_are_told_as_they_are_given_integers_for_numbers(start, peer):
+    given = {
+        "imu.angular_velocity_covariance_diagonal": "[0.1, 0.2, 0.3]",
+        "odom.twist_covariance_diagonal": "[1, 2, 3, 4, 5, 6]",
+    }
+    words = [word for name, value in given.items() for word in ("-p", f"{name}:={value}")]
+    start("simulator", "--ros-args", *words)
+    peer.listen("imu", "odom")
+    assert peer.newest("imu").angular_velocity_covariance[::4].tolist() == [0.1, 0.2, 0.3]
+    assert not peer.newest("imu").orientation_covariance.any()
+    assert peer.newest("odom").twist.covariance[::7].tolist() == [1, 2, 3, 4, 5, 6]
+    request = GetParameters.Request(names=list(given))
+    values = peer.call(GetParameters, "simulator/get_parameters", request).values
+    assert [list(value.double_array_value) for value in values] == [[0.1, 0.2, 0.3], [*range(1, 7)]]
 
 
 def test_parameters_reach_the_model_and_its_description(start, peer):

@@ -12,9 +12,11 @@ from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim import Simulation, preset
+from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.ros.compatibility import incompatible_partners
 from vehicle_roll_sim.ros.publications import Publications
+from vehicle_roll_sim.ros.settings import LOCKSTEP, Settings
 from vehicle_roll_sim.simulation.command_inbox import CommandInbox
 from vehicle_roll_sim.simulation.session import Session
 
@@ -169,7 +171,8 @@ def test_partners_that_can_never_be_connected_are_told(start, peer):
     for _ in range(3):
         peer.newest("/diagnostics")
     _, _, err = simulator.finish(2)
-    warnings = [line for line in err.splitlines() if "WARN" in line]
+    lines = [line for line in err.splitlines() if "WARN" in line]
+    warnings = [line for line in lines if "too slow a machine" not in line]
     assert any("/imu: the subscription of peer" in line for line in warnings)
     assert any("/steering_cmd: the publisher of peer: std_msgs/msg/String" in w for w in warnings)
     assert len(warnings) == 2  # once each
@@ -192,13 +195,7 @@ def test_what_nobody_listens_to_is_not_built(peer, monkeypatch):
     for name in ("odom", "imu"):
         usual = getattr(Messages, name)
         monkeypatch.setattr(Messages, name, lambda m, n=name, u=usual: built.append(n) or u(m))
-    publications = Publications(
-        peer.node,
-        session,
-        frame_prefix="",
-        own_clock=False,
-        unnoticed_ns=0,
-    )
+    publications = Publications(peer.node, session, Settings(mode=LOCKSTEP), Covariances())
     peer.listen("imu")
     peer.wait(lambda: publications.listeners("imu"), "the listener to be found")
     built.clear()

@@ -7,6 +7,7 @@ import time
 from unittest.mock import Mock
 
 import pytest
+from diagnostic_msgs.msg import DiagnosticStatus
 from lockstep_partner import LOCKSTEP, answered, begin
 from rclpy.executors import ExternalShutdownException
 from recordings import heard_so_far
@@ -59,6 +60,42 @@ def test_a_listener_that_never_receives_is_not_waited_for_for_ever(monkeypatch):
         driver.run(simulator, executor)
     (warning,) = simulator.get_logger().warning.call_args.args
     assert "has not received /imu, /state" in warning
+
+
+def wait_for_warning(peer, *texts: str) -> None:
+    def is_told():
+        status = peer.newest("/diagnostics").status[0]
+        is_warning = status.level == DiagnosticStatus.WARN
+        return is_warning and all(text in status.message for text in texts)
+
+    peer.wait(is_told, f"a warning: {texts}")
+
+
+def test_a_long_wait_is_a_warning_that_names_what_is_waited_for_and_whose_it_is(start, peer):
+    start(*LOCKSTEP, "-p", "lockstep_topics:=[steering_cmd, brake_torque_cmd]")
+    peer.listen("/diagnostics", "state")
+    missing = "a publisher of steering_cmd and a publisher of brake_torque_cmd"
+    wait_for_warning(peer, f"lockstep: waiting for {missing} for ", " s")
+    peer.publisher("steering_cmd")
+    brake = peer.publisher("brake_torque_cmd")
+    peer.wait(lambda: peer.received["state"], "the first set")
+    peer.publish("steering_cmd", 0.01)
+    wait_for_warning(peer, "lockstep: waiting for a message on brake_torque_cmd from /peer for ")
+    peer.node.destroy_publisher(brake)
+    wait_for_warning(peer, "a message on brake_torque_cmd, which no known node publishes, for ")
+
+
+def test_an_answer_ends_the_warning_of_a_long_wait(start, peer):
+    begin(start, peer)
+    peer.listen("/diagnostics")
+    wait_for_warning(peer, "a message on steering_cmd from /peer")
+
+    def is_well():
+        peer.publish("steering_cmd", 0.01)
+        status = peer.newest("/diagnostics").status[0]
+        return (status.level, status.message) == (DiagnosticStatus.OK, "running")
+
+    peer.wait(is_well, "the end of the warning")
 
 
 def test_without_an_answer_in_time_it_stops_and_names_the_topic(start, peer):

@@ -7,6 +7,7 @@ from pathlib import Path
 from vehicle_roll_sim.bags.encoding import encode
 from vehicle_roll_sim.bags.writing import Bag, whole_bag
 from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     COMMANDS,
@@ -14,6 +15,7 @@ from vehicle_roll_sim.messages.topics import (
     ROBOT_DESCRIPTION,
     ROLLOVER,
     SIMULATION_DESCRIPTION,
+    STAMPED,
     STATE_SET,
     TRANSFORMS,
 )
@@ -27,14 +29,21 @@ from vehicle_roll_sim.simulation.simulation import Simulation
 
 @contextlib.contextmanager
 def run_bag(
-    simulation: Simulation, commanded: Iterable[str], folder: Path, period_ns: int, field: str
+    simulation: Simulation,
+    commanded: Iterable[str],
+    folder: Path,
+    period_ns: int,
+    field: str,
+    *,
+    stamped: bool = False,
 ) -> Iterator["RunBag"]:
     """The witness of a run whose commands are held for `period_ns`; its bag is whole in the end.
 
-    Raises InputError naming `field` if it cannot be written.
+    stamped: with the topics of a node that has `publish_stamped` set. Raises InputError naming
+    `field` if it cannot be written.
     """
     with whole_bag(folder, field) as bag:
-        yield RunBag(simulation, commanded, bag, period_ns)
+        yield RunBag(simulation, commanded, bag, period_ns, stamped)
 
 
 class RunBag:
@@ -44,16 +53,25 @@ class RunBag:
     `commanded` fields of a Command. Diagnostics stay empty.
     """
 
-    def __init__(self, simulation: Simulation, commanded: Iterable[str], bag: Bag, period_ns: int):
+    def __init__(
+        self,
+        simulation: Simulation,
+        commanded: Iterable[str],
+        bag: Bag,
+        period_ns: int,
+        stamped: bool = False,
+    ):
         self._simulation, self._bag = simulation, bag
+        with_header = STAMPED if stamped else ()
+        topics = (*COMMANDS, *PUBLISHED, *with_header)
         self._connections = {
-            topic.name: bag.add_topic(topic, "/" + topic.name.lstrip("/"))
-            for topic in (*COMMANDS, *PUBLISHED)
+            topic.name: bag.add_topic(topic, "/" + topic.name.lstrip("/")) for topic in topics
         }
-        self._types = {topic.name: topic.type for topic in (*COMMANDS, *PUBLISHED)}
+        self._types = {topic.name: topic.type for topic in topics}
         messages = self._messages = Messages(simulation, "", encode)
         self._set = [
-            (topic.name, messages.builder(topic.name)) for topic in (CLOCK, *STATE_SET, TRANSFORMS)
+            (topic.name, builder(messages, encode, topic))
+            for topic in (CLOCK, *STATE_SET, *with_header, TRANSFORMS)
         ]
         fields = set(commanded)
         self._commands = {name: c.field for name, c in channels().items() if c.field in fields}

@@ -80,7 +80,7 @@ def run_command(words: list[str], program: str) -> int:
     driver = manoeuvre.driver()
     simulation.reset(manoeuvre.speed)
     period = sampling.command_period or HELD_PERIOD
-    with _recorded(simulation, manoeuvre.commanded, bag, period) as witness:
+    with _recorded(simulation, manoeuvre.commanded, bag, period, arguments.stamped) as witness:
         history = _run_with_progress(simulation, driver, manoeuvre.duration, sampling, witness)
     if csv:
         history.write_csv(csv)
@@ -115,6 +115,8 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     group = parser.add_argument_group("results")
     group.add_argument("--csv", metavar="FILE", help="write the samples")
     group.add_argument("--bag", metavar="DIR", help="write what the node would have published")
+    about = "in the bag, what has no header with one, too: NAME_stamped, as publish_stamped has it"
+    group.add_argument("--stamped", action="store_true", help=about)
     group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
     return parser
 
@@ -137,6 +139,8 @@ def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
         check_figure_format(plot, "--plot")
     bag = named_file(arguments.bag, "--bag")
     check_distinct({"--csv": csv, "--plot": plot, "--bag": bag})
+    if arguments.stamped and not bag:
+        raise InputError("--stamped", "", "together with --bag", "there is no bag")
     if bag:
         need_library("--bag")
         check_new_folder(bag, "--bag")
@@ -144,14 +148,19 @@ def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
 
 
 def _recorded(
-    simulation: Simulation, commanded: tuple[str, ...], bag: Path | None, period: float
+    simulation: Simulation,
+    commanded: tuple[str, ...],
+    bag: Path | None,
+    period: float,
+    stamped: bool,
 ) -> AbstractContextManager[Witness | None]:
     """The witness that writes the bag, if there is to be one."""
     if bag is None:
         return nullcontext()
     from vehicle_roll_sim.bags.run_bag import run_bag  # its library is optional
 
-    return run_bag(simulation, commanded, bag, round(period * NANOSECONDS), "--bag")
+    period_ns = round(period * NANOSECONDS)
+    return run_bag(simulation, commanded, bag, period_ns, "--bag", stamped=stamped)
 
 
 def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:

@@ -7,8 +7,9 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
+from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.encoded import MARK, STAMP_MARK, Encode, Encoded
-from vehicle_roll_sim.messages.topics import ARRAY, CLOCK, FLAGS, STATE_SET, TRANSFORMS, WRENCH
+from vehicle_roll_sim.messages.topics import CLOCK, STATE_SET, TRANSFORMS, WRENCH
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
@@ -45,6 +46,7 @@ EMPTY_LIST = 4
 """Bytes of a list without elements: its length."""
 FLAGS_MARK = (250, 251, 252, 253)
 """Flags that no lift-off has."""
+RATIO = "load_transfer_ratio"
 TYPES = {topic.name: topic.type for topic in STATE_SET}
 
 
@@ -52,26 +54,37 @@ class Messages:
     """The messages of a set, encoded by `encode`; a method for each brings it up to date.
 
     applied: the command of the last period, to be kept up to date from outside. All stamped
-    messages of a set share the time that `set_time` is told.
+    messages of a set share the time that `set_time` is told. named: of each topic without a header
+    the names of its numbers, and the numbers, which are as new as its message.
     """
 
-    def __init__(self, simulation: Simulation, frame_prefix: str, encode: Encode):
+    def __init__(
+        self,
+        simulation: Simulation,
+        frame_prefix: str,
+        encode: Encode,
+        covariances: Covariances = Covariances(),  # noqa: B008 - it cannot be changed
+    ):
         self.simulation, self.applied = simulation, Command()
         self.stamp = (0, 0)
         self._frame_prefix, self._encode = frame_prefix, encode
         self._whole_body = not simulation.options.has_eight_dof
-        self._state = self._labelled(ARRAY, ("time", *simulation.state_names))
-        self._command = self._labelled(ARRAY, COMMAND_LABELS)
-        self._loads = self._labelled(ARRAY, WHEELS)
-        self._lift_off = self._labelled(FLAGS, WHEELS, FLAGS_MARK, kind="u1")
-        self._ratio = Encoded(encode(TYPES["load_transfer_ratio"], {"data": MARK}), 1)
+        self.named: dict[str, tuple[tuple[str, ...], np.ndarray]] = {}
+        self._state = self._labelled("state", ("time", *simulation.state_names))
+        self._command = self._labelled("applied_command", COMMAND_LABELS)
+        self._loads = self._labelled("tire_normal_forces", WHEELS)
+        self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
+        self._ratio = Encoded(encode(TYPES[RATIO], {"data": MARK}), 1)
+        self.named[RATIO] = (RATIO,), self._ratio.numbers
         self._clock = Encoded(encode(CLOCK.type, {"clock": STAMP_MARK}))
         position = {"position": {"x": MARK}}
         odometry = self._in_frame("odom") | {"pose": {"pose": position}}
         odometry |= self._of_frame("base_link")
         self._odom = Encoded(encode(TYPES["odom"], odometry), OF_ODOMETRY)
+        covariances.odom.spread(self._odom.numbers)
         imu = self._in_frame("base_link") | {"orientation": {"x": MARK}}
         self._imu = Encoded(encode(TYPES["imu"], imu), OF_IMU)
+        covariances.imu.spread(self._imu.numbers)
         self._joints = self._joint_states()
         force = self._in_frame("base_footprint") | {"wrench": {"force": {"x": MARK}}}
         self._forces = [Encoded(encode(WRENCH, force), OF_WRENCH) for _ in WHEELS]
@@ -83,12 +96,14 @@ class Messages:
             return functools.partial(self.tire_force, WHEELS.index(wheel))
         return getattr(self, family)
 
-    def _labelled(self, type_name: str, labels, mark=(MARK,), kind: str = "<f8") -> Encoded:
+    def _labelled(self, topic: str, labels, mark=(MARK,), kind: str = "<f8") -> Encoded:
         """A multi-array whose layout names every element: dim[i].label is the name of data[i]."""
         dimensions = [{"label": name, "size": 1, "stride": 1} for name in labels]
         data = [*mark, *[0.0] * (len(labels) - len(mark))]
         fields = {"layout": {"dim": dimensions}, "data": data}
-        return Encoded(self._encode(type_name, fields), len(labels), mark, kind)
+        message = Encoded(self._encode(TYPES[topic], fields), len(labels), mark, kind)
+        self.named[topic] = labels, message.numbers
+        return message
 
     def _in_frame(self, frame: str) -> dict:
         return {"header": {"stamp": STAMP_MARK, "frame_id": self._frame_prefix + frame}}

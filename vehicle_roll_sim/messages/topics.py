@@ -18,6 +18,7 @@ class Topic:
 
 FLOAT, ARRAY = "std_msgs/msg/Float64", "std_msgs/msg/Float64MultiArray"
 FLAGS, TEXT = "std_msgs/msg/UInt8MultiArray", "std_msgs/msg/String"
+JOINTS = "sensor_msgs/msg/JointState"
 WRENCH = "geometry_msgs/msg/WrenchStamped"
 
 
@@ -35,13 +36,23 @@ STATE_SET = (
     Topic("applied_command", ARRAY),
     Topic("odom", "nav_msgs/msg/Odometry"),
     Topic("imu", "sensor_msgs/msg/Imu"),
-    Topic("joint_states", "sensor_msgs/msg/JointState"),
+    Topic("joint_states", JOINTS),
     Topic("tire_normal_forces", ARRAY),
     *(Topic(f"tire_forces/{wheel}", WRENCH) for wheel in WHEELS),
     Topic("lift_off", FLAGS),
     Topic("load_transfer_ratio", FLOAT),
 )
 """What is published every period, in this order: a set begins with its `state`."""
+STAMPED_ENDING = "_stamped"
+STAMPED = tuple(
+    Topic(topic.name + STAMPED_ENDING, JOINTS)
+    for topic in STATE_SET
+    if topic.type in (FLOAT, ARRAY, FLAGS)
+)
+"""Of the set too, where they are asked for: what has no header, with one, every number by name.
+
+A JointState is the one message of ROS with a header and numbers that bear names, and tools to plot
+and to read bags show it by them."""
 TRANSFORMS = Topic("/tf", "tf2_msgs/msg/TFMessage")
 """Of the set too, where its type is installed."""
 CLOCK = Topic("/clock", "rosgraph_msgs/msg/Clock")

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from rclpy.node import Node
 
 from vehicle_roll_sim.messages.collected import COLLECTED, STATE, Collected, by_name, is_ours
+from vehicle_roll_sim.ros.qos_overrides import make_subscription
 from vehicle_roll_sim.ros.topics import message_class, recording_qos
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.road import Road
@@ -19,7 +20,8 @@ class Collector:
     def __init__(self, node: Node, on_state: Callable[[dict], None]):
         self._on_state = on_state
         self.subscriptions = [
-            node.create_subscription(
+            make_subscription(
+                node,
                 message_class(topic.type),
                 topic.name,
                 self._listener(topic.name),

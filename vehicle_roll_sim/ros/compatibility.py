@@ -9,7 +9,7 @@ from rclpy.publisher import Publisher
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
-from vehicle_roll_sim.messages.topics import Topic
+from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 
 UNNAMED = "_NODE_NAME_UNKNOWN_"
 """Node of an endpoint that was discovered before its node was, or that is not of ROS."""
@@ -52,6 +52,11 @@ def other_publishers(node: Node, topic: Topic) -> list[str]:
         if own_name in names:
             names.remove(own_name)
     return sorted(names)
+
+
+def command_publishers(node: Node) -> dict[str, list[str]]:
+    """`other_publishers` of every command, by topic."""
+    return {topic.name: other_publishers(node, topic) for topic in COMMANDS}
 
 
 def fitting_listeners(node: Node, publisher: Publisher) -> int:

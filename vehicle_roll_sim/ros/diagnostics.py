@@ -6,8 +6,13 @@ import time
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, DIAGNOSTICS
-from vehicle_roll_sim.ros.compatibility import incompatible_partners, other_publishers
+from vehicle_roll_sim.messages.collected import STATE
+from vehicle_roll_sim.messages.topics import CLOCK, DIAGNOSTICS, STATE_SET
+from vehicle_roll_sim.ros.compatibility import (
+    command_publishers,
+    incompatible_partners,
+    other_publishers,
+)
 from vehicle_roll_sim.ros.compiling import status_name
 from vehicle_roll_sim.ros.lockstep import Lockstep
 from vehicle_roll_sim.ros.publications import Publications
@@ -20,6 +25,9 @@ from vehicle_roll_sim.simulation.status import (
     step_trouble,
     verdict,
 )
+
+MOST_LISTED = 3
+"""Topics that a warning names; of more it says how many."""
 
 
 class Reporter:
@@ -43,12 +51,17 @@ class Reporter:
         self._sets, self._time = 0, time.monotonic()
 
     def report(self) -> None:
-        publishers = {topic.name: other_publishers(self._node, topic) for topic in COMMANDS}
-        clocks = self._clock_trouble()
+        publishers = command_publishers(self._node)
+        others = [*self._clock_trouble(), *self._doubled()]
         with self._lock:
-            wrong = [*clocks, *command_troubles(self._session, publishers)]
-            status = self._status(wrong, publishers)
+            is_idle = self._session.paused or self._session.stopped
+            wrong = [*others, *command_troubles(self._session, publishers)]
+            late = self._driver.trouble()
+            passing = (step_trouble(self._session), late, self._driver.waiting(publishers))
+            status = self._status([*wrong, *("" if is_idle else filter(None, passing))], publishers)
         self._warn({*wrong, *incompatible_partners(self._node)})  # who is told may end the node
+        if late and not is_idle:
+            self._node.get_logger().warning(late)
         diagnostics = DiagnosticArray(status=[status])
         diagnostics.header.stamp = self._publications.present_stamp()
         self._publisher.publish(diagnostics)
@@ -60,19 +73,27 @@ class Reporter:
         self._told = wrong
 
     def _clock_trouble(self) -> list[str]:
-        """Whether somebody else publishes the clock that this simulator gives."""
-        others = other_publishers(self._node, CLOCK) if self._publications.own_clock else []
-        if not others:
-            return []
-        listed = ", ".join(others)
-        return [f"TWO CLOCKS: {CLOCK.name} comes from {listed} too: time jumps for all who use it"]
+        """Whether stamps are off the clock, or somebody else publishes the one that is ours."""
+        troubles = [self._publications.clock_trouble()]
+        if self._publications.own_clock and (others := other_publishers(self._node, CLOCK)):
+            listed = ", ".join(others)
+            troubles.append(
+                f"TWO CLOCKS: {CLOCK.name} comes from {listed} too: time jumps for all who use it"
+            )
+        return [*filter(None, troubles)]
+
+    def _doubled(self) -> list[str]:
+        """Which other nodes publish topics of the set, one line for each."""
+        topics_of: dict[str, list[str]] = {}
+        for topic in STATE_SET:
+            if self._node.count_publishers(self._node.resolve_topic_name(topic.name)) > 1:
+                for name in other_publishers(self._node, topic):
+                    topics_of.setdefault(name, []).append(topic.name)
+        return [_doubled_by(name, topics) for name, topics in sorted(topics_of.items())]
 
     def _status(self, wrong: list[str], publishers: dict[str, list[str]]) -> DiagnosticStatus:
         """Level and message, then the model, timing, and every command topic."""
         session = self._session
-        passing = (step_trouble(session), self._driver.trouble())
-        if not (session.paused or session.stopped):
-            wrong = [*wrong, *filter(None, passing)]
         level, message = verdict(session, wrong)
         status = DiagnosticStatus(level=bytes([level]), message=message, hardware_id="simulation")
         status.name = status_name(self._node.get_fully_qualified_name())
@@ -91,3 +112,11 @@ class Reporter:
         rate = (sets - self._sets) / (now - self._time)
         self._sets, self._time = sets, now
         return rate
+
+
+def _doubled_by(node: str, topics: list[str]) -> str:
+    """What to say of a node that publishes topics of the set, too."""
+    more = len(topics) - MOST_LISTED
+    listed = ", ".join(topics[:MOST_LISTED]) + (f" and {more} more topics" if more > 0 else "")
+    trouble = f"{node} publishes {listed} too: listeners get both; a namespace separates them"
+    return f"TWO SIMULATORS: {trouble}" if STATE in topics else trouble

@@ -10,12 +10,14 @@ from std_msgs.msg import Float64, Float64MultiArray
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.manoeuvres.manoeuvre import Manoeuvre
+from vehicle_roll_sim.messages.collected import COLLECTED
 from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
 from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.collector import Collector
 from vehicle_roll_sim.ros.compatibility import UNNAMED, fitting_listeners
 from vehicle_roll_sim.ros.lockstep import SETTLING
 from vehicle_roll_sim.ros.process import refuse_unknown_parameters
+from vehicle_roll_sim.ros.qos_overrides import make_publisher, refuse_wrong_overrides
 from vehicle_roll_sim.ros.settings import LOCKSTEP
 from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
@@ -46,6 +48,7 @@ class Driver(Node):
     def __init__(self, manoeuvre: Manoeuvre):
         super().__init__("manoeuvre")
         refuse_unknown_parameters(self)
+        self._refuse_wrong_overrides()
         self.manoeuvre = manoeuvre
         self._commands: dict[str, Publisher] = {}
         self.collector = Collector(self, self._on_state)
@@ -58,6 +61,11 @@ class Driver(Node):
         self.driver = self.manoeuvre.driver()
         self.finished = self.disturbed = self._driving = False
 
+    def _refuse_wrong_overrides(self, lossless: bool = False) -> None:
+        heard = [topic.name for topic in COLLECTED]
+        said = [STEERING, TORQUE]
+        refuse_wrong_overrides(self, publishers=said, subscriptions=heard, lossless=lossless)
+
     def prepare(self, simulator: SimulatorClient) -> None:
         """Set the speed, connect, reset; raises NoAnswerError, or InputError if it cannot drive."""
         self._simulator = simulator
@@ -68,6 +76,7 @@ class Driver(Node):
         self._awaited = awaited if mode == LOCKSTEP else []
         if mode == LOCKSTEP:
             self._check_awaited()
+            self._refuse_wrong_overrides(lossless=True)
         if self.manoeuvre.needs_vehicle:
             vehicle, options = simulated_vehicle(simulator.get)
             with ending.interruptible():
@@ -129,7 +138,7 @@ class Driver(Node):
         """Make the publishers and wait until all who listen are matched."""
         kinds = {STEERING: Float64, TORQUE: Float64MultiArray}
         for name in topics:
-            self._commands[name] = self.create_publisher(kinds[name], name, COMMANDING)
+            self._commands[name] = make_publisher(self, kinds[name], name, COMMANDING)
         self._simulator.wait(self._is_heard, "a connection to its topics")
         self._simulator.linger(SETTLING)  # they may find us a little later
 

@@ -1,10 +1,11 @@
 """Runs a simulator in step with its controllers: a period for every answer, never by the clock."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from rclpy.executors import Executor
 
+from vehicle_roll_sim.ros.compatibility import command_publishers
 from vehicle_roll_sim.ros.process import LOOK
 from vehicle_roll_sim.simulation.session import Session
 
@@ -14,6 +15,8 @@ SETTLING = 0.2
 """s to go on listening when all partners are found: they may find us a little later."""
 COMPLAINT_INTERVAL = 5.0
 """s between two lines on what is waited for."""
+LONG_WAIT = 2.0
+"""s after which what is waited for is a warning in the diagnostics."""
 LONGEST_RECEIPT = 10.0
 """s until a listener that does not take the first set is waited for no longer."""
 LAST_LOOK = 0.02
@@ -38,6 +41,7 @@ class Lockstep:
         self.topics, self.listened = tuple(topics), tuple(listened)
         self.timeout, self.policy = timeout, policy
         self._timeouts = self._timeouts_told = 0
+        self._awaited: Sequence[str] = ()
         self.restart()
 
     def run(self, simulator, executor: Executor) -> None:
@@ -52,6 +56,7 @@ class Lockstep:
 
     def _await_partners(self, simulator, executor: Executor) -> None:
         while missing := self._missing(simulator):
+            self._awaited = missing
             simulator.get_logger().info(
                 f"lockstep: waiting for {' and '.join(missing)}",
                 throttle_duration_sec=COMPLAINT_INTERVAL,
@@ -68,6 +73,7 @@ class Lockstep:
         """
         until = time.monotonic() + LONGEST_RECEIPT
         while missing := simulator.unreceived():
+            self._awaited = [f"a listener to receive {name}" for name in missing]
             if time.monotonic() > until:
                 simulator.get_logger().warning(
                     f"lockstep: goes on, though a listener has not received {', '.join(missing)}"
@@ -90,9 +96,10 @@ class Lockstep:
                 self._read_on(session, executor)
                 self._note_missing(session.inbox.unanswered(self.topics))
                 return
+            self._awaited = missing
             if waited > COMPLAINT_INTERVAL:
                 simulator.get_logger().warning(
-                    f"lockstep: waiting for a message on {', '.join(missing)}",
+                    self.waiting(command_publishers(simulator)),
                     throttle_duration_sec=COMPLAINT_INTERVAL,
                 )
             executor.spin_once(timeout_sec=look)
@@ -112,9 +119,10 @@ class Lockstep:
             topics = ", ".join(missing)
             raise UnansweredError(f"{topics}: no message within {self.timeout:g} s of lockstep")
 
-    def restart(self) -> None:
-        """The time for an answer begins anew."""
+    def restart(self) -> int:
+        """The time for an answer begins anew; returns the present by the steady clock (ns)."""
         self._asked = time.monotonic()
+        return time.monotonic_ns()
 
     def timing(self) -> dict[str, str]:
         """Periods run without an answer so far."""
@@ -125,3 +133,24 @@ class Lockstep:
         timeouts = self._timeouts - self._timeouts_told
         self._timeouts_told = self._timeouts
         return f"no answer in time: {timeouts} periods with the last command" if timeouts else ""
+
+    def waiting(self, publishers: Mapping[str, Sequence[str]]) -> str:
+        """What has been waited for so long that it is worth a word, and of whom; else ''.
+
+        publishers: names of the nodes that publish each command, by topic.
+        """
+        waited = time.monotonic() - self._asked
+        if not self._awaited or waited < LONG_WAIT:
+            return ""
+        awaited = [
+            _message_of(name, publishers[name]) if name in publishers else name
+            for name in self._awaited
+        ]
+        return f"lockstep: waiting for {' and '.join(awaited)} for {waited:.0f} s"
+
+
+def _message_of(topic: str, publishers: Sequence[str]) -> str:
+    """A message that is waited for, and whose it is."""
+    if not publishers:
+        return f"a message on {topic}, which no known node publishes,"
+    return f"a message on {topic} from {' or '.join(publishers)}"

@@ -18,6 +18,7 @@ from vehicle_roll_sim.declaration import (
     parameter,
     parameters_of,
 )
+from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.model.events import MINIMUM_SPEED
 from vehicle_roll_sim.ros.process import refuse_unknown_parameters
 from vehicle_roll_sim.ros.settings import Settings
@@ -28,13 +29,15 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import load_tire
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
-VEHICLE_PREFIX = "vehicle."
+VEHICLE_PREFIX, IMU_PREFIX, ODOM_PREFIX = "vehicle.", "imu.", "odom."
 TIRE = VEHICLE_PREFIX + "tire"
+SIM_TIME = "use_sim_time"
+"""A parameter of every node."""
 ROS_TYPES = {
     float: ParameterType.PARAMETER_DOUBLE,
     bool: ParameterType.PARAMETER_BOOL,
     str: ParameterType.PARAMETER_STRING,
-    tuple: ParameterType.PARAMETER_STRING_ARRAY,
+    tuple: ParameterType.PARAMETER_STRING_ARRAY,  # or, of numbers, a double array
 }
 
 
@@ -54,11 +57,13 @@ class Declared:
     options: Options
     road: Road
     vehicle: Vehicle
+    covariances: Covariances
 
 
 def declare(node: Node) -> Declared:
     """Declare all parameters on `node` and read them; raises InputError naming one."""
     refuse_unknown_parameters(node, PARAMETERS)
+    _check_makes_time(node.get_parameter(SIM_TIME).value)
     settings = Settings(**_declare_class(node, Settings))
     limits = CommandLimits(**_declare_class(node, CommandLimits))
     options = Options(**_declare_class(node, Options))
@@ -74,7 +79,16 @@ def declare(node: Node) -> Declared:
         for name in parameters_of(Vehicle)
     }
     vehicle = vehicle.with_values(values, VEHICLE_PREFIX)
-    return Declared(settings, limits, options, road, vehicle)
+    imu = ImuCovariances(**_declare_class(node, ImuCovariances, IMU_PREFIX))
+    odom = OdomCovariances(**_declare_class(node, OdomCovariances, ODOM_PREFIX))
+    return Declared(settings, limits, options, road, vehicle, Covariances(imu, odom))
+
+
+def _check_makes_time(use_sim_time) -> None:
+    """Raise InputError if the simulator, which makes time, is asked to take it from /clock."""
+    if use_sim_time:
+        allowed = "false, for the simulator makes time; publish_clock has others go by it"
+        raise InputError(SIM_TIME, use_sim_time, allowed)
 
 
 def _check_speed(speed: float, options: Options) -> None:
@@ -95,6 +109,7 @@ def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None
     def check(changes) -> SetParametersResult:
         values = {change.name: change.value for change in changes if change.name in tunable}
         try:
+            _check_makes_time(any(c.name == SIM_TIME and c.value for c in changes))
             checked = {name: PARAMETERS[name].validate(value) for name, value in values.items()}
             _check_speed(checked.get("initial_speed", settings.initial_speed), declared.options)
         except InputError as error:
@@ -128,12 +143,14 @@ def _all_parameters() -> dict[str, Parameter]:
         **parameters_of(Options),
         **parameters_of(Road),
         **{VEHICLE_PREFIX + name: declared for name, declared in vehicle.items()},
+        **{IMU_PREFIX + name: each for name, each in parameters_of(ImuCovariances).items()},
+        **{ODOM_PREFIX + name: each for name, each in parameters_of(OdomCovariances).items()},
     }
 
 
-def _declare_class(node: Node, declaring) -> dict:
+def _declare_class(node: Node, declaring, prefix: str = "") -> dict:
     defaults = {name: p.default for name, p in parameters_of(declaring).items()}
-    return {name: _declare(node, name, default) for name, default in defaults.items()}
+    return {name: _declare(node, prefix + name, default) for name, default in defaults.items()}
 
 
 def _declare(node: Node, name: str, default):
@@ -150,8 +167,9 @@ def _descriptor(declared: Parameter) -> ParameterDescriptor:
     """
     unit = f" ({declared.unit})" if declared.unit else ""
     choices = f": {declared.allowed}" if declared.choices else ""
+    of_numbers = ParameterType.PARAMETER_DOUBLE_ARRAY
     descriptor = ParameterDescriptor(
-        type=ROS_TYPES[declared.kind],
+        type=of_numbers if declared.size else ROS_TYPES[declared.kind],
         description=declared.description + choices + unit,
         read_only=not declared.tunable,
         dynamic_typing=True,

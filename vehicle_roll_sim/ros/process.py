@@ -21,7 +21,7 @@ from rclpy.utilities import remove_ros_args, try_shutdown
 
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError, unknown_name
-from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros import ending, qos_overrides
 from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
 
 LOOK = 0.05
@@ -30,8 +30,7 @@ timeout than before begins with its first subscription again, and the last ones 
 NOT_MADE = "Failed to create"
 """In what rclpy says where the same name is given to topics of two types."""
 OF_EVERY_NODE = ("use_sim_time", "start_type_description_service")
-QOS_OVERRIDES = "qos_overrides."
-"""Parameters that rclpy itself knows, and how the names of others begin."""
+"""Parameters that rclpy itself knows."""
 
 
 def node_main(
@@ -65,11 +64,11 @@ def node_main(
 def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
     """Every parameter that was given must be known, or declared if `known` is empty.
 
-    Raises InputError with the nearest name.
+    Qualities of service are left to `qos_overrides`. Raises InputError with the nearest name.
     """
     known = [*(known or node._parameters), *OF_EVERY_NODE]
     for name in node._parameter_overrides:  # rclpy shows them nowhere else
-        if name not in known and not name.startswith(QOS_OVERRIDES):
+        if name not in known and not name.startswith(qos_overrides.PREFIX):
             raise unknown_name(name, known, "parameter")
 
 

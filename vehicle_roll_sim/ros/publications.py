@@ -7,18 +7,26 @@ from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.node import Node
 
+from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
+    DIAGNOSTICS,
     ROBOT_DESCRIPTION,
     ROLLOVER,
     SIMULATION_DESCRIPTION,
+    STAMPED,
     STATE_SET,
     TRANSFORMS,
     Topic,
 )
 from vehicle_roll_sim.messages.urdf import robot_description
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.ros.encoding import encode
+from vehicle_roll_sim.ros.qos_overrides import make_publisher
+from vehicle_roll_sim.ros.settings import Settings
+from vehicle_roll_sim.ros.stamps import Stamps
 from vehicle_roll_sim.ros.topics import is_installed, message_class, offered_qos
 from vehicle_roll_sim.simulation.description import describe
 from vehicle_roll_sim.simulation.session import Session
@@ -27,34 +35,45 @@ LONGEST_UNNOTICED_NS = 50_000_000
 """Wall time (ns) for which real time may not notice a new listener: looking costs like sending."""
 
 
+def set_topics(settings: Settings) -> tuple[Topic, ...]:
+    """What is published every period, in this order."""
+    clock = (CLOCK,) if settings.has_own_clock else ()
+    stamped = STAMPED if settings.publish_stamped else ()
+    return (*clock, *STATE_SET, *stamped, *filter(is_installed, (TRANSFORMS,)))
+
+
+def published_topics(settings: Settings) -> tuple[Topic, ...]:
+    """All that a simulator publishes."""
+    beside = (ROLLOVER, ROBOT_DESCRIPTION, SIMULATION_DESCRIPTION, DIAGNOSTICS)
+    return (*set_topics(settings), *beside)
+
+
 class Publications:
     """The publishers of `node` for the messages of a session.
 
-    own_clock: stamps are simulated time and published on /clock; else they begin at the time of
-    the start. unnoticed_ns: wall time for which a new listener may go unnoticed. sets: how many
-    have been published.
+    own_clock: stamps are simulated time and published on /clock; else they are the times on the
+    node's clock at which the sets are due (Stamps). sets: how many have been published.
     """
 
     def __init__(
         self,
         node: Node,
         session: Session,
-        *,
-        frame_prefix: str,
-        own_clock: bool,
-        unnoticed_ns: int,
+        settings: Settings,
+        covariances: Covariances,
     ):
         self._node, self._session = node, session
-        self._messages = Messages(session.simulation, frame_prefix, encode)
-        self._stamps_begin_ns = 0 if own_clock else node.get_clock().now().nanoseconds
-        self._last_stamp_ns = self._stamps_begin_ns
+        prefix, clock = settings.frame_prefix, node.get_clock()
+        self._messages = Messages(session.simulation, prefix, encode, covariances)
+        self.own_clock = settings.has_own_clock
+        self._stamps = None if self.own_clock else Stamps(lambda: clock.now().nanoseconds)
+        self._last_stamp_ns = 0
         self.sets = 0
-        topics = (CLOCK, *STATE_SET) if own_clock else STATE_SET
-        if is_installed(TRANSFORMS):
-            topics = (*topics, TRANSFORMS)
-        self.own_clock, self._unnoticed_ns = own_clock, unnoticed_ns
-        build = self._messages.builder
-        self._set = {topic.name: (self.publisher(topic), build(topic.name)) for topic in topics}
+        self._unnoticed_ns = 0 if settings.is_lockstep else LONGEST_UNNOTICED_NS
+        self._set = {
+            topic.name: (self.publisher(topic), builder(self._messages, encode, topic))
+            for topic in set_topics(settings)
+        }
         self._tree = self._set.get(TRANSFORMS.name, (None,))[0]
         self._prepare()
         self._rollover = self.publisher(ROLLOVER)
@@ -77,7 +96,8 @@ class Publications:
 
     def publisher(self, topic: Topic):
         """One without event handlers: each would be one more thing for every wait to watch."""
-        return self._node.create_publisher(
+        return make_publisher(
+            self._node,
             message_class(topic.type),
             topic.name,
             offered_qos(topic),
@@ -95,11 +115,14 @@ class Publications:
 
     def publish_set(self) -> None:
         """The messages of the present that somebody listens to."""
-        stamp_ns = self._stamps_begin_ns + self._session.simulation.time_ns
-        self._messages.set_time(stamp_ns)
-        self._messages.applied = self._session.applied
         if time.monotonic_ns() - self._looked_ns >= self._unnoticed_ns:
             self.look_for_listeners()
+            self._follow_clock()
+        stamp_ns = self._session.simulation.time_ns
+        if self._stamps:
+            stamp_ns = self._stamps.of(stamp_ns)
+        self._messages.set_time(stamp_ns)
+        self._messages.applied = self._session.applied
         is_repeated = self.sets and stamp_ns == self._last_stamp_ns
         for publisher, build in self._heard:
             if is_repeated and publisher is self._tree:
@@ -111,10 +134,27 @@ class Publications:
     def publish_rollover(self) -> None:
         self._rollover.publish(encode(ROLLOVER.type, {"data": self._session.rolled_over}))
 
-    def after_reset(self) -> None:
-        """Stamps go on rising, unless they are simulated time, which begins anew."""
-        if not self.own_clock:
-            self._stamps_begin_ns = self._last_stamp_ns + self._session.period_ns
+    def anchor(self, due_ns: int) -> None:
+        """Stamps go on from now, the present set being due at `due_ns` by the steady clock.
+
+        Unless they are simulated time, which begins anew with a reset.
+        """
+        if self._stamps:
+            self._stamps.anchor(self._session.simulation.time_ns, due_ns)
+
+    def _follow_clock(self) -> None:
+        """Where the clock was set ahead while it runs, so are the stamps."""
+        if self._stamps and not self._session.stopped and (gained := self._stamps.follow()):
+            gain = f"{gained / NANOSECONDS:.3f} s"
+            self._node.get_logger().warning(f"the clock was set {gain} ahead: stamps follow")
+
+    def clock_trouble(self) -> str:
+        """What is wrong with the stamps, or ''."""
+        lead_ns = self._stamps.lead_ns() if self._stamps else 0
+        if lead_ns <= 0:
+            return ""
+        lead = f"{lead_ns / NANOSECONDS:.3f} s"
+        return f"the clock was set back: stamps go on rising, {lead} ahead of it"
 
     def present_stamp(self):
         """For messages of no set: the time on the clock that subscribers go by."""

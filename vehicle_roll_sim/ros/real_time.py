@@ -33,7 +33,6 @@ class RealTime:
         with ThreadPoolExecutor(1, "answers") as pool:
             answers = pool.submit(executor.spin)
             try:
-                self.pacer.restart()
                 while simulator.context.ok() and not answers.done():
                     self._go_on(simulator)
             finally:
@@ -48,12 +47,18 @@ class RealTime:
             self.pacer.sleep(self._period)  # the same state again need not come any faster
         self.pacer.wait()
         with simulator.lock:
+            overruns = self.pacer.overruns
             if not simulator.session.paused and self.pacer.due():
-                simulator.run_period()
+                is_behind = self.pacer.overruns > overruns
+                simulator.run_period(self.pacer.due_ns if is_behind else None)
 
-    def restart(self) -> None:
-        """After a reset or a pause: what was missed is not made up for."""
+    def restart(self) -> int:
+        """At the start, after a reset or a pause: what was missed is not made up for.
+
+        Returns the present by the steady clock (ns).
+        """
         self.pacer.restart()
+        return self.pacer.due_ns
 
     def timing(self) -> dict[str, str]:
         """Lateness of the periods since the last call, and those given up so far."""
@@ -66,3 +71,7 @@ class RealTime:
         given_up = self.pacer.overruns - self._overruns_told
         self._overruns_told = self.pacer.overruns
         return f"too slow a machine: {given_up} periods given up" if given_up else ""
+
+    def waiting(self, _publishers) -> str:
+        """Real time waits for nobody."""
+        return ""

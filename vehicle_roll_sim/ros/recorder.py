@@ -18,9 +18,16 @@ from rclpy.subscription import Subscription
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError, number_in
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.messages.topics import (
+    COMMANDS,
+    PUBLISHED,
+    SIMULATION_DESCRIPTION,
+    STAMPED,
+    Topic,
+)
 from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.process import lifetime, node_main, refuse_unknown_parameters
+from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
 from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
 
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
@@ -58,13 +65,15 @@ class Recorder(Node):
     def __init__(self):
         super().__init__("recorder")
         refuse_unknown_parameters(self)
+        self._topics = [topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED) if is_installed(topic)]
+        refuse_wrong_overrides(self, subscriptions=[topic.name for topic in self._topics])
         self._untouched = Untouched()
 
     def begin(self, bag) -> None:
         """Write into a bag from now on."""
         connections = {
             topic: bag.add_topic(topic, self.resolve_topic_name(topic.name))
-            for topic in filter(is_installed, (*COMMANDS, *PUBLISHED))
+            for topic in self._topics
         }
         bag.begin()
         self._writing = [self._record(bag, *each) for each in connections.items()]
@@ -91,7 +100,8 @@ class Recorder(Node):
             if topic is SIMULATION_DESCRIPTION:
                 bag.describe(deserialize_message(data, kind).data)
 
-        subscription = self.create_subscription(
+        subscription = make_subscription(
+            self,
             kind,
             topic.name,
             write,

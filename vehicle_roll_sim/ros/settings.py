@@ -4,7 +4,7 @@ import dataclasses
 import math
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.messages.topics import COMMANDS, STATE_SET
+from vehicle_roll_sim.messages.topics import COMMANDS, STAMPED, STATE_SET
 from vehicle_roll_sim.ros.lockstep import STOP
 from vehicle_roll_sim.simulation.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
 from vehicle_roll_sim.simulation.pacing import (
@@ -20,12 +20,16 @@ from vehicle_roll_sim.simulation.simulation import (
     LONGEST_STEP,
     MAXIMUM_SPEED,
     SHORTEST_STEP,
+    whole_steps,
 )
 from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DEFAULT_DRIVE_LIMIT
 
 REAL_TIME, LOCKSTEP = "real_time", "lockstep"
 COMMANDED = tuple(topic.name for topic in COMMANDS)
-PUBLISHED_IN_SETS = tuple(topic.name for topic in STATE_SET)
+NAMES_OF_STAMPED = tuple(topic.name for topic in STAMPED)
+PUBLISHED_IN_SETS = (*(topic.name for topic in STATE_SET), *NAMES_OF_STAMPED)
+MOST_STEPS = 100_000
+"""In a period: half a second of computing (model 1), in which no signal is heeded."""
 
 
 @dataclasses.dataclass
@@ -116,6 +120,10 @@ class Settings:
         "lockstep and with a real_time_factor other than 1",
         default=False,
     )
+    publish_stamped: bool = parameter(
+        "publish the topics of the set that have no header with one, too, as NAME_stamped",
+        default=False,
+    )
     frame_prefix: str = parameter("put before the frames in all messages", default="")
     vehicle_file: str = parameter("vehicle file (YAML); empty: the reference vehicle", default="")
 
@@ -124,6 +132,23 @@ class Settings:
         if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
             allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
             raise InputError("real_time_factor", self.real_time_factor, allowed)
+        unpublished = set() if self.publish_stamped else {*NAMES_OF_STAMPED}
+        if unpublished.intersection(self.lockstep_wait):
+            allowed = "topics with an ending _stamped go with publish_stamped"
+            raise InputError("lockstep_wait", self.lockstep_wait, allowed)
+
+    def steps_in_a_period(self, step_ns: int) -> int:
+        """Steps of the integration from one set to the next; raises InputError."""
+        rate, step = self.publish_rate, self.step
+        try:
+            steps = whole_steps(1.0 / rate, step_ns, "publish_rate")
+        except InputError:
+            limit = f"a rate whose period is a multiple of the step, {step:g} s"
+            raise InputError("publish_rate", rate, limit) from None
+        if steps > MOST_STEPS:
+            limit = f"at least {1.0 / (MOST_STEPS * step):g} Hz with steps of {step:g} s"
+            raise InputError("publish_rate", rate, limit)
+        return steps
 
     @property
     def is_lockstep(self) -> bool:

@@ -2,6 +2,7 @@
 
 import sys
 import threading
+import time
 from collections.abc import Sequence
 
 from rclpy.clock import Clock as RosClock
@@ -19,13 +20,14 @@ from vehicle_roll_sim.ros.compiling import compile_and_tell
 from vehicle_roll_sim.ros.diagnostics import Reporter
 from vehicle_roll_sim.ros.lockstep import Lockstep, UnansweredError
 from vehicle_roll_sim.ros.process import lifetime, node_main
-from vehicle_roll_sim.ros.publications import LONGEST_UNNOTICED_NS, Publications
+from vehicle_roll_sim.ros.publications import Publications, published_topics
+from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
 from vehicle_roll_sim.ros.real_time import RealTime
 from vehicle_roll_sim.ros.settings import Settings
 from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, message_class
 from vehicle_roll_sim.simulation.command_inbox import DROPPED, CommandInbox
 from vehicle_roll_sim.simulation.session import Session
-from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
 from vehicle_roll_sim.simulation.status import ending
 from vehicle_roll_sim.simulation.throttle import Throttle
@@ -35,8 +37,6 @@ DIAGNOSTICS_PERIOD = 1.0
 """s"""
 WARNING_INTERVAL = 1.0
 """s between two warnings of the same kind on the same topic."""
-MOST_STEPS = 100_000
-"""In a period: half a second of computing (model 1), in which no signal is heeded."""
 NO_ANSWER = 1
 """Exit status when a controller did not answer in lockstep and the policy is to stop."""
 
@@ -52,17 +52,17 @@ class Simulator(Node):
         super().__init__(NAME, **node_options)
         declared = parameters.declare(self)
         self.settings = declared.settings
+        refuse_wrong_overrides(
+            self,
+            publishers=[each.name for each in published_topics(self.settings)],
+            subscriptions=[each.name for each in COMMANDS],
+            lossless=self.settings.is_lockstep,
+        )
         self.lock = threading.Lock()
         self.session = _session(declared)
         self.get_logger().info(jit.describe())
         self.driver = _driver(self.settings, self.session.period_ns)
-        self._publications = Publications(
-            self,
-            self.session,
-            frame_prefix=self.settings.frame_prefix,
-            own_clock=self.settings.has_own_clock,
-            unnoticed_ns=0 if self.settings.is_lockstep else LONGEST_UNNOTICED_NS,
-        )
+        self._publications = Publications(self, self.session, self.settings, declared.covariances)
         self._has_begun = False
         self._warnings = Throttle(WARNING_INTERVAL)
         parameters.follow_changes(self, declared, self.lock)
@@ -77,7 +77,12 @@ class Simulator(Node):
         with self.lock:
             self._has_begun = True
             self.session.inbox.clear()
+            self._restart()
             self._publish_all()
+
+    def _restart(self) -> None:
+        """Pace and stamps begin anew at the present time."""
+        self._publications.anchor(self.driver.restart())
 
     def _publish_all(self) -> None:
         self._publications.look_for_listeners()
@@ -102,7 +107,8 @@ class Simulator(Node):
         def receive(message):
             self._receive(topic.name, message.data)
 
-        return self.create_subscription(
+        return make_subscription(
+            self,
             message_class(topic.type),
             topic.name,
             receive,
@@ -118,12 +124,17 @@ class Simulator(Node):
         if problem and self._warnings.lets((topic, problem.startswith(DROPPED))):
             self.get_logger().warning(f"{topic}: {problem}")
 
-    def run_period(self) -> None:
-        """A publish period on; to be called with the lock held."""
+    def run_period(self, due_ns: int | None = None) -> None:
+        """A publish period on; to be called with the lock held.
+
+        due_ns: when its set is due by the steady clock, if not a period after the last one.
+        """
         inbox, was_stopped = self.session.inbox, self.session.stopped
         inbox.timeout = 0.0 if self.settings.is_lockstep else self.settings.command_timeout
         inbox.steering_policy = self.settings.steering_timeout_policy
         self.session.run_period()
+        if due_ns is not None and not was_stopped:
+            self._publications.anchor(due_ns)
         self._publications.publish_set()
         if self.session.stopped and not was_stopped:
             self._publications.publish_rollover()
@@ -141,10 +152,9 @@ class Simulator(Node):
             except InputError as error:  # at that speed the step is too large
                 response.success, response.message = False, str(error)
                 return response
-            self._publications.after_reset()
+            self._restart()
             if self._has_begun:
                 self._publish_all()
-            self.driver.restart()
         response.success = True
         response.message = f"static equilibrium at {self.settings.initial_speed:g} m/s"
         return response
@@ -152,7 +162,7 @@ class Simulator(Node):
     def _pause(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
         with self.lock:
             self.session.paused = request.data
-            self.driver.restart()
+            self._restart()
         response.success = True
         response.message = "paused" if request.data else "running"
         return response
@@ -162,7 +172,7 @@ class Simulator(Node):
             can_step = self.session.paused and not self.session.stopped
             response.success = can_step and self._has_begun
             if response.success:
-                self.run_period()
+                self.run_period(time.monotonic_ns())
                 response.message = f"{self.session.simulation.time:.9g} s"
             elif not self._has_begun:
                 response.message = "not begun yet: the first set comes when all partners are there"
@@ -201,21 +211,8 @@ def _session(declared: parameters.Declared) -> Session:
     controller = SpeedController(
         declared.vehicle, settings.speed_drive_limit, settings.speed_brake_limit
     )
-    period_ns = _steps_in_a_period(settings, simulation.step_ns) * simulation.step_ns
+    period_ns = settings.steps_in_a_period(simulation.step_ns) * simulation.step_ns
     return Session(simulation, inbox, period_ns, settings.initial_speed, controller)
-
-
-def _steps_in_a_period(settings: Settings, step_ns: int) -> int:
-    rate, step = settings.publish_rate, settings.step
-    try:
-        steps = whole_steps(1.0 / rate, step_ns, "publish_rate")
-    except InputError:
-        limit = f"a rate whose period is a multiple of the step, {step:g} s"
-        raise InputError("publish_rate", rate, limit) from None
-    if steps > MOST_STEPS:
-        limit = f"at least {1.0 / (MOST_STEPS * step):g} Hz with steps of {step:g} s"
-        raise InputError("publish_rate", rate, limit)
-    return steps
 
 
 def main() -> int:

@@ -64,6 +64,11 @@ class Pacer:
         origin_ns, count = self._next
         return origin_ns + round(count * self._period_ns)
 
+    @property
+    def due_ns(self) -> int:
+        """When the present period was due, those given up left out."""
+        return self.deadline_ns - round(self._period_ns)
+
     def due(self) -> bool:
         """Whether to run a period now; it then counts as run."""
         if self.is_free:

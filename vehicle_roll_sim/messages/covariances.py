@@ -1,0 +1,54 @@
+"""Covariances that `imu` and `odom` tell of, by their diagonals: what a filter makes of the data.
+
+The data themselves are exact, whatever is told. All 0 is "unknown" to who reads sensor_msgs/Imu.
+"""
+
+import dataclasses
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import parameter
+
+LARGEST = 1e12
+"""Larger than any variance that means something."""
+
+
+def _diagonal(description: str, unit: str, size: int):
+    about = f"variances of {description}, 0: unknown"
+    return parameter(about, unit, 0.0, LARGEST, size=size, default=(0.0,) * size)
+
+
+@dataclasses.dataclass(frozen=True)
+class ImuCovariances:
+    """Diagonals (x, y, z) of the three covariances of a sensor_msgs/Imu."""
+
+    orientation_covariance_diagonal: tuple = _diagonal("roll, pitch and yaw", "rad^2", 3)
+    angular_velocity_covariance_diagonal: tuple = _diagonal("the body rates", "rad^2/s^2", 3)
+    linear_acceleration_covariance_diagonal: tuple = _diagonal("specific force", "m^2/s^4", 3)
+
+    def spread(self, numbers: np.ndarray) -> None:
+        """Set them among the 37 numbers of an Imu."""
+        numbers[4:13:4] = self.orientation_covariance_diagonal
+        numbers[16:25:4] = self.angular_velocity_covariance_diagonal
+        numbers[28:37:4] = self.linear_acceleration_covariance_diagonal
+
+
+@dataclasses.dataclass(frozen=True)
+class OdomCovariances:
+    """Diagonals (x, y, z and about them) of the two covariances of a nav_msgs/Odometry."""
+
+    pose_covariance_diagonal: tuple = _diagonal("x, y, z, roll, pitch, yaw", "m^2, rad^2", 6)
+    twist_covariance_diagonal: tuple = _diagonal("velocity and rates", "m^2/s^2, rad^2/s^2", 6)
+
+    def spread(self, numbers: np.ndarray) -> None:
+        """Set them among the 85 numbers of an Odometry."""
+        numbers[7:43:7] = self.pose_covariance_diagonal
+        numbers[49:85:7] = self.twist_covariance_diagonal
+
+
+@dataclasses.dataclass(frozen=True)
+class Covariances:
+    """Those of both messages, by their topics."""
+
+    imu: ImuCovariances = ImuCovariances()
+    odom: OdomCovariances = OdomCovariances()
