@@ -59,7 +59,12 @@ def _numbers(value) -> Sequence[float]:
 
 
 Programme = Callable[[np.ndarray], np.ndarray]
-"""Commands as a function of time: takes n times (s) and gives n COMMAND records."""
+"""Commands as a function of time: takes n times (s) and gives n COMMAND records.
+
+Where its commands step it may have an attribute `steps_at`, the times (s, rising). A run ends an
+integration step there: the programme is asked for times up to that one, whose last record is to be
+the one before the step, and then for times from it on.
+"""
 
 
 class Feedback(abc.ABC):
