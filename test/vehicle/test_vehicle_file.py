@@ -125,7 +125,7 @@ def test_all_that_is_missing_is_named_at_once(vehicle_from, path):
     ("name", "words"),
     [
         ("none.tir", ("No such file or directory", "the name of a file that exists")),
-        (".", ("Is a directory", "the name of a file, not of a folder")),
+        (".", ("Is a directory", "the name of a file, not of a folder,")),
         ("a.tir/b.tir", ("Not a directory", "the name of a file that exists")),
     ],
 )

@@ -52,6 +52,8 @@ def series_command(words: list[str], program: str) -> int:
     if path:
         write_table(path, series.columns, rows)
     print(table(series.columns, rows))
+    for label, text in series.remarks(vehicle, rows).items():
+        print(line(label, text))
     print(line("verdict", series.verdict(rows)))
     if path:
         print(line("CSV", path))

@@ -14,7 +14,11 @@ from vehicle_roll_sim.manoeuvres.double_lane_change import (
     ISO_SEVERE_DOUBLE_LANE_CHANGE,
 )
 from vehicle_roll_sim.manoeuvres.entry_speed_search import EntrySpeedSearch
-from vehicle_roll_sim.manoeuvres.handwheel import METRES_PER_SECOND_OF_A_MPH
+from vehicle_roll_sim.manoeuvres.handwheel import (
+    METRES_PER_SECOND_OF_A_MPH,
+    at_the_road_wheels,
+    largest_handwheel,
+)
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
 from vehicle_roll_sim.manoeuvres.series_of_runs import COMPLETE, Series, driven, ending_of
@@ -77,13 +81,23 @@ class AmplitudeLadder(Series):
         self, ready: ScaledManoeuvre, direction: str, vehicle: Vehicle, options: Options
     ) -> Iterator[tuple]:
         side = SIDES[direction]
-        for scalar in ladder(ready.steering_at_03g):
+        for scalar in ladder(ready.steering_at_03g, largest_handwheel(ready.steering_ratio)):
             manoeuvre = dataclasses.replace(ready, scalar=side * scalar).checked()
             _, history = driven(manoeuvre, vehicle, options)
             result: SineWithDwellResult = manoeuvre.result(history)
             verdict = "passed" if result.is_passed else "failed"
             ratios = result.yaw_rate_ratios
             yield scalar, manoeuvre.amplitude, *ratios, result.displacement, verdict
+
+    def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
+        """Where the ladder ends below its final amplitude, since the wheels turn no further."""
+        largest = largest_handwheel(vehicle.steering_ratio)
+        _, scalar, amplitude, *_ = rows[-1]
+        wanted = final_amplitude(abs(amplitude) / scalar)
+        if wanted <= largest:
+            return {}
+        end = at_the_road_wheels(largest, vehicle.steering_ratio)
+        return {"amplitudes end at": f"{end}; the standard's at {wanted:.4g} deg"}
 
     def verdict(self, rows: list[tuple]) -> str:
         failed = [row for row in rows if row[-1] != "passed"]
@@ -111,10 +125,15 @@ def series_named(name: str) -> Series:
     return SERIES[name]
 
 
-def ladder(steering_at_03g: float) -> list[float]:
+def final_amplitude(steering_at_03g: float) -> float:
+    """The last one (deg): the greater of 6.5 times that angle and 270 deg, but at most 300 deg."""
+    return min(max(LADDER_TO * steering_at_03g, LEAST_FINAL), LARGEST_FINAL)
+
+
+def ladder(steering_at_03g: float, largest: float = math.inf) -> list[float]:
     """Amplitudes over that angle (deg): 1.5 in steps of 0.5, and last the final one (FMVSS 126).
 
-    That is the greater of 6.5 times the angle and 270 deg, but at most 300 deg.
+    No amplitude is beyond the `largest` handwheel angle of the vehicle (deg).
     """
-    final = min(max(LADDER_TO * steering_at_03g, LEAST_FINAL), LARGEST_FINAL) / steering_at_03g
+    final = min(final_amplitude(steering_at_03g), largest) / steering_at_03g
     return [*np.arange(LADDER_FROM, final - 1e-9, LADDER_STEP).tolist(), final]

@@ -43,6 +43,10 @@ class Series(abc.ABC):
     ) -> Iterator[tuple]:
         """Runs to the left or to the right, without the direction in front."""
 
+    def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
+        """What else there is to say of the rows: label and text of each line."""
+        return {}
+
     @abc.abstractmethod
     def verdict(self, rows: list[tuple]) -> str:
         """What the rows mean."""

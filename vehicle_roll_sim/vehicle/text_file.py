@@ -8,10 +8,10 @@ LARGEST_FILE = 1_000_000
 """Bytes. A vehicle or tire file has a few thousand."""
 
 WANTED = {
-    FileNotFoundError: "the name of a file that exists",
-    NotADirectoryError: "the name of a file that exists",
-    IsADirectoryError: "the name of a file, not of a folder",
-    PermissionError: "a file that this user may read",
+    FileNotFoundError: "the name of a file that exists is wanted",
+    NotADirectoryError: "the name of a file that exists is wanted",
+    IsADirectoryError: "the name of a file, not of a folder, is wanted",
+    PermissionError: "a file that this user may read is wanted",
 }
 """What a name should be that cannot be read, by the error."""
 
@@ -32,7 +32,7 @@ def read_text(path: Path, largest: int = LARGEST_FILE) -> str:
         problem = "binary data, or text in another encoding"
         raise InputError(f"file {path}", b"", "a text file in UTF-8", problem) from None
     except OSError as error:
-        wanted = WANTED.get(type(error), "a file that can be read")
+        wanted = WANTED.get(type(error), "a file that can be read is wanted")
         raise InputError(f"file {path}", "", wanted, error.strerror) from None
     except InputError:
         raise
