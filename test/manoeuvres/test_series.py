@@ -115,5 +115,5 @@ def test_a_verdict_names_the_side_that_failed():
 
 def test_a_manoeuvre_without_a_series_is_refused():
     with pytest.raises(InputError) as refusal:
-        series_named("step_steer")
-    assert "step_steer" in str(refusal.value)
+        series_named("constant_radius_circle")
+    assert "constant_radius_circle" in str(refusal.value)

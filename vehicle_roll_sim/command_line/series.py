@@ -1,5 +1,6 @@
 """`vehicle_roll_sim series`: the test series of a standard, as a table with its verdict."""
 
+import argparse
 import csv
 import math
 from collections.abc import Iterable
@@ -16,31 +17,35 @@ from vehicle_roll_sim.arguments import (
 from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
+    as_option,
     chosen_options,
     chosen_vehicle,
 )
-from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.manoeuvres.series import SERIES, series_named
+from vehicle_roll_sim.declaration import InputError, parameters_of
+from vehicle_roll_sim.manoeuvres.series import SEARCHES, SERIES, series_named
+from vehicle_roll_sim.manoeuvres.series_of_runs import Series
+from vehicle_roll_sim.manoeuvres.speed_search import RANGE, SpeedSearch
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_writable, replaced_file
 from vehicle_roll_sim.simulation.simulation import compile_model
 from vehicle_roll_sim.simulation.summary import line
 
-DESCRIPTION = "Drive the test series of a standard and print its table and verdict."
+DESCRIPTION = "Drive a standard's test series, or a range of speeds: a table and its verdict."
 
 
 def series_command(words: list[str], program: str) -> int:
     """The command, given the words behind its name; returns the exit status."""
-    every = dict.fromkeys(pair for series in SERIES.values() for pair in series.settings)
-    first = _parser(program, every)
+    every = [*SERIES.values(), *SEARCHES.values()]
+    first = _parser(program, [(t, _class_of(each)) for one in every for t, each in one.settings])
     named, _ = first.parse_known_args([word for word in words if word not in ("-h", "--help")])
     if named.manoeuvre is None:
         first.parse_args(words)  # for its help
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(SERIES) + "; --help shows how")
-    series = series_named(named.manoeuvre)
-    arguments = _parser(program, series.settings).parse_args(words)
-    for _, declaring in series.settings:
-        series = series.with_values(declared_values(arguments, declaring))
+    is_search = any(getattr(named, name) is not None for name in parameters_of(SpeedSearch))
+    series = series_named(named.manoeuvre, is_search)
+    ways_out = [RANGE] if named.manoeuvre in SEARCHES else []
+    arguments = _parser(program, [*series.settings, *ways_out]).parse_args(words)
+    series = _adjusted(series, arguments)
     path = named_file(arguments.csv, "--csv")
     if path:
         check_writable(path, "--csv")
@@ -60,17 +65,32 @@ def series_command(words: list[str], program: str) -> int:
     return 0
 
 
-def _parser(program: str, settings: Iterable[tuple[str, type]]) -> OneLineParser:
-    """The parser with the options that these classes declare, under their titles."""
+def _adjusted(series: Series, arguments: argparse.Namespace) -> Series:
+    """The series with the values of the command line."""
+    values = {}
+    for _, declaring in series.settings:
+        values |= declared_values(arguments, declaring)
+    try:
+        return series.with_values(values)
+    except InputError as error:
+        raise as_option(error) from None
+
+
+def _class_of(declaring) -> type:
+    return declaring if isinstance(declaring, type) else type(declaring)
+
+
+def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLineParser:
+    """The parser with the options that these classes or instances declare, under their titles."""
     parser = OneLineParser(prog=program, description=DESCRIPTION)
     parser.add_argument(
         "manoeuvre",
         metavar="MANOEUVRE",
         nargs="?",
-        help=", ".join(SERIES) + "; with its name, --help shows its options",
+        help=", ".join(SERIES) + "; and for a search over entry speeds " + ", ".join(SEARCHES),
     )
     for title, declaring in settings:
-        add_declared(parser, declaring, title)
+        add_declared(parser, declaring, title, without=SpeedSearch.fixed)
     add_declared(parser, Options, "model")
     add_vehicle_options(parser)
     parser.add_argument("--csv", metavar="FILE", help="write the table, numbers in full precision")

@@ -19,10 +19,14 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
     at_the_road_wheels,
     largest_handwheel,
 )
+from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
+from vehicle_roll_sim.manoeuvres.path_following import PathFollowing
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
 from vehicle_roll_sim.manoeuvres.series_of_runs import COMPLETE, Series, driven, ending_of
 from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL, SineWithDwellResult
+from vehicle_roll_sim.manoeuvres.speed_search import SpeedSearch
+from vehicle_roll_sim.manoeuvres.steady_turn import RisingSpeed
 from vehicle_roll_sim.model.events import VALUE
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -118,11 +122,23 @@ SERIES = {
 """The manoeuvres whose standard has a series."""
 
 
-def series_named(name: str) -> Series:
-    """The series of a manoeuvre; raises InputError with the ones there are."""
-    if name not in SERIES:
-        raise unknown_name(name, SERIES, "MANOEUVRE")
-    return SERIES[name]
+SEARCHES = {
+    name: SpeedSearch(manoeuvre)
+    for name, manoeuvre in STANDARD.items()
+    if not isinstance(manoeuvre, PathFollowing | RisingSpeed)
+}
+"""The manoeuvres that have one entry speed and nothing else that goes with it."""
+
+
+def series_named(name: str, is_search: bool = False) -> Series:
+    """The series of a manoeuvre, or the search over its entry speeds where there is none.
+
+    is_search: the search in any case. Raises InputError with the names there are.
+    """
+    known = SEARCHES if is_search else SEARCHES | SERIES
+    if name not in known:
+        raise unknown_name(name, known, "MANOEUVRE")
+    return known[name]
 
 
 def final_amplitude(steering_at_03g: float) -> float:

@@ -24,7 +24,7 @@ class Series(abc.ABC):
     columns = ()
     """Names of what a row has; SI units unless the name ends in another."""
     settings = ()
-    """Title and declaring class of those options of the manoeuvre which the series leaves open."""
+    """Title and declaring class, or instance with defaults, of the options that are left open."""
 
     def with_values(self, values: dict) -> "Series":
         """A copy with other values of these options."""
