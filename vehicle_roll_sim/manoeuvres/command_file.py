@@ -5,6 +5,7 @@ Two rows of one time are a step.
 
 import dataclasses
 import math
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -67,21 +68,49 @@ def load_commands(path: str | Path) -> CommandTable:
     """Read a command file, as long as its last time; raises InputError naming line and column."""
     path = Path(path)
     header, lines = read_table(path, LARGEST_FILE)
-    _check_header(path, header)
+    _check_header(f"{path}: line 1", header)
     rows = list(lines)
     if not rows:
         raise InputError(f"command file {path}", "", "a header and at least one row", "no rows")
     values = [_numbers(path, line, header, row) for line, row in rows]
     table = dict(zip(header, np.array(values).T, strict=True))
-    times = _with_exact_steps(table.pop("time"))
+    return _table(table, [f"{path}: line {line}: time" for line, _ in rows])
+
+
+def command_table(columns: Mapping[str, Sequence[float]]) -> CommandTable:
+    """The columns of a command file as arrays, shape (n,); raises InputError naming the column."""
+    names = list(columns)
+    _check_header("commands", names)
+    table = {name: _column(f"commands: {name}", columns[name]) for name in names}
+    for name, values in table.items():
+        if len(values) != len(table["time"]):
+            counts = f"{len(values)} values", f"{len(table['time'])} values, as many as times"
+            raise InputError(f"commands: {name}", *counts)
+        if name.startswith("brake_torque") and values.min() < 0.0:
+            raise InputError(f"commands: {name}", float(values.min()), "no number below 0")
+    return _table(table, ["commands: time"] * len(table["time"]))
+
+
+def _column(field: str, values: Sequence[float]) -> np.ndarray:
+    try:
+        column = np.array(values, float)
+    except (TypeError, ValueError):
+        column = np.array(math.nan)
+    if column.ndim != 1 or not len(column) or not np.isfinite(column).all():
+        raise InputError(field, values, "finite numbers, one for each time")
+    return column
+
+
+def _table(columns: dict[str, np.ndarray], where: list[str]) -> CommandTable:
+    """A table of finite columns, `time` among them; `where` names the time of each row."""
+    times = _with_exact_steps(columns.pop("time"))
     latest = []
-    for (line, _), time in zip(rows, times.tolist(), strict=True):
+    for place, time in zip(where, times.tolist(), strict=True):
         latest = [*latest[-2:], time]
-        _check_time(f"{path}: line {line}: time", latest)
+        _check_time(place, latest)
     if not abs(times[-1]) <= LONGEST:
-        where = f"{path}: line {rows[-1][0]}: time"
-        raise InputError(where, float(times[-1]), f"at most {LONGEST:g} s")
-    return CommandTable(times=times, columns=table, duration=float(times[-1]))
+        raise InputError(where[-1], float(times[-1]), f"at most {LONGEST:g} s")
+    return CommandTable(times=times, columns=columns, duration=float(times[-1]))
 
 
 def _with_exact_steps(times: np.ndarray) -> np.ndarray:
@@ -100,14 +129,14 @@ def _check_time(where: str, latest: list[float]) -> None:
         raise InputError(where, time, "at most two rows of one time, which are a step")
 
 
-def _check_header(path: Path, header: list[str]) -> None:
+def _check_header(where: str, header: list[str]) -> None:
     for name in header:
         if name not in COLUMNS and name != "time":
-            raise unknown_name(name, ("time", *COLUMNS), f"{path}: line 1: column")
+            raise unknown_name(str(name), ("time", *COLUMNS), f"{where}: column")
         if header.count(name) > 1:
-            raise InputError(f"{path}: line 1: column", name, "each column once")
+            raise InputError(f"{where}: column", name, "each column once")
     if "time" not in header:
-        raise InputError(f"{path}: line 1", ",".join(header), "column names, `time` among them")
+        raise InputError(where, ",".join(header), "column names, `time` among them")
 
 
 def _numbers(path: Path, line: int, header: list[str], row: list[str]) -> list[float]:
