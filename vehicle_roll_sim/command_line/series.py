@@ -1,10 +1,7 @@
 """`vehicle_roll_sim series`: the test series of a standard, as a table with its verdict."""
 
 import argparse
-import csv
-import math
-from collections.abc import Iterable
-from pathlib import Path
+from collections.abc import Callable, Iterable
 
 from tqdm import tqdm
 
@@ -25,10 +22,12 @@ from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.manoeuvres.series import SEARCHES, SERIES, series_named
 from vehicle_roll_sim.manoeuvres.series_of_runs import Series
 from vehicle_roll_sim.manoeuvres.speed_search import RANGE, SpeedSearch
+from vehicle_roll_sim.offline.series import SeriesResult, drive_series
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_writable, replaced_file
+from vehicle_roll_sim.simulation.output_file import check_writable
 from vehicle_roll_sim.simulation.simulation import compile_model
 from vehicle_roll_sim.simulation.summary import line
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 DESCRIPTION = "Drive a standard's test series, or a range of speeds: a table and its verdict."
 
@@ -52,14 +51,14 @@ def series_command(words: list[str], program: str) -> int:
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
     with ending.at_once():
         compile_model()
-    runs = series.rows(vehicle, options)
-    rows = list(tqdm(runs, delay=1.0, disable=None, leave=False, unit=" runs"))
+    with tqdm(delay=1.0, disable=None, leave=False, unit=" runs") as bar:
+        result = _driven(series, vehicle, options, bar.update)
     if path:
-        write_table(path, series.columns, rows)
-    print(table(series.columns, rows))
-    for label, text in series.remarks(vehicle, rows).items():
+        result.write_csv(path)
+    print(result.table)
+    for label, text in result.remarks.items():
         print(line(label, text))
-    print(line("verdict", series.verdict(rows)))
+    print(line("verdict", result.verdict))
     if path:
         print(line("CSV", path))
     return 0
@@ -74,6 +73,16 @@ def _adjusted(series: Series, arguments: argparse.Namespace) -> Series:
         return series.with_values(values)
     except InputError as error:
         raise as_option(error) from None
+
+
+def _driven(
+    series: Series, vehicle: Vehicle, options: Options, progress: Callable[[], object]
+) -> SeriesResult:
+    """The series driven; what is wrong with the model names the option."""
+    try:
+        return drive_series(series, vehicle, options, progress)
+    except InputError as error:
+        raise as_option(error) if error.field in parameters_of(Options) else error from None
 
 
 def _class_of(declaring) -> type:
@@ -95,28 +104,3 @@ def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLinePars
     add_vehicle_options(parser)
     parser.add_argument("--csv", metavar="FILE", help="write the table, numbers in full precision")
     return parser
-
-
-def table(columns: tuple[str, ...], rows: list[tuple]) -> str:
-    """Columns side by side, numbers with three decimals, whole ones with none."""
-    cells = [columns, *([_cell(value) for value in row] for row in rows)]
-    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-    lines = (
-        "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True))
-        for row in cells
-    )
-    return "\n".join(lines)
-
-
-def _cell(value: float | str) -> str:
-    if isinstance(value, str | int):
-        return str(value)
-    return "-" if math.isnan(value) else f"{value:.3f}"
-
-
-def write_table(path: Path, columns: tuple[str, ...], rows: list[tuple]) -> None:
-    """The table as CSV; the file appears whole or not at all."""
-    with replaced_file(path) as partial, partial.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        writer.writerows(rows)

@@ -55,7 +55,7 @@ class SpeedSeries(Series):
             )
             simulation, history = driven(manoeuvre, vehicle, options)
             if not has_wheel_heights(history):
-                raise InputError("--model", options.model, "a model that has wheel heights")
+                raise InputError("model", options.model, "a model that has wheel heights")
             lift = two_wheel_lift(history)
             peak = math.degrees(simulation.events.peak_roll[VALUE])
             ending = ending_of(simulation)
