@@ -7,6 +7,7 @@ line, tables in the documentation) reads it from here.
 import dataclasses
 import difflib
 import math
+import numbers
 import reprlib
 from collections.abc import Iterable, Mapping
 
@@ -48,8 +49,24 @@ class _Outline(reprlib.Repr):
 
 def _shown(value) -> str:
     """A value in an error message, cut where it would fill the line."""
-    text = _Outline().repr(value)
+    text = _Outline().repr(plain(value))
     return text if len(text) <= LONGEST_SHOWN else text[:LONGEST_SHOWN] + "..."
+
+
+def plain(value):
+    """A numpy scalar, or an array without dimensions, as Python's own number; else `value`."""
+    return value.item() if getattr(value, "ndim", None) == 0 else value
+
+
+def number_of(value, field: str, allowed: str) -> float:
+    """`value` as a float if it is a real number, of numpy too; raises InputError naming `field`."""
+    value = plain(value)
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise InputError(field, value, allowed)
+    try:
+        return float(value)
+    except OverflowError:  # an integer beyond the largest float
+        raise InputError(field, value, allowed) from None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -70,7 +87,7 @@ class Parameter:
 
     def validate(self, value, field: str | None = None):
         """`value` as this parameter's type; raises InputError naming `field`, else the name."""
-        field = field or self.name
+        field, value = field or self.name, plain(value)
         if self.kind is float:
             return self._validate_number(value, field)
         if self.kind is tuple:
@@ -84,11 +101,10 @@ class Parameter:
         return value
 
     def _validate_number(self, value, field: str) -> float:
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise InputError(field, value, self.allowed)
+        value = number_of(value, field, self.allowed)
         if not self.minimum <= value <= self.maximum or math.isinf(value):
             raise InputError(field, value, self.allowed)
-        return float(value)
+        return value
 
     def _validate_names(self, value, field: str) -> tuple[str, ...]:
         is_list = isinstance(value, (list, tuple)) and len(value) > 0
@@ -169,3 +185,13 @@ def validated(declaring_class, values: Mapping, prefix: str = "") -> dict:
         if name not in known:
             raise unknown_name(name, known, f"{prefix}name" if prefix else "name")
     return {name: known[name].validate(value, prefix + name) for name, value in values.items()}
+
+
+def keep_validated(instance) -> None:
+    """Check the parameters of a frozen dataclass's instance and keep them as their declared types.
+
+    For its `__post_init__`; raises InputError.
+    """
+    values = {name: getattr(instance, name) for name in parameters_of(instance)}
+    for name, value in validated(type(instance), values).items():
+        object.__setattr__(instance, name, value)

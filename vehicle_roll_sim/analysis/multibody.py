@@ -88,6 +88,10 @@ class Multibody(Simulation):
         self._jacobian = np.zeros((WHEEL_COUNT, 3, self._engine.nv))
         super().__init__(vehicle, MULTIBODY, step=step, rollover_angle=rollover_angle)
 
+    def _arguments(self) -> dict:
+        kept = ("vehicle", "step", "rollover_angle")
+        return {name: value for name, value in super()._arguments().items() if name in kept}
+
     def _advance(self, commands: np.ndarray, steps: int) -> None:
         """As in Simulation: 2 * steps + 1 commands, or one that is held."""
         commands = np.broadcast_to(commands, 2 * steps + 1)

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.declaration import keep_validated, parameter
 from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.history import History
@@ -40,6 +40,9 @@ class Manoeuvre(abc.ABC):
     """Whether it is driven only after `for_vehicle`."""
     throttle_dropped = math.inf
     """Time (s) from which on the speed is not held any more."""
+
+    def __post_init__(self):
+        keep_validated(self)
 
     @property
     def commanded(self) -> tuple[str, ...]:

@@ -4,12 +4,11 @@ import abc
 import dataclasses
 import functools
 import math
-import numbers
 from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, number_of
 from vehicle_roll_sim.model.records import COMMAND, LR, WHEELS
 
 NO_FORCE = (0.0,) * len(WHEELS)
@@ -23,8 +22,9 @@ class Command:
     wheel_torque: external torque at each wheel (N m, signed). brake_torque: the most that the brake
     of each wheel can oppose to its spin (N m, not below 0). normal_force: active force at each
     suspension corner (N, positive pushes the body up). speed_hold_gain, speed_hold_target: at each
-    rear wheel a further torque gain * (target - u), in N m per m/s and m/s. Raises InputError for a
-    value that is not finite.
+    rear wheel a further torque gain * (target - u), in N m per m/s and m/s. Wheels take any
+    sequence of four numbers; all values are kept as floats. Raises InputError for a value that is
+    not a finite number, and for more or fewer than four.
     """
 
     steering: float = 0.0
@@ -36,9 +36,10 @@ class Command:
     speed_hold_target: float = 0.0
 
     def __post_init__(self):
-        for name, value in vars(self).items():
-            if not all(map(math.isfinite, _numbers(value))):
-                raise InputError(name, value, "finite numbers")
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            kept = _of_wheels if field.default is NO_FORCE else _number
+            object.__setattr__(self, field.name, kept(field.name, value))
         if min(self.brake_torque) < 0.0:
             raise InputError("brake_torque", self.brake_torque, "numbers that are not below 0")
 
@@ -54,8 +55,21 @@ class Command:
         return record
 
 
-def _numbers(value) -> Sequence[float]:
-    return (value,) if isinstance(value, numbers.Real) else value
+def _number(field: str, value) -> float:
+    number = number_of(value, field, "a finite number")
+    if not math.isfinite(number):
+        raise InputError(field, value, "a finite number")
+    return number
+
+
+def _of_wheels(field: str, value) -> tuple[float, ...]:
+    is_text = isinstance(value, str | bytes)
+    is_sequence = (isinstance(value, Sequence) and not is_text) or getattr(value, "ndim", None) == 1
+    if not is_sequence or len(value) != len(WHEELS):
+        raise InputError(field, value, "four numbers, of lf, rf, lr and rr")
+    return tuple(
+        _number(f"{field} {wheel}", each) for wheel, each in zip(WHEELS, value, strict=True)
+    )
 
 
 Programme = Callable[[np.ndarray], np.ndarray]
@@ -65,6 +79,26 @@ Where its commands step it may have an attribute `steps_at`, the times (s, risin
 integration step there: the programme is asked for times up to that one, whose last record is to be
 the one before the step, and then for times from it on.
 """
+
+
+def records_of(command: "Command | Programme", times: Callable[[], np.ndarray]) -> np.ndarray:
+    """The COMMAND records for some times (s): one that is held, or one for each.
+
+    Raises InputError for what is no command. A value that is not finite is none that a run could go
+    on with: it ends as diverged.
+    """
+    if isinstance(command, Command):
+        return command.records()
+    if not callable(command):
+        raise InputError("command", command, "a Command, or a function of an array of times")
+    wanted = times()
+    records = command(wanted)
+    dtype, count = getattr(records, "dtype", None), np.size(records)
+    if dtype != COMMAND or np.ndim(records) != 1 or count not in (1, len(wanted)):
+        allowed = f"one COMMAND record, or one for each of the {len(wanted)} times"
+        problem = f"the function gave {type(records).__name__} of {count}, {dtype}"
+        raise InputError("command", "", allowed, problem)
+    return records
 
 
 class Feedback(abc.ABC):

@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, parameter, validated
+from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
 from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, OPTIONS, SLIP_STATES
 
 _1A = ("small_angles",)
@@ -62,8 +62,7 @@ class Options:
     )
 
     def __post_init__(self):
-        for name, value in validated(Options, dataclasses.asdict(self)).items():
-            object.__setattr__(self, name, value)  # as its type: 1 is model "1"
+        keep_validated(self)  # as its type: 1 is model "1"
         if self.model != "1":
             self._refuse("of model 1", "tire_normal_to_ground", "link_load_transfer", "euler_terms")
         if self.has_eight_dof:

@@ -3,7 +3,7 @@
 import dataclasses
 import math
 
-from vehicle_roll_sim.declaration import parameter, validated
+from vehicle_roll_sim.declaration import keep_validated, parameter
 
 STEEPEST = 1.0
 """m/m: 45 degrees."""
@@ -25,7 +25,7 @@ class Road:
     )
 
     def __post_init__(self):
-        validated(Road, dataclasses.asdict(self))
+        keep_validated(self)
 
     def gravity(self, gravity: float) -> tuple[float, float, float]:
         """Acceleration of gravity into the road, along its x and along its y axis (m/s^2)."""

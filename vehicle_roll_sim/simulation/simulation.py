@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, number_of
 from vehicle_roll_sim.model.advance import NANOSECONDS, advance
 from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.events import (
@@ -25,7 +25,6 @@ from vehicle_roll_sim.model.jit import (
     silently,
 )
 from vehicle_roll_sim.model.records import (
-    COMMAND,
     MODEL_STATE,
     OUTPUTS,
     SLIP_STATES,
@@ -35,9 +34,10 @@ from vehicle_roll_sim.model.records import (
     element_names,
 )
 from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
-from vehicle_roll_sim.simulation.command import Command, Programme
+from vehicle_roll_sim.simulation.command import Command, Programme, records_of
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.snapshot import Restorable, identity
 from vehicle_roll_sim.simulation.stability import Modes
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
@@ -50,17 +50,37 @@ MAXIMUM_SPEED = 100.0
 """m/s"""
 DEFAULT_ROLLOVER_DEGREES = 85.0
 DEFAULT_ROLLOVER_ANGLE = math.radians(DEFAULT_ROLLOVER_DEGREES)
+ROLLOVER_ANGLES = (1e-6, math.pi / 2)
+"""rad: the least and the largest that may be set."""
 
 
 def whole_steps(duration: float, step_ns: int, field: str) -> int:
     """How many steps make `duration` (s); raises InputError naming `field` if no whole number."""
+    allowed = f"a multiple of the step, {step_ns / NANOSECONDS:g} s"
+    duration = number_of(duration, field, allowed)
     wanted = duration * NANOSECONDS / step_ns if math.isfinite(duration) else math.nan
     if not wanted >= 1 - 1e-6 or abs(wanted - round(wanted)) > 1e-6 * max(1.0, wanted / 1e6):
-        raise InputError(field, duration, f"a multiple of the step, {step_ns / NANOSECONDS:g} s")
+        raise InputError(field, duration, allowed)
     return round(wanted)
 
 
-class Simulation:
+def _within(field: str, value, least: float, most: float, unit: str) -> float:
+    """A number in a range; raises InputError."""
+    allowed = f"a number from {least:g} to {most:g} {unit}"
+    number = number_of(value, field, allowed)
+    if not least <= number <= most:
+        raise InputError(field, value, allowed)
+    return number
+
+
+def _given(field: str, value, kind: type):
+    """What has to be of a kind; raises InputError."""
+    if not isinstance(value, kind):
+        raise InputError(field, value, f"a {kind.__name__}")
+    return value
+
+
+class Simulation(Restorable):
     """A model of one vehicle: that with 14 degrees of freedom, unless the options say otherwise.
 
     vehicle: what is simulated. options: variants of the equations. step: integration step (s),
@@ -76,9 +96,11 @@ class Simulation:
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.events)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
-    The records are views of memory that the next step changes: copy what is to be kept. States and
-    outputs that the model does not have are nan. With the 8 DOF model x, y, u and v are those of
-    the point of the roll axis below the c.g.; `cg_motion` has the c.g. itself in every model.
+    The records are views of memory that the next step changes: copy what is to be kept, or take a
+    `snapshot`. A copied or pickled simulation is independent of the first and goes on to the same
+    bits. States and outputs that the model does not have are nan. With the 8 DOF model x, y, u and
+    v are those of the point of the roll axis below the c.g.; `cg_motion` has the c.g. itself in
+    every model.
     """
 
     def __init__(
@@ -91,19 +113,17 @@ class Simulation:
         road: Road | None = None,
         check_step: bool = True,
     ):
-        if not SHORTEST_STEP <= step <= LONGEST_STEP:
-            allowed = f"a number from {SHORTEST_STEP:g} to {LONGEST_STEP:g} s"
-            raise InputError("step", step, allowed)
-        if not 0.0 < rollover_angle <= math.pi / 2:
-            raise InputError("rollover_angle", rollover_angle, "an angle up to 1.5708 rad")
-        self.vehicle, self.options = vehicle, options or Options()
+        self.vehicle = _given("vehicle", vehicle, Vehicle)
+        self.options = _given("options", options or Options(), Options)
+        self.road = _given("road", road or Road(), Road)
+        step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
-        self.road, self.rollover_angle = road or Road(), rollover_angle
+        self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
         self._vehicle = vehicle.record()
         self._vehicle["gravity"], along, across = self.road.gravity(GRAVITY)
         self._vehicle["gravity_along"], self._vehicle["gravity_across"] = along, across
         self._limits = np.zeros(1, LIMITS)
-        self._limits["rollover_angle"] = rollover_angle
+        self._limits["rollover_angle"] = self.rollover_angle
         self._slowest = MINIMUM_SPEED if self.options.steady_state_slip else 0.0
         self._limits["minimum_speed"] = self._slowest or -math.inf
         self.state_names = element_names(self.options.states)
@@ -115,14 +135,16 @@ class Simulation:
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
         parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
         self._plant = tuple(kernel_argument(part) for part in (*parts, Command().records()))
+        self._identity = identity(type(self).__name__, parts, self.step_ns)
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
         self._events = no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
+        self._memory = (self._state, self._outputs, self._events, self._stages)
         self.state, self.outputs, self.events = self._state[0], self._outputs[0], self._events[0]
         self._modes = Modes(*parts[:3], self._places)
-        self._checks_step, self._checked_speed = check_step, math.nan
+        self._checks_step, self._checked_speed = check_step, None
         self._start(self._equilibrium(DEFAULT_SPEED))
 
     @property
@@ -164,9 +186,7 @@ class Simulation:
 
     def reset(self, speed: float = DEFAULT_SPEED) -> None:
         """Back to time 0, static equilibrium and free rolling straight ahead at `speed` (m/s)."""
-        if not self._slowest <= speed <= MAXIMUM_SPEED:
-            allowed = f"from {self._slowest:g} to {MAXIMUM_SPEED:g} m/s"
-            raise InputError("speed", speed, allowed)
+        speed = _within("speed", speed, self._slowest, MAXIMUM_SPEED, "m/s")
         self._check_start(speed)
         self._start(self._equilibrium(speed))
 
@@ -195,11 +215,27 @@ class Simulation:
         has stopped stays where it is until a reset.
         """
         steps = whole_steps(duration, self.step_ns, "duration")
-        if math.isnan(self._checked_speed):
+        if self._checked_speed is None:
             self._check_start(DEFAULT_SPEED)
         if self.condition is Condition.RUNNING:
-            self._advance(self._records(command, steps), steps)
+            self._advance(records_of(command, lambda: self._stage_times(steps)), steps)
         return self.condition
+
+    def _stage_times(self, steps: int) -> np.ndarray:
+        """Times (s) at the ends and middles of the steps to come, shape (2 * steps + 1,)."""
+        halves = np.arange(2 * steps + 1)
+        return (self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS
+
+    def _arguments(self) -> dict:
+        """What to build another one with that takes snapshots of this one."""
+        return {
+            "vehicle": self.vehicle,
+            "options": self.options,
+            "step": self.step_ns / NANOSECONDS,
+            "rollover_angle": self.rollover_angle,
+            "road": self.road,
+            "check_step": self._checks_step,
+        }
 
     def largest_stable_step(self, command: Command | None = None) -> float:
         """Largest step (s), up to 0.1, for the quickest mode about the present state.
@@ -207,16 +243,6 @@ class Simulation:
         command: what is held there. nan where numbers are such that there are no modes.
         """
         return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
-
-    def _records(self, command: Command | Programme, steps: int) -> np.ndarray:
-        if isinstance(command, Command):
-            return command.records()
-        halves = np.arange(2 * steps + 1)
-        records = command((self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS)
-        if records.dtype != COMMAND or len(records) not in (1, len(halves)):
-            wanted = f"one COMMAND record, or one for each of the {len(halves)} times"
-            raise InputError("command", f"{len(records)} records of {records.dtype}", wanted)
-        return records
 
     def _advance(self, commands: np.ndarray, steps: int) -> None:
         arguments = (

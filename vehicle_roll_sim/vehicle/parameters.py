@@ -6,7 +6,13 @@ import math
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, validated
+from vehicle_roll_sim.declaration import (
+    InputError,
+    keep_validated,
+    parameter,
+    parameters_of,
+    validated,
+)
 from vehicle_roll_sim.model.equilibrium import (
     axle_load_share,
     static_strut_length,
@@ -73,7 +79,9 @@ class Vehicle:
     tire: Tire = dataclasses.field(kw_only=True)
 
     def __post_init__(self):
-        validated(Vehicle, {name: getattr(self, name) for name in parameters_of(Vehicle)})
+        keep_validated(self)
+        if not isinstance(self.tire, Tire):
+            raise InputError("tire", self.tire, "a Tire, as load_tire gives")
         _check_inertias(self)
         _check_fits_on_its_wheels(self)
         _check_springs_carry_it(self)

@@ -1,0 +1,85 @@
+"""The state of a simulation as a value: to go back to, to branch from, to send elsewhere."""
+
+import abc
+import dataclasses
+import hashlib
+from collections.abc import Iterable
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.events import Condition
+
+
+@dataclasses.dataclass(frozen=True)
+class Snapshot:
+    """Everything that determines how a simulation goes on, at one simulated time (ns).
+
+    `plant` identifies what is simulated: vehicle, tire, options, road, step and rollover angle.
+    `memory` holds the bytes of the simulation's arrays. A snapshot never changes, compares by
+    value, can be hashed and pickled, and can be restored any number of times.
+    """
+
+    plant: str
+    time_ns: int
+    condition: Condition
+    implausible: str | None
+    checked_speed: float | None
+    memory: tuple[bytes, ...]
+
+    @property
+    def time(self) -> float:
+        """Simulated time (s)."""
+        return self.time_ns / NANOSECONDS
+
+    def write_to(self, arrays: Iterable[np.ndarray], plant: str) -> None:
+        """Fill the arrays; raises InputError if the snapshot belongs to another plant."""
+        if plant != self.plant:
+            allowed = "one of the same vehicle, options, road, step and rollover angle"
+            raise InputError("snapshot", "", allowed, "taken from a different simulation")
+        for array, kept in zip(arrays, self.memory, strict=True):
+            array[:] = np.frombuffer(kept, array.dtype).reshape(array.shape)
+
+
+def identity(engine: str, records: Iterable[np.ndarray], step_ns: int) -> str:
+    """A digest of the records of a plant, its integration step (ns) and what integrates it."""
+    digest = hashlib.sha256(f"{engine} {step_ns}".encode())
+    for each in records:
+        digest.update(each.tobytes())
+    return digest.hexdigest()
+
+
+class Restorable(abc.ABC):
+    """A simulation that can be copied and pickled: a copy is built anew and then restored.
+
+    Arrays and the views of them have to share memory, so that members cannot be copied one by one.
+    """
+
+    def snapshot(self) -> Snapshot:
+        """The present state as a value, from which `restore` goes on to the same bits."""
+        memory = tuple(each.tobytes() for each in self._memory)
+        now = (self.time_ns, self.condition, self.implausible, self._checked_speed)
+        return Snapshot(self._identity, *now, memory)
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Go back, or ahead, to a snapshot of this simulation or of one built alike.
+
+        Raises InputError, and nothing changes, if it was taken from a different one.
+        """
+        snapshot.write_to(self._memory, self._identity)
+        self.time_ns, self.condition = snapshot.time_ns, snapshot.condition
+        self.implausible, self._checked_speed = snapshot.implausible, snapshot.checked_speed
+
+    def __reduce__(self):
+        return _rebuilt, (type(self), self._arguments(), self.snapshot())
+
+    @abc.abstractmethod
+    def _arguments(self) -> dict:
+        """What to build another one with that takes snapshots of this one."""
+
+
+def _rebuilt(kind: type[Restorable], arguments: dict, snapshot: Snapshot) -> Restorable:
+    copy = kind(**arguments)
+    copy.restore(snapshot)
+    return copy
