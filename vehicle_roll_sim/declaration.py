@@ -159,6 +159,13 @@ def parameters_of(declaring_class) -> dict[str, Parameter]:
     }
 
 
+def given(field: str, value, kind: type):
+    """`value`, which has to be of a class of this package; raises InputError naming `field`."""
+    if not isinstance(value, kind):
+        raise InputError(field, value, f"an object of the class {kind.__name__}")
+    return value
+
+
 def number_in(text: str) -> float:
     """The number that a text is; raises ValueError, also for what only Python reads as one.
 

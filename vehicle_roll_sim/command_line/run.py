@@ -19,6 +19,7 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_simulation,
 )
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
+from vehicle_roll_sim.manoeuvres.base import OpenLoop
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model.events import Condition
@@ -31,11 +32,16 @@ from vehicle_roll_sim.simulation.output_file import (
     check_new_folder,
     check_writable,
 )
-from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE
+from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD
 from vehicle_roll_sim.simulation.simulation import SHORTEST_STEP, Simulation
 from vehicle_roll_sim.simulation.summary import line
 
 DESCRIPTION = "Simulate a manoeuvre offline and print what happened."
+HELD_BY_BAG = (
+    f"held for {HELD_PERIOD:g} s each, as a node does; "
+    f"a run without --bag is the same with --command-period {HELD_PERIOD:g}"
+)
+"""What the bag makes of a run whose commands are otherwise evaluated at every stage."""
 DIVERGED = 1
 """Exit status of a run that did not stay plausible."""
 
@@ -80,9 +86,11 @@ def run_command(words: list[str], program: str) -> int:
         result.write_csv(csv)
     if plot:
         result.plot(plot, arguments.manoeuvre or arguments.commands)
+    is_held_by_bag = bag and not sampling.command_period and isinstance(result.manoeuvre, OpenLoop)
+    notes = [line("commands", HELD_BY_BAG)] if is_held_by_bag else []
     written = (("CSV", csv), ("plot", plot), ("bag", bag))
     results = [line(label, path) for label, path in written if path]
-    print("\n".join([result.summary, *results]))
+    print("\n".join([result.summary, *notes, *results]))
     return DIVERGED if result.condition is Condition.DIVERGED else 0
 
 
@@ -102,7 +110,12 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     add_declared(parser, Sampling, "sampling")
     group = parser.add_argument_group("results")
     group.add_argument("--csv", metavar="FILE", help="write the samples")
-    group.add_argument("--bag", metavar="DIR", help="write what the node would have published")
+    group.add_argument(
+        "--bag",
+        metavar="DIR",
+        help="write what the node would have published; as there, commands are held for 10 ms "
+        "(--command-period), which changes the run",
+    )
     group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
     return parser
 

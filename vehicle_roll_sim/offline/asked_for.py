@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, parameters_of, validated
+from vehicle_roll_sim.declaration import InputError, validated
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.command_file import CommandTable, command_table, load_commands
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
@@ -55,6 +55,13 @@ def manoeuvre_of(asked, values: Mapping, step_ns: int) -> Manoeuvre:
     asked: what ALLOWED says. step_ns: integration step (ns), of which the length of a command
     table is made a multiple. Raises InputError for anything else, and by name for the values.
     """
+    if isinstance(asked, Command):
+        asked = Held(asked)
+    is_driver = callable(asked) and not isinstance(asked, Manoeuvre | type)
+    if is_driver or isinstance(asked, Feedback):
+        if "duration" not in values:
+            raise InputError("duration", None, "how long to drive (s)")
+        return Driven(driven_by=asked, **validated(Driven, values))
     manoeuvre = _named(asked)
     values = validated(type(manoeuvre), values)
     if isinstance(manoeuvre, CommandTable) and "duration" not in values:
@@ -62,10 +69,7 @@ def manoeuvre_of(asked, values: Mapping, step_ns: int) -> Manoeuvre:
             raise InputError("duration", None, "a file that ends at time 0 does not say how long")
         steps = math.ceil(manoeuvre.duration * NANOSECONDS / step_ns - 1e-6)
         values["duration"] = steps * step_ns / NANOSECONDS
-    if math.isnan(values.get("duration", manoeuvre.duration)):
-        raise InputError("duration", None, "how long to drive (s)")
-    kept = {name: getattr(manoeuvre, name) for name in parameters_of(manoeuvre)}
-    return dataclasses.replace(manoeuvre, **validated(type(manoeuvre), kept | values))
+    return dataclasses.replace(manoeuvre, **values)
 
 
 def _named(asked) -> Manoeuvre:
@@ -78,10 +82,6 @@ def _named(asked) -> Manoeuvre:
         return STANDARD[asked]
     if isinstance(asked, str | os.PathLike):
         return load_commands(asked)
-    if isinstance(asked, Command):
-        asked = Held(asked)
-    if isinstance(asked, Feedback) or (callable(asked) and not isinstance(asked, type)):
-        return Driven(driven_by=asked, duration=math.nan)
     if isinstance(asked, Mapping) or hasattr(asked, "columns"):
         return command_table(asked if isinstance(asked, Mapping) else dict(asked.items()))
     raise InputError(FIELD, asked, ALLOWED)

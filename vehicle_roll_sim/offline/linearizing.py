@@ -1,7 +1,7 @@
 """The linear model about steady driving."""
 
 from vehicle_roll_sim.analysis import linear_model, trim
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, given, number_of
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -25,11 +25,11 @@ def linearize(
     """
     if steering is not None and lateral_acceleration is not None:
         raise InputError("lateral_acceleration", lateral_acceleration, "not together with steering")
+    turn = {"steering": steering, "lateral_acceleration": lateral_acceleration}
     found = trim.find_trim(
-        preset() if vehicle is None else vehicle,
-        options,
-        speed=speed,
-        steering=0.0 if steering is None else steering,
-        lateral_acceleration=lateral_acceleration,
+        given("vehicle", preset() if vehicle is None else vehicle, Vehicle),
+        given("options", options or Options(), Options),
+        speed=number_of(speed, "speed", "a number, in m/s"),
+        **{n: number_of(v, n, "a finite number") for n, v in turn.items() if v is not None},
     )
     return linear_model.linearize(found)

@@ -1,12 +1,12 @@
 """Recorded runs simulated again on the commands that were applied."""
 
 import dataclasses
-import os
 from collections.abc import Iterator
 from pathlib import Path
 
 from vehicle_roll_sim.bags import need_library
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, given
+from vehicle_roll_sim.offline.tables import path_of
 from vehicle_roll_sim.simulation.description import Described, described, difference
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -41,7 +41,9 @@ def replay(
     simulated; one that does must agree with it. Raises InputError, also where no run begins at a
     reset; needs the package rosbags.
     """
-    return list(replays(Path(os.fspath(bag)), namespace, simulation))
+    if simulation is not None:
+        given("simulation", simulation, Simulation)
+    return list(replays(path_of(bag, FIELD), namespace, simulation))
 
 
 def replays(folder: Path, namespace: str | None, told: Simulation | None) -> Iterator[ReplayResult]:

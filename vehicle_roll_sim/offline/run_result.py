@@ -10,7 +10,7 @@ from vehicle_roll_sim.analysis.metrics import load_transfer_ratio, peak
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.events import TIME, VALUE, Condition
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.offline.tables import data_frame, known, structured
+from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
 from vehicle_roll_sim.simulation.history import COLUMNS, UNITS, History
 from vehicle_roll_sim.simulation.output_file import check_figure_format
 from vehicle_roll_sim.simulation.summary import line, summary_lines
@@ -89,11 +89,12 @@ class RunResult:
 
     def write_csv(self, path: str | Path) -> None:
         """Write all rows in full precision, as the command's --csv does."""
-        self.history.write_csv(Path(path))
+        self.history.write_csv(path_of(path, "path"))
 
     def plot(self, path: str | Path, title: str = "") -> None:
         """Draw the standard figure (PNG, SVG or PDF); raises InputError for another format."""
-        check_figure_format(Path(path), "path")
+        path = path_of(path, "path")
+        check_figure_format(path, "path")
         from vehicle_roll_sim.analysis import plots  # matplotlib: half a second
 
-        plots.plot_run(self.history, self.events, Path(path), title)
+        plots.plot_run(self.history, self.events, path, title)

@@ -1,6 +1,5 @@
 """A run of a manoeuvre, a command file or a driver, from reset to end."""
 
-import os
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
@@ -10,6 +9,7 @@ from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.offline.asked_for import manoeuvre_of
 from vehicle_roll_sim.offline.run_result import RunResult
+from vehicle_roll_sim.offline.tables import path_of
 from vehicle_roll_sim.simulation import run as stepwise
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_new_folder
@@ -75,7 +75,7 @@ def drive(
     """Reset a simulation and drive a manoeuvre, as `run` does."""
     _check_multiples(manoeuvre, sample, command_period, simulation.step_ns)
     if bag is not None:
-        bag = Path(os.fspath(bag))
+        bag = path_of(bag, "bag")
         need_library("bag")
         check_new_folder(bag, "bag")
     manoeuvre = manoeuvre.for_vehicle(simulation.vehicle, simulation.options)

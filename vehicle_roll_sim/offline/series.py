@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import parameters_of, unknown_name
+from vehicle_roll_sim.declaration import InputError, given, parameters_of, unknown_name
 from vehicle_roll_sim.manoeuvres.series import series_named
 from vehicle_roll_sim.manoeuvres.series_of_runs import Series
 from vehicle_roll_sim.manoeuvres.speed_search import SpeedSearch
-from vehicle_roll_sim.offline.tables import data_frame, known, structured, write_rows
+from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured, write_rows
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
@@ -58,7 +58,7 @@ class SeriesResult:
 
     def write_csv(self, path: str | Path) -> None:
         """Write the table, numbers in full precision, as the command's --csv does."""
-        write_rows(Path(path), self.columns, self.rows)
+        write_rows(path_of(path, "path"), self.columns, self.rows)
 
 
 def series(
@@ -82,20 +82,23 @@ def series(
         known_values |= parameters_of(declaring)
     for each in values:
         if each not in known_values:
+            if not known_values:
+                raise InputError(each, values[each], f"no value: the series {name} has none to set")
             raise unknown_name(each, known_values, "name")
     chosen = chosen.with_values({n: known_values[n].validate(v) for n, v in values.items()})
-    return drive_series(chosen, preset() if vehicle is None else vehicle, options, progress)
+    vehicle = given("vehicle", preset() if vehicle is None else vehicle, Vehicle)
+    return drive_series(chosen, vehicle, given("options", options or Options(), Options), progress)
 
 
 def drive_series(
     chosen: Series,
     vehicle: Vehicle,
-    options: Options | None = None,
+    options: Options,
     progress: Callable[[], object] = lambda: None,
 ) -> SeriesResult:
     """Drive a series whose values are set."""
     rows = []
-    for row in chosen.rows(vehicle, options or Options()):
+    for row in chosen.rows(vehicle, options):
         rows.append(row)
         progress()
     remarks = chosen.remarks(vehicle, rows)

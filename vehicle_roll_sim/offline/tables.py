@@ -1,6 +1,7 @@
 """Results with named columns: to numpy, to pandas, and as CSV."""
 
 import csv
+import os
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -41,6 +42,13 @@ def write_rows(path: Path, columns: Sequence[str], rows: Sequence[Sequence]) -> 
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(rows)
+
+
+def path_of(value: str | os.PathLike, field: str) -> Path:
+    """A file or folder that is named; raises InputError naming `field` for what is no name."""
+    if not isinstance(value, str | os.PathLike) or not os.fspath(value):
+        raise InputError(field, value, "the name of a file or folder")
+    return Path(value)
 
 
 def known(name: str, columns: Sequence[str]) -> int:

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.model.records import OUTPUTS, STATE, WHEELS
 
 GROUND, BODY, ROAD, WHEEL = "ground", "1", "2", "wheel"
 """Frames (docs/model.md): fixed to the ground; 1 of the body; 2 turned with the yaw angle only;
@@ -111,3 +111,13 @@ def field_of(column: str) -> str:
     """The field of a record that a column shows: without the wheel at its end."""
     name, _, wheel = column.rpartition("_")
     return name if wheel in WHEELS else column
+
+
+def as_markdown(record: str) -> str:
+    """The table of the fields of `state` or `outputs`, for docs/python.md."""
+    signals, dtype = {"state": (STATE_SIGNALS, STATE), "outputs": (OUTPUT_SIGNALS, OUTPUTS)}[record]
+    rows = [("field", "values", "unit", "frame", "meaning"), ("---",) * 5]
+    for name, signal in signals.items():
+        size = " × ".join(map(str, dtype[name].shape)) or "1"
+        rows.append((f"`{name}`", size, signal.unit or "–", signal.frame or "–", signal.meaning))
+    return "\n".join("| " + " | ".join(row) + " |" for row in rows)

@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, number_of
+from vehicle_roll_sim.declaration import InputError, given, number_of
 from vehicle_roll_sim.model.advance import NANOSECONDS, advance
 from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.events import (
@@ -73,13 +73,6 @@ def _within(field: str, value, least: float, most: float, unit: str) -> float:
     return number
 
 
-def _given(field: str, value, kind: type):
-    """What has to be of a kind; raises InputError."""
-    if not isinstance(value, kind):
-        raise InputError(field, value, f"a {kind.__name__}")
-    return value
-
-
 class Simulation(Restorable):
     """A model of one vehicle: that with 14 degrees of freedom, unless the options say otherwise.
 
@@ -113,9 +106,9 @@ class Simulation(Restorable):
         road: Road | None = None,
         check_step: bool = True,
     ):
-        self.vehicle = _given("vehicle", vehicle, Vehicle)
-        self.options = _given("options", options or Options(), Options)
-        self.road = _given("road", road or Road(), Road)
+        self.vehicle = given("vehicle", vehicle, Vehicle)
+        self.options = given("options", options or Options(), Options)
+        self.road = given("road", road or Road(), Road)
         step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
         self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
