@@ -82,6 +82,8 @@ def _named(asked) -> Manoeuvre:
         return STANDARD[asked]
     if isinstance(asked, str | os.PathLike):
         return load_commands(asked)
-    if isinstance(asked, Mapping) or hasattr(asked, "columns"):
-        return command_table(asked if isinstance(asked, Mapping) else dict(asked.items()))
+    if hasattr(asked, "columns"):  # a DataFrame
+        asked = {name: asked[name] for name in asked.columns}
+    if isinstance(asked, Mapping):
+        return command_table(asked)
     raise InputError(FIELD, asked, ALLOWED)

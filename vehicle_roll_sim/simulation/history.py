@@ -92,7 +92,7 @@ class History:
         first = COLUMNS.index(f"{quantity}_{WHEELS[0]}")
         return self.rows[:, first : first + len(WHEELS)]
 
-    def write_csv(self, path: Path) -> None:
+    def write_csv(self, path: str | Path) -> None:
         """Write all rows in full precision; the file appears whole or not at all."""
         with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
             file.write(",".join(COLUMNS) + "\n")

@@ -106,6 +106,7 @@ class Simulation(Restorable):
         road: Road | None = None,
         check_step: bool = True,
     ):
+        before = set(vars(self))
         self.vehicle = given("vehicle", vehicle, Vehicle)
         self.options = given("options", options or Options(), Options)
         self.road = given("road", road or Road(), Road)
@@ -139,6 +140,7 @@ class Simulation(Restorable):
         self._modes = Modes(*parts[:3], self._places)
         self._checks_step, self._checked_speed = check_step, None
         self._start(self._equilibrium(DEFAULT_SPEED))
+        self._built = {"_built", *vars(self)} - before
 
     @property
     def time(self) -> float:
@@ -218,6 +220,9 @@ class Simulation(Restorable):
         """Times (s) at the ends and middles of the steps to come, shape (2 * steps + 1,)."""
         halves = np.arange(2 * steps + 1)
         return (self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS
+
+    def _build(self, arguments: dict) -> None:
+        Simulation.__init__(self, **arguments)
 
     def _arguments(self) -> dict:
         """What to build another one with that takes snapshots of this one."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, number_in
+from vehicle_roll_sim.declaration import InputError, number_in, number_of, unknown_name
 from vehicle_roll_sim.model.records import LF, LR, RF, RR
 from vehicle_roll_sim.model.tire import OPTIONAL, RANGES, REQUIRED, SCALING, TIRE
 from vehicle_roll_sim.vehicle.text_file import read_text
@@ -42,11 +42,23 @@ SIDES = {"left": (RF, RR), "right": (LF, LR)}
 
 @dataclasses.dataclass(frozen=True)
 class Tire:
-    """A Magic Formula tire: its coefficients (SI) by name, its side and its file."""
+    """A Magic Formula tire: its coefficients (SI) by name, its side and its file.
+
+    Raises InputError for a coefficient that is unknown or no number, and for another side.
+    """
 
     coefficients: dict[str, float]
     side: str = "left"
     file: str = ""
+
+    def __post_init__(self):
+        for name in self.coefficients:
+            if name not in TIRE.names:
+                raise unknown_name(str(name), (*REQUIRED, *DEFAULTS), "coefficient")
+        numbers = {n: number_of(v, n, "a number") for n, v in self.coefficients.items()}
+        object.__setattr__(self, "coefficients", numbers)
+        if self.side not in SIDES:
+            raise InputError("side", self.side, " or ".join(SIDES))
 
     def record(self) -> np.ndarray:
         """The tire as the equations take it: one TIRE record in an array."""
