@@ -103,6 +103,7 @@ def test_a_series_is_a_table_with_its_verdict_as_of_the_command(folder, capsys):
     ("arguments", "values", "expected"),
     [
         (("nope",), {}, "one of"),
+        ((3,), {}, "the name of a manoeuvre"),
         (("nhtsa_fishhook",), {"amplitude": 3.0}, "amplitude"),
         (("iso_double_lane_change",), {"preview_tim": 1.0}, "did you mean preview_time"),
         (("j_turn",), {"lowest_speed": "5"}, "lowest_speed"),

@@ -169,7 +169,7 @@ def brake_of_no_number(times: np.ndarray) -> np.ndarray:
 
 
 REFUSED = {
-    "misspelt": (("j_tern",), {}, "manoeuvre", "one of step_steer"),
+    "misspelt": (("j_tern",), {}, "manoeuvre", "did you mean j_turn?"),
     "nothing": ((None,), {}, "manoeuvre", "a name, a Manoeuvre"),
     "a class": ((Damped,), {"duration": 1.0}, "manoeuvre", "a Feedback"),
     "an unknown value": (("j_turn",), {"amplitud": 4.0}, "name", "did you mean amplitude"),

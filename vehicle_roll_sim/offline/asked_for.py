@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, validated
+from vehicle_roll_sim.declaration import InputError, unknown_name, validated
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.command_file import CommandTable, command_table, load_commands
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
@@ -77,8 +77,7 @@ def _named(asked) -> Manoeuvre:
         return asked
     if isinstance(asked, str) and Path(asked).suffix.lower() != ".csv":
         if asked not in STANDARD:
-            wanted = "one of " + ", ".join(STANDARD) + ", or the name of a command file (.csv)"
-            raise InputError(FIELD, asked, wanted)
+            raise unknown_name(asked, STANDARD, FIELD)
         return STANDARD[asked]
     if isinstance(asked, str | os.PathLike):
         return load_commands(asked)

@@ -75,6 +75,8 @@ def series(
     and in their units; with one of the range of entry speeds it is the search. vehicle: the
     reference if there is none. progress: called after every run. Raises InputError.
     """
+    if not isinstance(name, str):
+        raise InputError("name", name, "the name of a manoeuvre")
     is_search = any(each in values for each in parameters_of(SpeedSearch))
     chosen = series_named(name, is_search)
     known_values = {}
