@@ -41,7 +41,7 @@ class Snapshot:
             allowed = "one of the same vehicle, options, road, step and rollover angle"
             raise InputError("snapshot", "", allowed, "taken from a different simulation")
         for array, kept in zip(arrays, self.memory, strict=True):
-            array[:] = np.frombuffer(kept, array.dtype).reshape(array.shape)
+            array.view(np.uint8).reshape(-1)[:] = np.frombuffer(kept, np.uint8)
 
 
 def identity(engine: str, records: Iterable[np.ndarray], step_ns: int) -> str:
