@@ -36,6 +36,7 @@ setup(
         "compiled": ["numba>=0.59"],
         "recorder": ["rosbags>=0.11,<0.12"],
         "control": ["control>=0.10"],
+        "pandas": ["pandas>=2"],
         "validation": ["mujoco>=3.2"],
         "test": [
             "pytest>=7,<9",

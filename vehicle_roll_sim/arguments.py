@@ -5,7 +5,7 @@ import io
 import os
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import (
@@ -88,14 +88,17 @@ def option_name(parameter: Parameter) -> str:
     return "--" + parameter.name.replace("_", "-")
 
 
-def add_declared(parser: argparse.ArgumentParser, declaring, title: str) -> None:
+def add_declared(
+    parser: argparse.ArgumentParser, declaring, title: str, without: Container[str] = ()
+) -> None:
     """An option for every parameter of a dataclass, or of an instance that has the defaults.
 
-    An option that the parser has already is left as it is.
+    An option that the parser has already is left as it is. without: names that get none.
     """
     group = parser.add_argument_group(title)
     for parameter in parameters_of(declaring).values():
-        if any(action.dest == parameter.name for action in parser._actions):
+        is_there = any(action.dest == parameter.name for action in parser._actions)
+        if is_there or parameter.name in without:
             continue
         about = parameter.description
         if parameter.kind is bool:
@@ -114,7 +117,7 @@ def declared_values(arguments: argparse.Namespace, declaring) -> dict:
     """The parameters that were given on the command line, checked."""
     values = {}
     for name, parameter in parameters_of(declaring).items():
-        given = getattr(arguments, name)
+        given = getattr(arguments, name, None)  # None as well where it has no option
         if given is None:
             continue
         if parameter.kind is float:

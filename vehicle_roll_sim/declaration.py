@@ -173,6 +173,13 @@ def parameters_of(declaring_class) -> dict[str, Parameter]:
     }
 
 
+def given(field: str, value, kind: type):
+    """`value`, which has to be of a class of this package; raises InputError naming `field`."""
+    if not isinstance(value, kind):
+        raise InputError(field, value, f"an object of the class {kind.__name__}")
+    return value
+
+
 def number_in(text: str) -> float:
     """The number that a text is; raises ValueError, also for what only Python reads as one.
 
@@ -185,9 +192,10 @@ def number_in(text: str) -> float:
 
 def unknown_name(name: str, known: Iterable[str], field: str) -> InputError:
     """The error for a name that is not among the `known` ones, with the nearest of them."""
-    known = list(known)
-    nearest = difflib.get_close_matches(name, known, n=1)
-    allowed = f"did you mean {nearest[0]}?" if nearest else "one of " + ", ".join(known)
+    known = {each.casefold(): each for each in known}
+    nearest = difflib.get_close_matches(name.casefold(), known, n=1)
+    every = "one of " + ", ".join(known.values())
+    allowed = f"did you mean {known[nearest[0]]}?" if nearest else every
     return InputError(field, name, allowed, f"{_shown(name)} is unknown")
 
 

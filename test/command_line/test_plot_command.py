@@ -196,7 +196,7 @@ def test_a_file_that_was_cut_off_is_refused_at_its_last_line(refused, folder, hi
     [
         (b"", ("without time, x, y and 49 more",)),
         (b"time,steering\n0,0\n", ("without x, y, z and 47 more",)),
-        (b"time;x;y\n0;0;0\n", ("without time, x, y and 49 more",)),
+        (b"time;x;y\n0;0;0\n", ("line 1: separated by semicolons", "commas must separate")),
         (",".join(COLUMNS).encode(), ("no rows", "at least one row")),
         (b"\x89PNG\r\n\xff\x00", ("binary data", "text file")),
     ],

@@ -51,8 +51,13 @@ def test_options_of_the_model_are_those_of_run(command):
     ("words", "named"),
     [
         ((), ("MANOEUVRE", "--help")),
-        (("jturn",), ("jturn", "nhtsa_j_turn")),
-        (("step_steer",), ("step_steer", "sine_with_dwell")),
+        (("nhtsa_jturn",), ("nhtsa_jturn", "nhtsa_j_turn")),
+        (("constant_radius",), ("constant_radius", "sine_with_dwell")),
+        (("nhtsa_j_turn", "--scalar", "3"), ("--scalar",)),
+        (("nhtsa_j_turn", "--lowest-speed", "9", "--speed", "3"), ("--speed",)),
+        (("j_turn", "--lowest-speed", "41"), ("--highest-speed", "more than the lowest")),
+        (("j_turn", "--resolution", "0"), ("--resolution", "from 0.001")),
+        (("iso_double_lane_change", "--lowest-speed", "9"), ("MANOEUVRE", "lane_change")),
         (("nhtsa_j_turn", "--speed", "3"), ("--speed",)),
         (("nhtsa_j_turn", "--csv", "none/x.csv"), ("--csv", "none")),
         (("nhtsa_j_turn", "--csv", ""), ("--csv",)),
@@ -85,3 +90,23 @@ def test_help_has_the_options_of_the_series(command, capsys, words):
         command("series", *words, "--help")
     assert end.value.code == 0
     assert "--preview-time" in capsys.readouterr().out
+
+
+def test_a_range_of_speeds_is_driven_with_the_options_of_the_manoeuvre(command, folder):
+    words = ("--lowest-speed", "11", "--highest-speed", "16", "--resolution", "0.5")
+    result = command("series", "j_turn", *words, "--amplitude", "8", "--csv", "series.csv")
+    assert (result.status, result.err) == (0, "")
+    assert len(table_of(result)) == len((folder / "series.csv").read_text().splitlines()) > 9
+    for event in ("wheel lift-off", "two-wheel lift", "rollover"):
+        low, high = (float(result.value[f"first {event}"].split()[k]) for k in (1, 3))
+        assert 0.0 < high - low <= 0.5
+    assert result.value["verdict"].startswith("rollover at ")
+
+
+def test_a_quick_steering_gets_its_verdict_and_where_the_amplitudes_end(command, monkeypatch):
+    monkeypatch.setattr("vehicle_roll_sim.manoeuvres.series.LADDER_STEP", 10.0)  # fewer runs
+    words = ("--set", "steering_ratio=4", *STABLE)
+    result = command("series", "sine_with_dwell", *words)
+    assert (result.status, result.err) == (0, "")
+    assert result.value["amplitudes end at"].startswith("240 deg, which is 60 deg at the road")
+    assert result.value["verdict"]

@@ -5,8 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from vehicle_roll_sim import WHEELS, InputError
+from vehicle_roll_sim import WHEELS, Command, InputError, Simulation, preset
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
+from vehicle_roll_sim.simulation.run import run
 
 FIELDS_OF_FOUR = ("wheel_torque", "brake_torque", "normal_force")
 OF_FOUR = [f"{name}_{wheel}" for name in FIELDS_OF_FOUR for wheel in WHEELS]
@@ -94,6 +95,50 @@ def test_it_lasts_until_its_last_row_and_holds_no_speed_unless_told(commands_fro
     assert table(np.zeros(1))[0].speed_hold_gain == 0.0
 
 
+STEPS = "time,steering,wheel_torque_lr\n0.5,0.0,100\n0.5,0.1,100\n1.0,0.2,300\n1.0,0.0,500\n"
+
+
+@pytest.mark.parametrize(
+    ("time", "steering", "torque"),
+    [
+        (0.0, 0.0, 100.0),
+        (0.5, 0.1, 100.0),
+        (0.75, 0.15, 200.0),
+        (1.0, 0.0, 500.0),
+        (2.0, 0.0, 500.0),
+    ],
+)
+def test_two_rows_of_one_time_are_a_step_to_the_second(commands_from, time, steering, torque):
+    command = commands_from(STEPS)(np.array([time]))[0]
+    assert command.steering == pytest.approx(steering, abs=1e-16)  # last place of 0.2
+    assert command.wheel_torque[2] == pytest.approx(torque, rel=1e-15)
+
+
+def test_an_integration_step_that_ends_at_a_step_ends_before_it(commands_from):
+    table = commands_from(STEPS)
+    assert table.steps_at == (0.5, 1.0)
+    assert table(np.array([0.998, 0.999, 1.0]))["steering"][-1] == 0.2
+    assert table(np.array([0.498, 0.499, 0.5]))["steering"].tolist() == [0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize("at", ["0.2", "0.203", "0.20300000000000001", repr(0.1 + 0.1 + 0.003)])
+@pytest.mark.parametrize("sample", [0.01, 0.05])
+def test_a_run_with_a_step_is_that_of_two_held_commands(commands_from, at, sample):
+    """To the bit: no integration step sees both sides of it, on a row of the run or between."""
+    text = f"time,steering,wheel_torque_lr\n0,0.02,50\n{at},0.02,50\n{at},-0.03,-80\n1,-0.03,-80\n"
+    driven, held = Simulation(preset()), Simulation(preset())
+    run(driven, commands_from(text), 0.4, sample=sample)
+    first = round(float(at), 9)
+    held.step(Command(0.02, wheel_torque=(0.0, 0.0, 50.0, 0.0)), first)
+    held.step(Command(-0.03, wheel_torque=(0.0, 0.0, -80.0, 0.0)), round(0.4 - first, 9))
+    assert driven.state_vector.tolist() == held.state_vector.tolist()
+
+
+def test_a_row_at_a_step_shows_the_command_before_it(commands_from):
+    history = run(Simulation(preset()), commands_from("time,steering\n0.1,0\n0.1,0.02\n"), 0.2)
+    assert history["steering"][9:12].tolist() == [0.0, 0.0, 0.02]
+
+
 WRONG = {
     "no time column": ("t,steering\n0,0\n", 1, ["time"]),
     "unknown column": ("time,sterring\n0,0\n", 1, ["sterring", "did you mean steering"]),
@@ -114,9 +159,21 @@ WRONG = {
     ),
     "beyond doubles": ("time,steering\n0,1e999\n", 2, ["steering", "1e999", "finite"]),
     "infinite time": ("time,steering\n0,0\ninf,0\n", 3, ["time", "inf", "finite"]),
-    "too few values": ("time,steering\n0,0\n1\n", 3, ["1 values", "2 values"]),
+    "too few values": ("time,steering\n0,0\n1\n", 3, ["1 value:", "2 values"]),
     "too many values": ("time,steering\n0,0,0\n", 2, ["3 values", "2 values"]),
-    "time twice in rows": ("time,steering\n0,0\n1,0\n1,0\n", 4, ["time", "1"]),
+    "semicolons": (
+        "time;steering\n0;0\n1;0,05\n",
+        1,
+        ["separated by semicolons", "commas must separate the columns", "points the decimals"],
+    ),
+    "semicolons, one column, and a mark": ("\ufefftime;x\r\n0;0\r\n", 1, ["semicolons", "commas"]),
+    "semicolons behind a line that says so": ("sep=;\ntime;steering\n0;0\n", 1, ["semicolons"]),
+    "tabs": ("time\tsteering\n0\t0\n", 1, ["separated by tabs", "commas"]),
+    "spaces": ("time steering\n0 0\n", 1, ["separated by spaces", "commas"]),
+    "decimal commas": ("time,steering\n0,0\n1,0,05\n", 3, ["3 values", "decimal points"]),
+    "capitals": ("TIME,steering\n0,0\n", 1, ["TIME", "did you mean time?"]),
+    "a unit in the name": ("time,steering (rad)\n0,0\n", 1, ["did you mean steering?"]),
+    "time three times": ("time,steering\n0,0\n1,0\n1,1\n1,0\n", 5, ["time", "two rows", "step"]),
     "time that falls": ("time,steering\n0,0\n2,0\n1.5,0\n", 4, ["time", "1.5", "2"]),
     "after empty lines": ("time,steering\n0,0\n\n\n2,0\n1.5,0\n", 6, ["time", "1.5"]),
     "empty": ("", 1, ["time"]),

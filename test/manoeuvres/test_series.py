@@ -5,6 +5,7 @@ import math
 import pytest
 
 from vehicle_roll_sim import InputError, Options, preset
+from vehicle_roll_sim.manoeuvres.handwheel import largest_handwheel
 from vehicle_roll_sim.manoeuvres.series import SERIES, ladder, series_named
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import steering_at_03g
 
@@ -83,6 +84,23 @@ def test_the_sine_with_dwell_is_judged_at_every_amplitude_and_as_a_whole():
     assert verdict.endswith(f"{len(rows) - len(passed)} of {len(rows)} runs")
 
 
+@pytest.mark.parametrize(("ratio", "end"), [(12.0, 270.0), (4.0, 240.0), (4.6, 276.0)])
+def test_amplitudes_end_where_the_wheels_turn_no_further_and_it_is_said(ratio, end):
+    angle = 1.21 * ratio if end != 276.0 else 45.0  # 6.5 times 45 deg are 292.5 deg
+    rungs = ladder(angle, largest_handwheel(ratio))
+    assert rungs[-1] * angle == pytest.approx(end, rel=1e-12)
+    rows = [("left", s, s * angle, 0.1, 0.1, 2.0, "passed") for s in rungs]
+    vehicle = preset().with_values({"steering_ratio": ratio})
+    remarks = SERIES["sine_with_dwell"].remarks(vehicle, rows)
+    if end == 270.0:
+        assert remarks == {}
+    else:
+        text = remarks["amplitudes end at"]
+        assert text.startswith(f"{end:g} deg, which is 60 deg at the road wheels")
+        assert f"steering_ratio {ratio:g}" in text
+        assert text.endswith("270 deg" if end == 240.0 else "292.5 deg")
+
+
 def test_a_run_that_did_not_get_to_its_end_does_not_pass_for_one_without_lift():
     broken = ("left", 40.0, 150.0, 3.0, math.nan, "diverged")
     assert SERIES["nhtsa_j_turn"].verdict([broken]) == "diverged at 40 mph to the left"
@@ -97,5 +115,5 @@ def test_a_verdict_names_the_side_that_failed():
 
 def test_a_manoeuvre_without_a_series_is_refused():
     with pytest.raises(InputError) as refusal:
-        series_named("step_steer")
-    assert "step_steer" in str(refusal.value)
+        series_named("constant_radius_circle")
+    assert "constant_radius_circle" in str(refusal.value)

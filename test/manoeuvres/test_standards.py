@@ -178,3 +178,27 @@ def test_wheels_that_would_turn_too_far_are_refused(ratio, scalar, largest):
         ready("nhtsa_j_turn", ratio, scalar=scalar, steering_at_03g=AT_03G)
     assert largest in str(refusal.value)
     assert str(scalar * AT_03G) in str(refusal.value)
+
+
+@pytest.mark.parametrize("ratio", [4.0, 30.0])
+@pytest.mark.parametrize("name", STANDARD)
+def test_a_vehicle_of_any_steering_ratio_takes_every_manoeuvre_as_it_is(name, ratio):
+    ready(name, ratio)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_the_slowly_increasing_steer_ends_where_the_wheels_turn_no_further(side):
+    steer = ready("slowly_increasing_steer", 4.0, handwheel_angle=side * 270.0)
+    assert np.degrees(steer(TIMES)["steering"][-1]) == pytest.approx(side * 60.0, rel=1e-15)
+    history = run(Simulation(preset()), steer, 0.1)
+    said = steer.report(history, steer)["handwheel ends at"]
+    assert said == "240 deg, which is 60 deg at the road wheels with steering_ratio 4"
+    whole = ready("slowly_increasing_steer")
+    assert "handwheel ends at" not in whole.report(history, whole)
+
+
+def test_an_angle_of_ones_own_beyond_the_wheels_is_refused_with_the_steering_ratio():
+    with pytest.raises(InputError) as refusal:
+        ready("slowly_increasing_steer", 4.0, handwheel_angle=271.0)
+    for word in ("271", "240 deg", "60 deg at the road wheels", "steering_ratio 4"):
+        assert word in str(refusal.value)

@@ -7,7 +7,7 @@ import sys
 import pytest
 
 PACKAGE = "vehicle_roll_sim"
-LAYERS = ("model", "vehicle", "simulation", "manoeuvres", "analysis", "messages", "bags")
+LAYERS = ("model", "vehicle", "simulation", "manoeuvres", "analysis", "messages", "bags", "offline")
 """From the bottom up; each may import those before it."""
 MAY_IMPORT = {
     **{layer: {layer, *LAYERS[:rank]} for rank, layer in enumerate(LAYERS)},

@@ -146,3 +146,37 @@ def test_a_vehicle_is_told_by_name_in_its_refusals():
     values = {field.name: getattr(VEHICLE, field.name) for field in dataclasses.fields(VEHICLE)}
     with pytest.raises(InputError, match="wheel_inertia"):
         Vehicle(**values | {"wheel_inertia": "1"})
+
+
+@pytest.mark.parametrize(
+    ("field", "build"),
+    [
+        ("coefficient", lambda: VEHICLE.tire.with_coefficients(PDY9=1.0)),
+        ("PDY1", lambda: VEHICLE.tire.with_coefficients(PDY1="1")),
+        ("PDY1", lambda: VEHICLE.tire.with_coefficients(PDY1=True)),
+        ("side", lambda: dataclasses.replace(VEHICLE.tire, side="middle")),
+        ("brake_torque", lambda: Simulation(VEHICLE).step(braked(math.nan), 0.01)),
+        ("brake_torque", lambda: Simulation(VEHICLE).step(braked(-1.0), 0.01)),
+        ("brake_torque", lambda: Simulation(VEHICLE).step(braked(math.inf), 0.01)),
+    ],
+)
+def test_of_tires_and_brakes_nothing_wrong_is_taken_in_silence(field, build):
+    with pytest.raises(InputError) as refusal:
+        build()
+    assert refusal.value.field == field
+
+
+def braked(torque: float):
+    """A programme with this brake torque at a wheel, in the last of its records."""
+
+    def programme(times: np.ndarray) -> np.ndarray:
+        commands = np.zeros(len(times), COMMAND)
+        commands["brake_torque"][-1, 2] = torque
+        return commands
+
+    return programme
+
+
+def test_coefficients_of_numpy_are_kept_as_floats():
+    tire = VEHICLE.tire.with_coefficients(PDY1=np.float32(0.5))
+    assert type(tire.coefficients["PDY1"]) is float

@@ -1,6 +1,7 @@
 """Snapshots, copies and pickles: independent of the original, and the same to the bit after it."""
 
 import copy
+import dataclasses
 import multiprocessing
 import pickle
 
@@ -134,6 +135,40 @@ def test_a_snapshot_of_a_different_vehicle_is_refused(reference):
         Simulation(reference.with_values({"cg_height": 0.7})).restore(
             Simulation(reference).snapshot()
         )
+
+
+@pytest.mark.parametrize("wrong", [None, 0.5, b"", {}])
+def test_what_is_no_snapshot_is_refused(reference, wrong):
+    with pytest.raises(InputError, match="snapshot"):
+        Simulation(reference).restore(wrong)
+
+
+def test_a_snapshot_of_a_version_with_other_arrays_is_refused(reference):
+    simulation = Simulation(reference)
+    kept = simulation.snapshot()
+    before = everything(simulation)
+    with pytest.raises(InputError, match="snapshot"):
+        simulation.restore(dataclasses.replace(kept, memory=(*kept.memory[:3], b"")))
+    assert everything(simulation) == before
+
+
+class Named(Simulation):
+    """Of a user: its constructor takes something else, and it has members of its own."""
+
+    def __init__(self, name: str):
+        self.name = name
+        super().__init__(preset("reference"), step=0.002)
+        self.seen = [name]
+
+
+@each_copy
+def test_a_copy_has_what_a_subclass_and_its_user_have_added(copied):
+    original = Named("mine")
+    original.note = 7
+    turned(original, 0.2)
+    twin = copied(original)
+    assert (type(twin), twin.name, twin.seen, twin.note) == (Named, "mine", ["mine"], 7)
+    assert turned(twin, 0.2) == turned(original, 0.2)
 
 
 def test_a_simulation_can_be_sent_to_another_process(reference):

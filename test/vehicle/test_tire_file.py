@@ -106,6 +106,11 @@ def test_a_coefficient_without_which_there_is_no_tire_may_not_be_missing(tire_fr
         tire_from(edited(REFERENCE_TIR, name, ""))
 
 
+def test_all_that_is_missing_is_named_at_once(tire_from, path):
+    with refused(path, *REQUIRED, "PROPERTY_FILE_FORMAT", "template --tire"):
+        tire_from("[UNITS]\nLENGTH = 'meter'\n")
+
+
 @pytest.mark.parametrize("value", ["many", "1,5", "", "nan", "inf", "1e999", "1.2.3", "1_4"])
 def test_a_coefficient_that_is_no_finite_number_is_refused(tire_from, path, value):
     text = edited(REFERENCE_TIR, "PKY1", f"PKY1 = {value}")

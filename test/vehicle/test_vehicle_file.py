@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, line_of, refused, write
 
-from vehicle_roll_sim import Vehicle, load_vehicle, preset
+from vehicle_roll_sim import Vehicle, load_tire, load_vehicle, preset
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.vehicle.text_file import LARGEST_FILE
 
@@ -113,6 +113,27 @@ def test_zero_is_refused_where_nothing_is_not_allowed(vehicle_from, path, name):
 def test_a_missing_key_is_named(vehicle_from, path, name):
     with refused(path, name):
         vehicle_from(edited(REFERENCE_YAML, name, ""))
+
+
+def test_all_that_is_missing_is_named_at_once(vehicle_from, path):
+    missing = [name for name in PARAMETERS if name not in {*OPTIONAL, "sprung_mass"}]
+    with refused(path, *missing, "tire: missing", "vehicle_roll_sim template"):
+        vehicle_from("sprung_mass: 1440\n")
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("none.tir", ("No such file or directory", "the name of a file that exists")),
+        (".", ("Is a directory", "the name of a file, not of a folder,")),
+        ("a.tir/b.tir", ("Not a directory", "the name of a file that exists")),
+    ],
+)
+def test_what_cannot_be_read_says_what_the_name_should_be(tmp_path, name, words):
+    write(tmp_path, "a.tir", REFERENCE_TIR)
+    for load in (load_vehicle, load_tire):
+        with refused(tmp_path / name, *words):
+            load(tmp_path / name)
 
 
 @pytest.mark.parametrize("name", [*PARAMETERS, "tire"])

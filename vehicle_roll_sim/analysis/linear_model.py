@@ -68,7 +68,7 @@ class LinearModel:
         """The outputs in the trim, shape (10,)."""
         return outputs_of(self.trim.state, self.trim.outputs)
 
-    def write_npz(self, path: Path) -> None:
+    def write_npz(self, path: str | Path) -> None:
         """Write matrices, names and trim; numpy.load reads them without pickle."""
         arrays = {
             "A": self.a,

@@ -87,6 +87,10 @@ class Multibody(Simulation):
         self._wheel_centres = self._data.xpos[FIRST_WHEEL:]
         self._jacobian = np.zeros((WHEEL_COUNT, 3, self._engine.nv))
         super().__init__(vehicle, MULTIBODY, step=step, rollover_angle=rollover_angle)
+        self._built = set(vars(self))
+
+    def _build(self, arguments: dict) -> None:
+        Multibody.__init__(self, **arguments)
 
     def _arguments(self) -> dict:
         kept = ("vehicle", "step", "rollover_angle")

@@ -102,10 +102,14 @@ class Plant:
         parts = (self.record, vehicle.tire.record(), options.record())
         self._parts = tuple(kernel_argument(part)[0] for part in parts)
         self._outputs = np.full(1, np.nan, OUTPUTS)
-        self.outputs = self._outputs[0]
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))
         self.places = np.array([STATE_NAMES.index(name) for name in self.state_names])
+
+    @property
+    def outputs(self) -> np.record:
+        """The OUTPUTS record of the last rates: a view of memory that the next ones change."""
+        return self._outputs[0]
 
     def rates(self, state: np.ndarray, inputs: np.ndarray) -> np.ndarray:
         """Time derivative of a flat state vector; `outputs` are then those of this state.

@@ -67,13 +67,13 @@ def linearize_command(words: list[str], program: str) -> int:
 def _linear_model(vehicle: Vehicle, options: Options, given: dict):
     """The model about the steady driving that the options give."""
     compile_model()
-    from vehicle_roll_sim.analysis import linear_model, trim  # scipy: a quarter of a second
+    from vehicle_roll_sim.offline.linearizing import linearize  # scipy: a quarter of a second
 
-    driving = {"speed": DEFAULT_SPEED} | given
+    driving = dict(given)
     if "steering" in driving:
         driving["steering"] = math.radians(driving["steering"])
     try:
-        return linear_model.linearize(trim.find_trim(vehicle, options, **driving))
+        return linearize(vehicle, options=options, **driving)
     except InputError as error:
         if error.field == "steering":
             error.value = given["steering"]

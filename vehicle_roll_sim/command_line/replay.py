@@ -2,7 +2,6 @@
 
 import argparse
 import math
-from pathlib import Path
 
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.bags import need_library
@@ -11,9 +10,9 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     chosen_simulation,
 )
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.offline.replaying import replays
 from vehicle_roll_sim.simulation.compilation import compile_model
-from vehicle_roll_sim.simulation.description import MACHINE, VERSION, described, difference
+from vehicle_roll_sim.simulation.description import MACHINE, VERSION, Described
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.summary import line
 
@@ -29,24 +28,18 @@ def replay_command(words: list[str], program: str) -> int:
     arguments = _parser(program).parse_args(words)
     folder = named_file(arguments.bag, "BAG")
     need_library("BAG")
-    from vehicle_roll_sim.bags.reading import recorded_runs  # their library is optional
-    from vehicle_roll_sim.bags.replay import replay
-
     told = _told(arguments)
-    runs = recorded_runs(folder, arguments.namespace)
     with ending.at_once():
         compile_model()
-    if not any(run.begins_at_a_reset for run in runs):
-        allowed = "a recording of at least one run from its reset on, time 0"
-        raise InputError("BAG", str(folder), allowed, f"{folder}: it begins under way")
     results = []
-    for number, run in enumerate(runs, 1):
-        verdict = f"under way already at {run.states[0]['time']:.3f} s: not replayed"
-        if run.begins_at_a_reset:
-            results.append(replay(run, *_simulation(run.description, told, folder)))
-            verdict = _verdict(results[-1])
+    for number, run in enumerate(replays(folder, arguments.namespace, told), 1):
+        verdict = f"under way already at {run.begin:.3f} s: not replayed"
+        if run.replay is not None:
+            results.append(run)
+            _print_versions(run.recorded)
+            verdict = _verdict(run.replay)
         print(line(f"run {number}", verdict))
-    is_good = all(result.is_exact and result.is_complete for result in results)
+    is_good = all(run.is_reproduced for run in results)
     return INEXACT if arguments.strict and not is_good else 0
 
 
@@ -71,27 +64,11 @@ def _told(arguments: argparse.Namespace) -> Simulation | None:
     return chosen_simulation(arguments) if given.keys() - {*NOT_OF_SIMULATION} else None
 
 
-def _simulation(
-    description: str, told: Simulation | None, folder: Path
-) -> tuple[Simulation, float | None]:
-    """What was recorded, and its publish period (s) where the bag says it.
-
-    Raises InputError where bag and options do not agree.
-    """
-    if not description:
-        if told is None:
-            allowed = "options that say what was simulated, as in `run`"
-            raise InputError("BAG", str(folder), allowed, f"{folder} does not say it")
-        return told, None
-    recorded = described(description)
-    if (recorded.version, recorded.machine) != (VERSION, MACHINE):
+def _print_versions(recorded: Described | None) -> None:
+    """Say so where the recording is of another version or machine."""
+    if recorded is not None and (recorded.version, recorded.machine) != (VERSION, MACHINE):
         print(line("recorded with", f"version {recorded.version} on {recorded.machine}"))
         print(line("replayed with", f"version {VERSION} on {MACHINE}"))
-    if told is not None and (differs := difference(recorded.simulation, told)):
-        name, theirs, ours = differs
-        problem = f"{folder}: the bag has {theirs}"
-        raise InputError(name, theirs, f"the options say {ours}", problem)
-    return recorded.simulation, recorded.period
 
 
 def _verdict(result) -> str:

@@ -2,8 +2,6 @@
 
 import argparse
 import dataclasses
-import math
-from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 
 from tqdm import tqdm
@@ -17,31 +15,33 @@ from vehicle_roll_sim.arguments import (
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
+    as_option,
     chosen_simulation,
-    prepared,
 )
-from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
+from vehicle_roll_sim.manoeuvres.base import OpenLoop
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
-from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.offline.asked_for import manoeuvre_of
+from vehicle_roll_sim.offline.run_result import RunResult
+from vehicle_roll_sim.offline.running import drive
 from vehicle_roll_sim.simulation.output_file import (
     check_distinct,
     check_figure_format,
     check_new_folder,
     check_writable,
 )
-from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD, Witness, run
-from vehicle_roll_sim.simulation.simulation import (
-    SHORTEST_STEP,
-    Simulation,
-    whole_steps,
-)
-from vehicle_roll_sim.simulation.summary import line, summary_lines
+from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD
+from vehicle_roll_sim.simulation.simulation import SHORTEST_STEP, Simulation
+from vehicle_roll_sim.simulation.summary import line
 
 DESCRIPTION = "Simulate a manoeuvre offline and print what happened."
+HELD_BY_BAG = (
+    f"held for {HELD_PERIOD:g} s each, as a node does; "
+    f"a run without --bag is the same with --command-period {HELD_PERIOD:g}"
+)
+"""What the bag makes of a run whose commands are otherwise evaluated at every stage."""
 DIVERGED = 1
 """Exit status of a run that did not stay plausible."""
 
@@ -74,28 +74,24 @@ def run_command(words: list[str], program: str) -> int:
     sampling = Sampling(**declared_values(arguments, Sampling))
     csv, plot, bag = _results(arguments)
     simulation = chosen_simulation(arguments)
-    manoeuvre = _adjusted(manoeuvre, arguments, simulation.step_ns)
-    _check_multiples(manoeuvre, sampling, simulation.step_ns)
-    manoeuvre = prepared(manoeuvre, simulation.vehicle, simulation.options)
-    driver = manoeuvre.driver()
-    simulation.reset(manoeuvre.speed)
-    period = sampling.command_period or HELD_PERIOD
-    with _recorded(simulation, manoeuvre.commanded, bag, period, arguments.stamped) as witness:
-        history = _run_with_progress(simulation, driver, manoeuvre.duration, sampling, witness)
+    values = declared_values(arguments, manoeuvre)
+    try:
+        manoeuvre = manoeuvre_of(manoeuvre, values, simulation.step_ns)
+        result = _run_with_progress(manoeuvre, simulation, sampling, bag, arguments.stamped)
+    except InputError as error:
+        if error.field in {*parameters_of(manoeuvre), *parameters_of(Sampling), "bag"}:
+            raise as_option(error) from None
+        raise
     if csv:
-        history.write_csv(csv)
+        result.write_csv(csv)
     if plot:
-        from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
-
-        plots.plot_run(history, simulation.events, plot, arguments.manoeuvre or arguments.commands)
-    report = [line(label, text) for label, text in manoeuvre.report(history, driver).items()]
-    lines = summary_lines(
-        simulation.events, simulation.time, simulation.condition, simulation.implausible
-    )
+        result.plot(plot, arguments.manoeuvre or arguments.commands)
+    is_held_by_bag = bag and not sampling.command_period and isinstance(result.manoeuvre, OpenLoop)
+    notes = [line("commands", HELD_BY_BAG)] if is_held_by_bag else []
     written = (("CSV", csv), ("plot", plot), ("bag", bag))
     results = [line(label, path) for label, path in written if path]
-    print("\n".join([*report, *lines, *results]))
-    return DIVERGED if simulation.condition is Condition.DIVERGED else 0
+    print("\n".join([result.summary, *notes, *results]))
+    return DIVERGED if result.condition is Condition.DIVERGED else 0
 
 
 def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParser:
@@ -114,19 +110,16 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     add_declared(parser, Sampling, "sampling")
     group = parser.add_argument_group("results")
     group.add_argument("--csv", metavar="FILE", help="write the samples")
-    group.add_argument("--bag", metavar="DIR", help="write what the node would have published")
+    group.add_argument(
+        "--bag",
+        metavar="DIR",
+        help="write what the node would have published; as there, commands are held for 10 ms "
+        "(--command-period), which changes the run",
+    )
     about = "in the bag, what has no header with one, too: NAME_stamped, as publish_stamped has it"
     group.add_argument("--stamped", action="store_true", help=about)
     group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
     return parser
-
-
-def _check_multiples(manoeuvre: Manoeuvre, sampling: Sampling, step_ns: int) -> None:
-    """Times that the run is divided into must be multiples of the step."""
-    whole_steps(manoeuvre.duration, step_ns, "--duration")
-    whole_steps(sampling.sample, step_ns, "--sample")
-    if sampling.command_period:
-        whole_steps(sampling.command_period, step_ns, "--command-period")
 
 
 def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
@@ -147,22 +140,6 @@ def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
     return csv, plot, bag
 
 
-def _recorded(
-    simulation: Simulation,
-    commanded: tuple[str, ...],
-    bag: Path | None,
-    period: float,
-    stamped: bool,
-) -> AbstractContextManager[Witness | None]:
-    """The witness that writes the bag, if there is to be one."""
-    if bag is None:
-        return nullcontext()
-    from vehicle_roll_sim.bags.run_bag import run_bag  # its library is optional
-
-    period_ns = round(period * NANOSECONDS)
-    return run_bag(simulation, commanded, bag, period_ns, "--bag", stamped=stamped)
-
-
 def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:
     """The manoeuvre or command file that the words name, with its defaults."""
     if chosen.commands is not None and chosen.manoeuvre is not None:
@@ -172,33 +149,23 @@ def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:
     return manoeuvre_named(chosen.manoeuvre) if chosen.manoeuvre else None
 
 
-def _adjusted(manoeuvre: Manoeuvre, arguments: argparse.Namespace, step_ns: int) -> Manoeuvre:
-    """The manoeuvre with the values of the command line."""
-    values = declared_values(arguments, manoeuvre)
-    if arguments.commands and "duration" not in values:
-        if not manoeuvre.duration > 0.0:
-            raise InputError("--duration", None, "a file that ends at time 0 does not say how long")
-        steps = math.ceil(manoeuvre.duration * NANOSECONDS / step_ns - 1e-6)
-        values["duration"] = steps * step_ns / NANOSECONDS
-    return dataclasses.replace(manoeuvre, **values)
-
-
 def _run_with_progress(
+    manoeuvre: Manoeuvre,
     simulation: Simulation,
-    driver: Programme | Feedback,
-    duration: float,
     sampling: Sampling,
-    witness: Witness | None,
-) -> History:
+    bag: Path | None,
+    stamped: bool,
+) -> RunResult:
     """Run, with a progress bar at a terminal when it takes longer than a second."""
     bar_format = "{l_bar}{bar}| {n:.1f}/{total:.1f} s simulated [{elapsed}<{remaining}]"
-    with tqdm(total=duration, delay=1.0, disable=None, bar_format=bar_format, leave=False) as bar:
-        return run(
+    about = {"delay": 1.0, "disable": None, "bar_format": bar_format, "leave": False}
+    with tqdm(total=manoeuvre.duration, **about) as bar:
+        return drive(
+            manoeuvre,
             simulation,
-            driver,
-            duration,
             sample=sampling.sample,
             command_period=sampling.command_period,
-            witness=witness,
+            bag=bag,
+            stamped=stamped,
             progress=bar.update,
         )

@@ -1,9 +1,7 @@
 """`vehicle_roll_sim series`: the test series of a standard, as a table with its verdict."""
 
-import csv
-import math
-from collections.abc import Iterable
-from pathlib import Path
+import argparse
+from collections.abc import Callable, Iterable
 
 from tqdm import tqdm
 
@@ -16,85 +14,93 @@ from vehicle_roll_sim.arguments import (
 from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
+    as_option,
     chosen_options,
     chosen_vehicle,
 )
-from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.manoeuvres.series import SERIES, series_named
+from vehicle_roll_sim.declaration import InputError, parameters_of
+from vehicle_roll_sim.manoeuvres.series import SEARCHES, SERIES, series_named
+from vehicle_roll_sim.manoeuvres.series_of_runs import Series
+from vehicle_roll_sim.manoeuvres.speed_search import RANGE, SpeedSearch
+from vehicle_roll_sim.offline.series import SeriesResult, drive_series
 from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_writable, replaced_file
+from vehicle_roll_sim.simulation.output_file import check_writable
 from vehicle_roll_sim.simulation.summary import line
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-DESCRIPTION = "Drive the test series of a standard and print its table and verdict."
+DESCRIPTION = "Drive a standard's test series, or a range of speeds: a table and its verdict."
 
 
 def series_command(words: list[str], program: str) -> int:
     """The command, given the words behind its name; returns the exit status."""
-    every = dict.fromkeys(pair for series in SERIES.values() for pair in series.settings)
-    first = _parser(program, every)
+    every = [*SERIES.values(), *SEARCHES.values()]
+    first = _parser(program, [(t, _class_of(each)) for one in every for t, each in one.settings])
     named, _ = first.parse_known_args([word for word in words if word not in ("-h", "--help")])
     if named.manoeuvre is None:
         first.parse_args(words)  # for its help
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(SERIES) + "; --help shows how")
-    series = series_named(named.manoeuvre)
-    arguments = _parser(program, series.settings).parse_args(words)
-    for _, declaring in series.settings:
-        series = series.with_values(declared_values(arguments, declaring))
+    is_search = any(getattr(named, name) is not None for name in parameters_of(SpeedSearch))
+    series = series_named(named.manoeuvre, is_search)
+    ways_out = [RANGE] if named.manoeuvre in SEARCHES else []
+    arguments = _parser(program, [*series.settings, *ways_out]).parse_args(words)
+    series = _adjusted(series, arguments)
     path = named_file(arguments.csv, "--csv")
     if path:
         check_writable(path, "--csv")
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
     with ending.at_once():
         compile_model()
-    runs = series.rows(vehicle, options)
-    rows = list(tqdm(runs, delay=1.0, disable=None, leave=False, unit=" runs"))
+    with tqdm(delay=1.0, disable=None, leave=False, unit=" runs") as bar:
+        result = _driven(series, vehicle, options, bar.update)
     if path:
-        write_table(path, series.columns, rows)
-    print(table(series.columns, rows))
-    print(line("verdict", series.verdict(rows)))
+        result.write_csv(path)
+    print(result.table)
+    for label, text in result.remarks.items():
+        print(line(label, text))
+    print(line("verdict", result.verdict))
     if path:
         print(line("CSV", path))
     return 0
 
 
-def _parser(program: str, settings: Iterable[tuple[str, type]]) -> OneLineParser:
-    """The parser with the options that these classes declare, under their titles."""
+def _adjusted(series: Series, arguments: argparse.Namespace) -> Series:
+    """The series with the values of the command line."""
+    values = {}
+    for _, declaring in series.settings:
+        values |= declared_values(arguments, declaring)
+    try:
+        return series.with_values(values)
+    except InputError as error:
+        raise as_option(error) from None
+
+
+def _driven(
+    series: Series, vehicle: Vehicle, options: Options, progress: Callable[[], object]
+) -> SeriesResult:
+    """The series driven; what is wrong with the model names the option."""
+    try:
+        return drive_series(series, vehicle, options, progress)
+    except InputError as error:
+        raise as_option(error) if error.field in parameters_of(Options) else error from None
+
+
+def _class_of(declaring) -> type:
+    return declaring if isinstance(declaring, type) else type(declaring)
+
+
+def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLineParser:
+    """The parser with the options that these classes or instances declare, under their titles."""
     parser = OneLineParser(prog=program, description=DESCRIPTION)
     parser.add_argument(
         "manoeuvre",
         metavar="MANOEUVRE",
         nargs="?",
-        help=", ".join(SERIES) + "; with its name, --help shows its options",
+        help=", ".join(SERIES) + "; and for a search over entry speeds " + ", ".join(SEARCHES),
     )
     for title, declaring in settings:
-        add_declared(parser, declaring, title)
+        add_declared(parser, declaring, title, without=SpeedSearch.fixed)
     add_declared(parser, Options, "model")
     add_vehicle_options(parser)
     parser.add_argument("--csv", metavar="FILE", help="write the table, numbers in full precision")
     return parser
-
-
-def table(columns: tuple[str, ...], rows: list[tuple]) -> str:
-    """Columns side by side, numbers with three decimals, whole ones with none."""
-    cells = [columns, *([_cell(value) for value in row] for row in rows)]
-    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-    lines = (
-        "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True))
-        for row in cells
-    )
-    return "\n".join(lines)
-
-
-def _cell(value: float | str) -> str:
-    if isinstance(value, str | int):
-        return str(value)
-    return "-" if math.isnan(value) else f"{value:.3f}"
-
-
-def write_table(path: Path, columns: tuple[str, ...], rows: list[tuple]) -> None:
-    """The table as CSV; the file appears whole or not at all."""
-    with replaced_file(path) as partial, partial.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        writer.writerows(rows)

@@ -7,7 +7,6 @@ import math
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
 from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
-from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
@@ -104,16 +103,6 @@ def chosen_options(arguments: argparse.Namespace) -> Options:
 
 def as_option(error: InputError) -> InputError:
     """The error for a field as one for the option of that name."""
-    return InputError(
+    return type(error)(
         f"--{error.field.replace('_', '-')}", error.value, error.allowed, error.problem
     )
-
-
-def prepared(manoeuvre: Manoeuvre, vehicle: Vehicle, options: Options) -> Manoeuvre:
-    """The manoeuvre for this vehicle; what is wrong with one of its values names the option."""
-    try:
-        return manoeuvre.for_vehicle(vehicle, options)
-    except InputError as error:
-        if error.field in parameters_of(manoeuvre):
-            raise as_option(error) from None
-        raise

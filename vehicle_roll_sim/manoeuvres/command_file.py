@@ -1,17 +1,20 @@
-"""Commands from a CSV file: a column `time` and any of the command columns, linear in between."""
+"""Commands from a CSV file: a column `time` and any of the command columns, linear in between.
 
-import csv
+Two rows of one time are a step.
+"""
+
 import dataclasses
-import itertools
 import math
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_in, unknown_name
 from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
+from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.vehicle.text_file import read_text
+from vehicle_roll_sim.simulation.table_file import read_table
 
 LARGEST_FILE = 200_000_000
 """Bytes: an hour at 1 kHz with every column."""
@@ -28,7 +31,11 @@ COLUMNS = {
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class CommandTable(OpenLoop):
-    """Commands at given times (s, rising): linear between rows, held outside them."""
+    """Commands at given times (s): linear between rows, held outside them.
+
+    times do not fall; where one stands twice the commands step, from the values of the first row
+    to those of the second.
+    """
 
     times: np.ndarray
     columns: dict[str, np.ndarray]
@@ -37,51 +44,102 @@ class CommandTable(OpenLoop):
     def commanded(self) -> tuple[str, ...]:
         return (*super().commanded, *(COLUMNS[name][0] for name in self.columns))
 
+    @property
+    def steps_at(self) -> tuple[float, ...]:
+        return tuple(self.times[1:][np.diff(self.times) == 0.0].tolist())
+
     def drive(self, times: np.ndarray, commands: np.ndarray) -> None:
+        """At the time of a step the second row counts, but for the last of several `times`.
+
+        These are the stages of integration steps, so there the last step ends: before the step of
+        the commands.
+        """
+        first = int(np.searchsorted(self.times, times[-1]))
+        ends_on_row = len(times) > 1 and first < len(self.times) and self.times[first] == times[-1]
         for name, values in self.columns.items():
             field, wheel = COLUMNS[name]
             column = commands[field] if wheel is None else commands[field][:, wheel]
             column[:] = np.interp(times, self.times, values)
+            if ends_on_row:
+                column[-1] = values[first]
 
 
 def load_commands(path: str | Path) -> CommandTable:
     """Read a command file, as long as its last time; raises InputError naming line and column."""
     path = Path(path)
-    reader = csv.reader(read_text(path, LARGEST_FILE).splitlines())
-    try:
-        header = [name.strip() for name in next(reader, [])]
-        _check_header(path, header)
-        rows = [(reader.line_num, row) for row in reader if row]
-    except csv.Error as error:
-        where = f"{path}: line {reader.line_num}"
-        raise InputError(where, "", "comma-separated values are wanted", str(error)) from None
+    header, lines = read_table(path, LARGEST_FILE)
+    _check_header(f"{path}: line 1", header)
+    rows = list(lines)
     if not rows:
         raise InputError(f"command file {path}", "", "a header and at least one row", "no rows")
     values = [_numbers(path, line, header, row) for line, row in rows]
     table = dict(zip(header, np.array(values).T, strict=True))
-    times = table.pop("time")
-    for (before, after), (line, _) in zip(itertools.pairwise(times), rows[1:], strict=True):
-        if after <= before:
-            raise InputError(f"{path}: line {line}: time", float(after), f"more than {before:g}")
+    return _table(table, [f"{path}: line {line}: time" for line, _ in rows])
+
+
+def command_table(columns: Mapping[str, Sequence[float]]) -> CommandTable:
+    """The columns of a command file as arrays, shape (n,); raises InputError naming the column."""
+    names = list(columns)
+    _check_header("commands", names)
+    table = {name: _column(f"commands: {name}", columns[name]) for name in names}
+    for name, values in table.items():
+        if len(values) != len(table["time"]):
+            counts = f"{len(values)} values", f"{len(table['time'])} values, as many as times"
+            raise InputError(f"commands: {name}", *counts)
+        if name.startswith("brake_torque") and values.min() < 0.0:
+            raise InputError(f"commands: {name}", float(values.min()), "no number below 0")
+    return _table(table, ["commands: time"] * len(table["time"]))
+
+
+def _column(field: str, values: Sequence[float]) -> np.ndarray:
+    try:
+        column = np.array(values, float)
+    except (TypeError, ValueError):
+        column = np.array(math.nan)
+    if column.ndim != 1 or not len(column) or not np.isfinite(column).all():
+        raise InputError(field, values, "finite numbers, one for each time")
+    return column
+
+
+def _table(columns: dict[str, np.ndarray], where: list[str]) -> CommandTable:
+    """A table of finite columns, `time` among them; `where` names the time of each row."""
+    times = _with_exact_steps(columns.pop("time"))
+    latest = []
+    for place, time in zip(where, times.tolist(), strict=True):
+        latest = [*latest[-2:], time]
+        _check_time(place, latest)
     if not abs(times[-1]) <= LONGEST:
-        where = f"{path}: line {rows[-1][0]}: time"
-        raise InputError(where, float(times[-1]), f"at most {LONGEST:g} s")
-    return CommandTable(times=times, columns=table, duration=float(times[-1]))
+        raise InputError(where[-1], float(times[-1]), f"at most {LONGEST:g} s")
+    return CommandTable(times=times, columns=columns, duration=float(times[-1]))
 
 
-def _check_header(path: Path, header: list[str]) -> None:
-    if "time" not in header:
-        raise InputError(f"{path}: line 1", ",".join(header), "column names, `time` among them")
+def _with_exact_steps(times: np.ndarray) -> np.ndarray:
+    """Times (s) with those that stand twice as simulated time has them, in whole nanoseconds."""
+    is_same = np.diff(times) == 0.0
+    is_step = np.append(is_same, False) | np.append(False, is_same)
+    return np.where(is_step, np.round(times * NANOSECONDS) / NANOSECONDS, times)
+
+
+def _check_time(where: str, latest: list[float]) -> None:
+    """The last of up to three times is not below the one before, nor equal to both."""
+    *before, time = latest
+    if before and time < before[-1]:
+        raise InputError(where, time, f"at least {before[-1]:g}, the time of the row before")
+    if before == [time, time]:
+        raise InputError(where, time, "at most two rows of one time, which are a step")
+
+
+def _check_header(where: str, header: list[str]) -> None:
     for name in header:
         if name not in COLUMNS and name != "time":
-            raise unknown_name(name, ("time", *COLUMNS), f"{path}: line 1: column")
+            raise unknown_name(str(name), ("time", *COLUMNS), f"{where}: column")
         if header.count(name) > 1:
-            raise InputError(f"{path}: line 1: column", name, "each column once")
+            raise InputError(f"{where}: column", name, "each column once")
+    if "time" not in header:
+        raise InputError(where, ",".join(header), "column names, `time` among them")
 
 
 def _numbers(path: Path, line: int, header: list[str], row: list[str]) -> list[float]:
-    if len(row) != len(header):
-        raise InputError(f"{path}: line {line}", f"{len(row)} values", f"{len(header)} values")
     return [_number(path, line, name, text) for name, text in zip(header, row, strict=True)]
 
 
@@ -91,7 +149,9 @@ def _number(path: Path, line: int, name: str, text: str) -> float:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise InputError(f"{path}: line {line}: {name}", text, "a finite number")
+        raise InputError(
+            f"{path}: line {line}: {name}", text, "a finite number, with a decimal point"
+        )
     if value < 0.0 and name.startswith("brake_torque"):
         raise InputError(f"{path}: line {line}: {name}", text, "a number that is not below 0")
     return value

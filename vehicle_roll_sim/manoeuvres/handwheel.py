@@ -16,6 +16,19 @@ LARGEST_HANDWHEEL = 1440.0
 HOLD = 2000.0
 """N m s/m: keeps the entry speed within a few cm/s."""
 METRES_PER_SECOND_OF_A_MPH = 0.44704
+ROUNDING = 1e-12
+"""Relative: an angle that is a multiple of another one may come out so much larger."""
+
+
+def largest_handwheel(steering_ratio: float) -> float:
+    """Largest handwheel angle (deg): four turns, or 60 deg at the road wheels."""
+    return min(LARGEST_HANDWHEEL, STEEPEST * steering_ratio)
+
+
+def at_the_road_wheels(angle: float, steering_ratio: float) -> str:
+    """A handwheel angle (deg) in words, with the road-wheel angle that belongs to it."""
+    road_wheel = f"{angle / steering_ratio:g} deg at the road wheels"
+    return f"{angle:g} deg, which is {road_wheel} with steering_ratio {steering_ratio:g}"
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -42,10 +55,10 @@ class HandwheelManoeuvre(Manoeuvre):
         """The largest handwheel angle (deg, left positive)."""
 
     def checked(self) -> "HandwheelManoeuvre":
-        largest = min(LARGEST_HANDWHEEL, STEEPEST * self.steering_ratio)
-        if not abs(self.amplitude) <= largest:
-            allowed = f"at most {largest:g} deg, which is {largest / self.steering_ratio:g} deg "
-            raise InputError("handwheel angle", self.amplitude, f"{allowed}at the road wheels")
+        largest = largest_handwheel(self.steering_ratio)
+        if not abs(self.amplitude) <= largest * (1.0 + ROUNDING):
+            allowed = f"at most {at_the_road_wheels(largest, self.steering_ratio)}"
+            raise InputError("handwheel angle", self.amplitude, allowed)
         return self
 
     def road_wheel(self, handwheel: np.ndarray) -> np.ndarray:

@@ -14,11 +14,19 @@ from vehicle_roll_sim.manoeuvres.double_lane_change import (
     ISO_SEVERE_DOUBLE_LANE_CHANGE,
 )
 from vehicle_roll_sim.manoeuvres.entry_speed_search import EntrySpeedSearch
-from vehicle_roll_sim.manoeuvres.handwheel import METRES_PER_SECOND_OF_A_MPH
+from vehicle_roll_sim.manoeuvres.handwheel import (
+    METRES_PER_SECOND_OF_A_MPH,
+    at_the_road_wheels,
+    largest_handwheel,
+)
+from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
+from vehicle_roll_sim.manoeuvres.path_following import PathFollowing
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
 from vehicle_roll_sim.manoeuvres.series_of_runs import COMPLETE, Series, driven, ending_of
 from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL, SineWithDwellResult
+from vehicle_roll_sim.manoeuvres.speed_search import SpeedSearch
+from vehicle_roll_sim.manoeuvres.steady_turn import RisingSpeed
 from vehicle_roll_sim.model.events import VALUE
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -47,7 +55,7 @@ class SpeedSeries(Series):
             )
             simulation, history = driven(manoeuvre, vehicle, options)
             if not has_wheel_heights(history):
-                raise InputError("--model", options.model, "a model that has wheel heights")
+                raise InputError("model", options.model, "a model that has wheel heights")
             lift = two_wheel_lift(history)
             peak = math.degrees(simulation.events.peak_roll[VALUE])
             ending = ending_of(simulation)
@@ -77,13 +85,23 @@ class AmplitudeLadder(Series):
         self, ready: ScaledManoeuvre, direction: str, vehicle: Vehicle, options: Options
     ) -> Iterator[tuple]:
         side = SIDES[direction]
-        for scalar in ladder(ready.steering_at_03g):
+        for scalar in ladder(ready.steering_at_03g, largest_handwheel(ready.steering_ratio)):
             manoeuvre = dataclasses.replace(ready, scalar=side * scalar).checked()
             _, history = driven(manoeuvre, vehicle, options)
             result: SineWithDwellResult = manoeuvre.result(history)
             verdict = "passed" if result.is_passed else "failed"
             ratios = result.yaw_rate_ratios
             yield scalar, manoeuvre.amplitude, *ratios, result.displacement, verdict
+
+    def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
+        """Where the ladder ends below its final amplitude, since the wheels turn no further."""
+        largest = largest_handwheel(vehicle.steering_ratio)
+        _, scalar, amplitude, *_ = rows[-1]
+        wanted = final_amplitude(abs(amplitude) / scalar)
+        if wanted <= largest:
+            return {}
+        end = at_the_road_wheels(largest, vehicle.steering_ratio)
+        return {"amplitudes end at": f"{end}; the standard's at {wanted:.4g} deg"}
 
     def verdict(self, rows: list[tuple]) -> str:
         failed = [row for row in rows if row[-1] != "passed"]
@@ -104,17 +122,34 @@ SERIES = {
 """The manoeuvres whose standard has a series."""
 
 
-def series_named(name: str) -> Series:
-    """The series of a manoeuvre; raises InputError with the ones there are."""
-    if name not in SERIES:
-        raise unknown_name(name, SERIES, "MANOEUVRE")
-    return SERIES[name]
+SEARCHES = {
+    name: SpeedSearch(manoeuvre)
+    for name, manoeuvre in STANDARD.items()
+    if not isinstance(manoeuvre, PathFollowing | RisingSpeed)
+}
+"""The manoeuvres that have one entry speed and nothing else that goes with it."""
 
 
-def ladder(steering_at_03g: float) -> list[float]:
+def series_named(name: str, is_search: bool = False) -> Series:
+    """The series of a manoeuvre, or the search over its entry speeds where there is none.
+
+    is_search: the search in any case. Raises InputError with the names there are.
+    """
+    known = SEARCHES if is_search else SEARCHES | SERIES
+    if name not in known:
+        raise unknown_name(name, known, "MANOEUVRE")
+    return known[name]
+
+
+def final_amplitude(steering_at_03g: float) -> float:
+    """The last one (deg): the greater of 6.5 times that angle and 270 deg, but at most 300 deg."""
+    return min(max(LADDER_TO * steering_at_03g, LEAST_FINAL), LARGEST_FINAL)
+
+
+def ladder(steering_at_03g: float, largest: float = math.inf) -> list[float]:
     """Amplitudes over that angle (deg): 1.5 in steps of 0.5, and last the final one (FMVSS 126).
 
-    That is the greater of 6.5 times the angle and 270 deg, but at most 300 deg.
+    No amplitude is beyond the `largest` handwheel angle of the vehicle (deg).
     """
-    final = min(max(LADDER_TO * steering_at_03g, LEAST_FINAL), LARGEST_FINAL) / steering_at_03g
+    final = min(final_amplitude(steering_at_03g), largest) / steering_at_03g
     return [*np.arange(LADDER_FROM, final - 1e-9, LADDER_STEP).tolist(), final]

@@ -24,7 +24,7 @@ class Series(abc.ABC):
     columns = ()
     """Names of what a row has; SI units unless the name ends in another."""
     settings = ()
-    """Title and declaring class of those options of the manoeuvre which the series leaves open."""
+    """Title and declaring class, or instance with defaults, of the options that are left open."""
 
     def with_values(self, values: dict) -> "Series":
         """A copy with other values of these options."""
@@ -42,6 +42,10 @@ class Series(abc.ABC):
         self, ready: Manoeuvre, direction: str, vehicle: Vehicle, options: Options
     ) -> Iterator[tuple]:
         """Runs to the left or to the right, without the direction in front."""
+
+    def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
+        """What else there is to say of the rows: label and text of each line."""
+        return {}
 
     @abc.abstractmethod
     def verdict(self, rows: list[tuple]) -> str:

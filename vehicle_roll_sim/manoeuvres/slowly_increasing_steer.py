@@ -11,6 +11,8 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
     LARGEST_HANDWHEEL,
     METRES_PER_SECOND_OF_A_MPH,
     HandwheelProgramme,
+    at_the_road_wheels,
+    largest_handwheel,
     ramp,
 )
 from vehicle_roll_sim.model.events import Condition
@@ -27,6 +29,8 @@ FIT_FROM, FIT_TO = 0.1, 0.375
 FEWEST = 10
 """Samples without which a line is not to be trusted."""
 TOO_LITTLE = f"not enough samples between {FIT_FROM:g} and {FIT_TO:g} g"
+STANDARD_ANGLE = 270.0
+"""deg: how far NHTSA has the handwheel turned, where the wheels turn so far."""
 STRETCH = 1.0
 """s: how often it is looked whether there is data enough."""
 
@@ -54,11 +58,20 @@ class SlowlyIncreasingSteer(HandwheelProgramme):
 
     def filled_in(self, vehicle: Vehicle, options: Options) -> "SlowlyIncreasingSteer":
         """With the time at which the vehicle passes 0.375 g on a level road."""
-        history = history_to_the_level(self, vehicle, options)
+        steer = self.within_the_wheels()
+        history = history_to_the_level(steer, vehicle, options)
         passed = np.abs(history["lateral_acceleration"]) > FIT_TO * GRAVITY
         if not passed.any():
+            return steer
+        return dataclasses.replace(steer, complete=float(history["time"][np.argmax(passed)]))
+
+    def within_the_wheels(self) -> "SlowlyIncreasingSteer":
+        """With the standard's angle cut to what the wheels of the vehicle turn; others stay."""
+        largest = largest_handwheel(self.steering_ratio)
+        if abs(self.handwheel_angle) != STANDARD_ANGLE or largest >= STANDARD_ANGLE:
             return self
-        return dataclasses.replace(self, complete=float(history["time"][np.argmax(passed)]))
+        angle = math.copysign(largest, self.handwheel_angle)
+        return dataclasses.replace(self, handwheel_angle=angle)
 
     @property
     def amplitude(self) -> float:
@@ -70,17 +83,24 @@ class SlowlyIncreasingSteer(HandwheelProgramme):
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         angle = angle_at_level(history, self.steering_ratio)
         found = TOO_LITTLE if math.isnan(angle) else f"{angle:.3f} deg"
-        return {"handwheel angle at 0.3 g": found}
+        return {"handwheel angle at 0.3 g": found, **self._limit_line()}
+
+    def _limit_line(self) -> dict[str, str]:
+        """Where the handwheel goes as far as the wheels turn."""
+        largest = largest_handwheel(self.steering_ratio)
+        if abs(self.handwheel_angle) != largest:
+            return {}
+        return {"handwheel ends at": at_the_road_wheels(largest, self.steering_ratio)}
 
 
 SLOWLY_INCREASING_STEER = SlowlyIncreasingSteer(
     speed=50 * METRES_PER_SECOND_OF_A_MPH,
-    handwheel_angle=270.0,
+    handwheel_angle=STANDARD_ANGLE,
     handwheel_rate=13.5,
     duration=22.0,
     speed_hold=HOLD,
 )
-"""50 mph held, 13.5 deg/s to 270 deg."""
+"""50 mph held, 13.5 deg/s to 270 deg, or as far as the wheels turn."""
 
 
 def angle_at_level(history: History, steering_ratio: float) -> float:
@@ -122,9 +142,9 @@ def steering_at_03g(vehicle: Vehicle, options: Options) -> float:
 def _angle_to_a_side(vehicle: Vehicle, options: Options, side: float) -> float:
     steer = dataclasses.replace(
         SLOWLY_INCREASING_STEER,
-        handwheel_angle=side * SLOWLY_INCREASING_STEER.handwheel_angle,
+        handwheel_angle=side * STANDARD_ANGLE,
         steering_ratio=vehicle.steering_ratio,
-    )
+    ).within_the_wheels()
     return angle_at_level(history_to_the_level(steer, vehicle, options), steer.steering_ratio)
 
 

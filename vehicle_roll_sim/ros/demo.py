@@ -49,7 +49,10 @@ def demonstrate(folder: Path) -> int:
     try:
         folder.mkdir(parents=True)
     except OSError as error:
-        raise InputError("--output", str(folder), error.strerror) from None
+        problem = f"{folder}: {error.strerror}"
+        raise InputError(
+            "--output", str(folder), "a new folder that can be made", problem
+        ) from None
     compile_model()
     interrupted = threading.Event()
     for signum in ENDING:  # noted, not raised: no node is lost between its start and its record

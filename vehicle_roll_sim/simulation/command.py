@@ -73,26 +73,39 @@ def _of_wheels(field: str, value) -> tuple[float, ...]:
 
 
 Programme = Callable[[np.ndarray], np.ndarray]
-"""Commands as a function of time: takes n times (s) and gives n COMMAND records."""
+"""Commands as a function of time: takes n times (s) and gives n COMMAND records.
+
+Where its commands step it may have an attribute `steps_at`, the times (s, rising). A run ends an
+integration step there: the programme is asked for times up to that one, whose last record is to be
+the one before the step, and then for times from it on.
+"""
 
 
 def records_of(command: "Command | Programme", times: Callable[[], np.ndarray]) -> np.ndarray:
     """The COMMAND records for some times (s): one that is held, or one for each.
 
     Raises InputError for what is no command. A value that is not finite is none that a run could go
-    on with: it ends as diverged.
+    on with: it ends as diverged; but a brake torque, which would count as none, is refused.
     """
     if isinstance(command, Command):
         return command.records()
     if not callable(command):
         raise InputError("command", command, "a Command, or a function of an array of times")
     wanted = times()
-    records = command(wanted)
-    dtype, count = getattr(records, "dtype", None), np.size(records)
-    if dtype != COMMAND or np.ndim(records) != 1 or count not in (1, len(wanted)):
-        allowed = f"one COMMAND record, or one for each of the {len(wanted)} times"
-        problem = f"the function gave {type(records).__name__} of {count}, {dtype}"
+    return _checked(command(wanted), len(wanted))
+
+
+def _checked(records, count: int) -> np.ndarray:
+    """What a driver has answered for `count` times, if it is that."""
+    dtype, size = getattr(records, "dtype", None), np.size(records)
+    if dtype != COMMAND or np.ndim(records) != 1 or size not in (1, count):
+        allowed = f"one COMMAND record, or one for each of the {count} times"
+        problem = f"the function gave {type(records).__name__} of {size}, {dtype}"
         raise InputError("command", "", allowed, problem)
+    brakes = records["brake_torque"]
+    if not ((brakes >= 0.0) & (brakes < math.inf)).all():
+        lowest = float(np.min(brakes))
+        raise InputError("brake_torque", lowest, "finite numbers that are not below 0")
     return records
 
 
@@ -103,8 +116,8 @@ class Feedback(abc.ABC):
     """
 
     @abc.abstractmethod
-    def command(self, time: float, state) -> np.ndarray:
-        """The COMMAND record, in an array, for the period that begins at `time` (s).
+    def command(self, time: float, state) -> np.ndarray | Command:
+        """A Command, or a COMMAND record in an array, for the period that begins at `time` (s).
 
         state: gives the scalar states by name, `state["roll_rate"]`, as a STATE record does.
         """
@@ -113,10 +126,14 @@ class Feedback(abc.ABC):
 def command_at(driver: Programme | Feedback, time: float, state) -> Command:
     """What `driver` answers to a state at `time` (s), to be held: as a node would be told it.
 
-    The speed hold becomes the torque that it gives at that speed.
+    The speed hold becomes the torque that it gives at that speed. Raises InputError for an answer
+    that is no command.
     """
-    is_feedback = isinstance(driver, Feedback)
-    records = driver.command(time, state) if is_feedback else driver(np.array([time]))
+    if isinstance(driver, Feedback):
+        answer = driver.command(time, state)
+        records = answer.records() if isinstance(answer, Command) else _checked(answer, 1)
+    else:
+        records = records_of(driver, lambda: np.array([time]))
     answer = records[0]
     hold = answer["speed_hold_gain"] * (answer["speed_hold_target"] - state["u"])
     torque = answer["wheel_torque"].copy()

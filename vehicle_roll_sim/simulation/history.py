@@ -8,6 +8,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, STATE_NAMES, WHEELS
 from vehicle_roll_sim.simulation.output_file import replaced_file
+from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, field_of
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.table_file import read_table
 
@@ -24,6 +25,7 @@ OUTPUT_QUANTITIES = (
     "slip_angle",
 )
 ACCELERATIONS = ("longitudinal_acceleration", "lateral_acceleration")
+_ACCELERATIONS = dict.fromkeys(ACCELERATIONS, OUTPUT_SIGNALS["acceleration"])
 COLUMNS = (
     "time",
     *STATE_NAMES[:MODEL_STATE_SIZE],
@@ -32,6 +34,13 @@ COLUMNS = (
     *ACCELERATIONS,
 )
 """Names of the columns; SI units and radians, forces and accelerations in frame 2."""
+UNITS = {
+    name: "s"
+    if name == "time"
+    else (STATE_SIGNALS | OUTPUT_SIGNALS | _ACCELERATIONS)[field_of(name)].unit
+    for name in COLUMNS
+}
+"""Of each column, '' for a ratio."""
 
 
 def row_of(simulation: Simulation) -> np.ndarray:
@@ -83,7 +92,7 @@ class History:
         first = COLUMNS.index(f"{quantity}_{WHEELS[0]}")
         return self.rows[:, first : first + len(WHEELS)]
 
-    def write_csv(self, path: Path) -> None:
+    def write_csv(self, path: str | Path) -> None:
         """Write all rows in full precision; the file appears whole or not at all."""
         with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
             file.write(",".join(COLUMNS) + "\n")

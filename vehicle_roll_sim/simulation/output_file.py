@@ -43,13 +43,13 @@ def check_figure_format(path: Path, field: str) -> None:
 
 
 @contextlib.contextmanager
-def replaced_file(path: Path) -> Iterator[Path]:
+def replaced_file(path: str | Path) -> Iterator[Path]:
     """A path to write to, in the folder of `path` and with its suffix, moved there at the end.
 
     Raises NotWrittenError if the system does not let it be written.
     """
     try:
-        path = _resolved(path)  # a link stays, what it leads to is replaced
+        path = _resolved(Path(path))  # a link stays, what it leads to is replaced
         with _partial_file(path) as partial:
             yield partial
             mask = os.umask(0)

@@ -1,6 +1,7 @@
 """A run from beginning to end, without ROS: drive, sample, stop where the model stops."""
 
-from collections.abc import Callable
+import bisect
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from vehicle_roll_sim.model.advance import NANOSECONDS
@@ -38,7 +39,9 @@ def run(
     """Drive from the present state for `duration` (s), a row every `sample` (s) and at the end.
 
     A programme is evaluated at every stage of the integration or, with `command_period` (s), at
-    the beginning of each period and then held, as a node does. Feedback always is, and so is
+    the beginning of each period and then held, as a node does. What it has in `steps_at` is
+    integrated as a step, at times that are multiples of the step of integration; the row of that
+    time shows the commands before. Feedback always is, and so is
     whatever a witness sees, every 10 ms unless told otherwise. `progress` is told the simulated
     time (s) of every stretch. Raises InputError for times that are no multiples of the step.
     """
@@ -50,6 +53,7 @@ def run(
         whole_steps(command_period, step_ns, "command period") * step_ns if command_period else 0
     )
     end = simulation.time_ns + whole_steps(duration, step_ns, "duration") * step_ns
+    steps_at = [] if period else _in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
     rows = [row_of(simulation)]
     held = None
     if witness:
@@ -61,6 +65,8 @@ def run(
             if witness:
                 witness.sees_command(held)
         until = min(_next(now, every), end, _next(now, period) if period else end)
+        if (following := bisect.bisect(steps_at, now)) < len(steps_at):
+            until = min(until, steps_at[following])
         simulation.step(held or driver, (until - now) / NANOSECONDS)
         ended = simulation.time_ns == end or simulation.condition is not Condition.RUNNING
         has_moved = simulation.time_ns > now  # not where its first step was given up
@@ -70,6 +76,12 @@ def run(
             witness.sees_set()
         progress((simulation.time_ns - now) / NANOSECONDS)
     return History(rows)
+
+
+def _in_whole_steps(times: Sequence[float], step_ns: int) -> list[int]:
+    """Those of `times` (s) at which a step of integration can end (ns)."""
+    nanoseconds = [round(time * NANOSECONDS) for time in times]
+    return [time for time in nanoseconds if time % step_ns == 0]
 
 
 def _next(now: int, interval: int) -> int:

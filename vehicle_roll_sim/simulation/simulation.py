@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, number_of
+from vehicle_roll_sim.declaration import InputError, given, number_of
 from vehicle_roll_sim.model.advance import NANOSECONDS, advance
 from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.events import (
@@ -68,13 +68,6 @@ def _within(field: str, value, least: float, most: float, unit: str) -> float:
     return number
 
 
-def _given(field: str, value, kind: type):
-    """What has to be of a kind; raises InputError."""
-    if not isinstance(value, kind):
-        raise InputError(field, value, f"a {kind.__name__}")
-    return value
-
-
 class Simulation(Restorable):
     """A model of one vehicle: that with 14 degrees of freedom, unless the options say otherwise.
 
@@ -108,9 +101,10 @@ class Simulation(Restorable):
         road: Road | None = None,
         check_step: bool = True,
     ):
-        self.vehicle = _given("vehicle", vehicle, Vehicle)
-        self.options = _given("options", options or Options(), Options)
-        self.road = _given("road", road or Road(), Road)
+        before = set(vars(self))
+        self.vehicle = given("vehicle", vehicle, Vehicle)
+        self.options = given("options", options or Options(), Options)
+        self.road = given("road", road or Road(), Road)
         step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
         self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
@@ -141,6 +135,7 @@ class Simulation(Restorable):
         self._modes = Modes(*parts[:3], self._places)
         self._checks_step, self._checked_speed = check_step, None
         self._start(self._equilibrium(DEFAULT_SPEED))
+        self._built = {"_built", *vars(self)} - before
 
     @property
     def time(self) -> float:
@@ -220,6 +215,9 @@ class Simulation(Restorable):
         """Times (s) at the ends and middles of the steps to come, shape (2 * steps + 1,)."""
         halves = np.arange(2 * steps + 1)
         return (self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS
+
+    def _build(self, arguments: dict) -> None:
+        Simulation.__init__(self, **arguments)
 
     def _arguments(self) -> dict:
         """What to build another one with that takes snapshots of this one."""

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, given
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
 
@@ -35,11 +35,13 @@ class Snapshot:
 
     def write_to(self, arrays: Iterable[np.ndarray], plant: str) -> None:
         """Fill the arrays; raises InputError if the snapshot belongs to another plant."""
-        if plant != self.plant:
+        arrays = list(arrays)
+        sizes = [array.nbytes for array in arrays]  # another version may have others
+        if plant != self.plant or sizes != [len(kept) for kept in self.memory]:
             allowed = "one of the same vehicle, options, road, step and rollover angle"
             raise InputError("snapshot", "", allowed, "taken from a different simulation")
         for array, kept in zip(arrays, self.memory, strict=True):
-            array[:] = np.frombuffer(kept, array.dtype).reshape(array.shape)
+            array.view(np.uint8).reshape(-1)[:] = np.frombuffer(kept, np.uint8)
 
 
 def identity(engine: str, records: Iterable[np.ndarray], step_ns: int) -> str:
@@ -54,6 +56,7 @@ class Restorable(abc.ABC):
     """A simulation that can be copied and pickled: a copy is built anew and then restored.
 
     Arrays and the views of them have to share memory, so that members cannot be copied one by one.
+    What a subclass or a user has added is copied as Python does it.
     """
 
     def snapshot(self) -> Snapshot:
@@ -67,19 +70,31 @@ class Restorable(abc.ABC):
 
         Raises InputError, and nothing changes, if it was taken from a different one.
         """
+        given("snapshot", snapshot, Snapshot)
         snapshot.write_to(self._memory, self._identity)
         self.time_ns, self.condition = snapshot.time_ns, snapshot.condition
         self.implausible, self._checked_speed = snapshot.implausible, snapshot.checked_speed
 
     def __reduce__(self):
-        return _rebuilt, (type(self), self._arguments(), self.snapshot())
+        added = {name: value for name, value in vars(self).items() if name not in self._built}
+        return _rebuilt, (type(self), self._arguments()), (added, self.snapshot())
+
+    def __setstate__(self, state: tuple[dict, Snapshot]) -> None:
+        added, snapshot = state
+        vars(self).update(added)
+        self.restore(snapshot)
 
     @abc.abstractmethod
     def _arguments(self) -> dict:
         """What to build another one with that takes snapshots of this one."""
 
+    @abc.abstractmethod
+    def _build(self, arguments: dict) -> None:
+        """Make all members of this class anew, of its subclasses none; `_built` are their names."""
 
-def _rebuilt(kind: type[Restorable], arguments: dict, snapshot: Snapshot) -> Restorable:
-    copy = kind(**arguments)
-    copy.restore(snapshot)
+
+def _rebuilt(kind: type[Restorable], arguments: dict) -> Restorable:
+    """One without members of a user's subclass, whose constructor may take other arguments."""
+    copy = kind.__new__(kind)
+    copy._build(arguments)
     return copy

@@ -7,6 +7,14 @@ from vehicle_roll_sim.declaration import InputError
 LARGEST_FILE = 1_000_000
 """Bytes. A vehicle or tire file has a few thousand."""
 
+WANTED = {
+    FileNotFoundError: "the name of a file that exists is wanted",
+    NotADirectoryError: "the name of a file that exists is wanted",
+    IsADirectoryError: "the name of a file, not of a folder, is wanted",
+    PermissionError: "a file that this user may read is wanted",
+}
+"""What a name should be that cannot be read, by the error."""
+
 
 def read_text(path: Path, largest: int = LARGEST_FILE) -> str:
     """The text of a UTF-8 file of at most `largest` bytes; raises InputError naming the file."""
@@ -21,10 +29,12 @@ def read_text(path: Path, largest: int = LARGEST_FILE) -> str:
             raise InputError(f"file {path}", "", f"at most {largest} bytes", "endless")
         return text
     except UnicodeDecodeError:
-        raise InputError(f"file {path}", b"", "a UTF-8 text file", "binary data") from None
+        problem = "binary data, or text in another encoding"
+        raise InputError(f"file {path}", b"", "a text file in UTF-8", problem) from None
     except OSError as error:
-        raise InputError(f"file {path}", "", "a readable file", error.strerror) from None
+        wanted = WANTED.get(type(error), "a file that can be read is wanted")
+        raise InputError(f"file {path}", "", wanted, error.strerror) from None
     except InputError:
         raise
     except ValueError as error:  # a name that no file can have
-        raise InputError(f"file {str(path)!r}", "", "a readable file", str(error)) from None
+        raise InputError(f"file {str(path)!r}", "", WANTED[FileNotFoundError], str(error)) from None

@@ -8,11 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, number_in
+from vehicle_roll_sim.declaration import InputError, number_in, number_of, unknown_name
 from vehicle_roll_sim.model.records import LF, LR, RF, RR
 from vehicle_roll_sim.model.tire import OPTIONAL, RANGES, REQUIRED, SCALING, TIRE
 from vehicle_roll_sim.vehicle.text_file import read_text
 
+FORMAT = "PROPERTY_FILE_FORMAT"
 FORMATS = ("MF_05", "PAC2002", "MF-TYRE")
 FITTYPES = ("5", "6", "51", "52")
 """Versions 5.0 to 5.2 of the Magic Formula in the FITTYP key of MF-TYRE files."""
@@ -41,11 +42,23 @@ SIDES = {"left": (RF, RR), "right": (LF, LR)}
 
 @dataclasses.dataclass(frozen=True)
 class Tire:
-    """A Magic Formula tire: its coefficients (SI) by name, its side and its file."""
+    """A Magic Formula tire: its coefficients (SI) by name, its side and its file.
+
+    Raises InputError for a coefficient that is unknown or no number, and for another side.
+    """
 
     coefficients: dict[str, float]
     side: str = "left"
     file: str = ""
+
+    def __post_init__(self):
+        for name in self.coefficients:
+            if name not in TIRE.names:
+                raise unknown_name(str(name), (*REQUIRED, *DEFAULTS), "coefficient")
+        numbers = {n: number_of(v, n, "a number") for n, v in self.coefficients.items()}
+        object.__setattr__(self, "coefficients", numbers)
+        if self.side not in SIDES:
+            raise InputError("side", self.side, " or ".join(SIDES))
 
     def record(self) -> np.ndarray:
         """The tire as the equations take it: one TIRE record in an array."""
@@ -74,11 +87,17 @@ def load_tire(path: str | Path) -> Tire:
     sections = _sections(path)
     units = {name: _unit(sections.get("UNITS", {}), name) for name in UNITS}
     values = _values(sections)
-    _check_format(path, values)
+    _check_format(values)
+    missing = [name for name in (FORMAT, *REQUIRED) if name not in values]
+    if missing:
+        wanted = (
+            "every one must be given; `vehicle_roll_sim template --tire` writes a file with all"
+        )
+        raise InputError(f"{path}: {', '.join(missing)}", None, wanted)
     coefficients = {}
     for name in (*DEFAULTS, *REQUIRED):
         unit = units["FORCE"] if name in IN_FORCE_UNITS else 1.0
-        coefficients[name] = _number(path, values, name, unit)
+        coefficients[name] = _number(values, name, unit)
     for name in ("FNOMIN", "LFZO"):
         if coefficients[name] <= 0.0:
             raise InputError(values[name].where, coefficients[name], "a number above 0")
@@ -118,7 +137,7 @@ def _sections(path: Path) -> dict[str, dict[str, Entry]]:
 
 def _values(sections: dict[str, dict[str, Entry]]) -> dict[str, Entry]:
     """The entries that are used here; none may stand in two sections."""
-    used = {*DEFAULTS, *REQUIRED, "TYRESIDE", "PROPERTY_FILE_FORMAT", "FITTYP"}
+    used = {*DEFAULTS, *REQUIRED, "TYRESIDE", FORMAT, "FITTYP"}
     values = {}
     for section, entries in sections.items():
         for key in used & entries.keys():
@@ -130,12 +149,10 @@ def _values(sections: dict[str, dict[str, Entry]]) -> dict[str, Entry]:
     return values
 
 
-def _check_format(path: Path, values: dict[str, Entry]) -> None:
-    given, allowed = values.get("PROPERTY_FILE_FORMAT"), "one of " + ", ".join(FORMATS)
-    if given is None:
-        raise InputError(f"{path}: PROPERTY_FILE_FORMAT", None, allowed)
-    if given.text.upper() not in FORMATS:
-        raise InputError(given.where, given.text, allowed)
+def _check_format(values: dict[str, Entry]) -> None:
+    given = values.get(FORMAT)
+    if given and given.text.upper() not in FORMATS:
+        raise InputError(given.where, given.text, "one of " + ", ".join(FORMATS))
     version = values.get("FITTYP")
     if version and version.text not in FITTYPES:
         raise InputError(version.where, version.text, "one of " + ", ".join(FITTYPES))
@@ -151,11 +168,9 @@ def _unit(units: dict[str, Entry], quantity: str) -> float:
     return known[given.text.lower()]
 
 
-def _number(path: Path, values: dict[str, Entry], name: str, unit: float) -> float:
+def _number(values: dict[str, Entry], name: str, unit: float) -> float:
     """A coefficient in SI, or its default."""
     if name not in values:
-        if name in REQUIRED:
-            raise InputError(f"{path}: {name}", None, "a number is wanted")
         return DEFAULTS[name]
     text, where = values[name]
     try:

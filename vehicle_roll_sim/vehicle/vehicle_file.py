@@ -25,6 +25,7 @@ DECIMAL = re.compile(
 MERGE = "tag:yaml.org,2002:merge"
 ODD_VALUE = (ValueError, LookupError, TypeError, ArithmeticError, AttributeError)
 """What YAML raises, beside its own errors, for a value with a wrong or odd tag."""
+TEMPLATE_HAS_ALL = "`vehicle_roll_sim template` writes a file that has them"
 PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 
 
@@ -86,7 +87,8 @@ def load_vehicle(path: str | Path) -> Vehicle:
     optional = {n for n, p in known.items() if p.default is not MISSING}
     missing = [name for name in expected if name not in values and name not in optional]
     if missing:
-        raise InputError(f"{path}: {missing[0]}", None, "every parameter must be given")
+        wanted = f"every parameter must be given; {TEMPLATE_HAS_ALL}"
+        raise InputError(f"{path}: {', '.join(missing)}", None, wanted)
     tire = values.pop("tire")
     if not isinstance(tire, str) or not tire:
         raise InputError(where["tire"], tire, "the name of a .tir file")

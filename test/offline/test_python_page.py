@@ -1,0 +1,50 @@
+"""docs/python.md: its examples run as they stand, its tables have every field there is."""
+
+import re
+
+import pytest
+
+import vehicle_roll_sim
+from vehicle_roll_sim.model.records import OUTPUTS, STATE
+from vehicle_roll_sim.simulation.history import COLUMNS, UNITS
+from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, as_markdown
+
+BLOCK = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+FIRST_TERM = "strut_length"
+
+
+@pytest.fixture(scope="module")
+def page(pytestconfig) -> str:
+    return (pytestconfig.rootpath / "docs" / "python.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("number", range(4))
+def test_an_example_runs_as_it_stands(page, number, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    blocks = BLOCK.findall(page)
+    assert len(blocks) == 4
+    exec(compile(blocks[number], "docs/python.md", "exec"), {"__name__": "example"})
+
+
+@pytest.mark.parametrize(
+    ("record", "signals", "dtype"),
+    [("state", STATE_SIGNALS, STATE), ("outputs", OUTPUT_SIGNALS, OUTPUTS)],
+)
+def test_every_field_is_explained_in_order(page, record, signals, dtype):
+    assert tuple(signals) == dtype.names
+    assert as_markdown(record) in page
+
+
+def test_terms_of_the_equations_begin_where_the_page_says(page):
+    assert f"The fields from `{FIRST_TERM}` on are terms" in page
+    assert FIRST_TERM in OUTPUTS.names
+
+
+def test_every_column_has_its_unit():
+    assert tuple(UNITS) == COLUMNS
+
+
+def test_every_name_of_the_package_is_there():
+    for name in vehicle_roll_sim.__all__:
+        assert getattr(vehicle_roll_sim, name) is not None
+    assert {"run", "series", "linearize", "replay"} <= set(vehicle_roll_sim.__all__)

@@ -1,0 +1,133 @@
+"""A run of a manoeuvre, a command file or a driver, from reset to end."""
+
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+
+from vehicle_roll_sim.bags import need_library
+from vehicle_roll_sim.manoeuvres.base import Manoeuvre
+from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.offline.asked_for import manoeuvre_of
+from vehicle_roll_sim.offline.run_result import RunResult
+from vehicle_roll_sim.offline.tables import path_of
+from vehicle_roll_sim.simulation import run as stepwise
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.output_file import check_new_folder
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD, Witness
+from vehicle_roll_sim.simulation.simulation import (
+    DEFAULT_ROLLOVER_ANGLE,
+    DEFAULT_STEP,
+    Simulation,
+    whole_steps,
+)
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.vehicle_file import preset
+
+
+def run(
+    manoeuvre,
+    vehicle: Vehicle | None = None,
+    *,
+    options: Options | None = None,
+    road: Road | None = None,
+    step: float = DEFAULT_STEP,
+    rollover_angle: float = DEFAULT_ROLLOVER_ANGLE,
+    sample: float = DEFAULT_SAMPLE,
+    command_period: float = 0.0,
+    bag: str | Path | None = None,
+    stamped: bool = False,
+    progress: Callable[[float], None] = lambda seconds: None,
+    **values: float | str,
+) -> RunResult:
+    """Drive a manoeuvre from static equilibrium, as `vehicle_roll_sim run` does.
+
+    manoeuvre: the name of a standard manoeuvre, a Manoeuvre, the name of a command file (.csv), a
+    table of its columns (a mapping of arrays, or a DataFrame), a Command that is held, a Programme
+    or a Feedback. values: those of the manoeuvre, named as the options of the command and in their
+    units (deg; m/s; s), of a driver of your own `duration` and, else 50 km/h, `speed`. vehicle: the
+    reference if there is none. step, sample, command_period, rollover_angle: s and rad, as in
+    Simulation and simulation.run. bag: folder for what the node would have published; commands are
+    then held, for 10 ms unless `command_period` says otherwise. stamped: in the bag, also what
+    has no header, with one. progress: is told the simulated
+    time (s) of every stretch. Raises InputError.
+    """
+    vehicle = preset() if vehicle is None else vehicle
+    simulation = Simulation(vehicle, options, step=step, rollover_angle=rollover_angle, road=road)
+    manoeuvre = manoeuvre_of(manoeuvre, values, simulation.step_ns)
+    return drive(
+        manoeuvre,
+        simulation,
+        sample=sample,
+        command_period=command_period,
+        bag=bag,
+        stamped=stamped,
+        progress=progress,
+    )
+
+
+def drive(
+    manoeuvre: Manoeuvre,
+    simulation: Simulation,
+    *,
+    sample: float = DEFAULT_SAMPLE,
+    command_period: float = 0.0,
+    bag: str | Path | None = None,
+    stamped: bool = False,
+    progress: Callable[[float], None] = lambda seconds: None,
+) -> RunResult:
+    """Reset a simulation and drive a manoeuvre, as `run` does."""
+    _check_multiples(manoeuvre, sample, command_period, simulation.step_ns)
+    if bag is not None:
+        bag = path_of(bag, "bag")
+        need_library("bag")
+        check_new_folder(bag, "bag")
+    manoeuvre = manoeuvre.for_vehicle(simulation.vehicle, simulation.options)
+    driver = manoeuvre.driver()
+    simulation.reset(manoeuvre.speed)
+    period = command_period or HELD_PERIOD
+    with _recorded(simulation, manoeuvre.commanded, bag, period, stamped) as witness:
+        history = stepwise.run(
+            simulation,
+            driver,
+            manoeuvre.duration,
+            sample=sample,
+            command_period=command_period,
+            witness=witness,
+            progress=progress,
+        )
+    return RunResult(
+        manoeuvre,
+        history,
+        simulation.events.copy(),
+        simulation.condition,
+        simulation.time,
+        simulation.implausible,
+        manoeuvre.report(history, driver),
+    )
+
+
+def _check_multiples(
+    manoeuvre: Manoeuvre, sample: float, command_period: float, step_ns: int
+) -> None:
+    """Times that the run is divided into must be multiples of the step."""
+    whole_steps(manoeuvre.duration, step_ns, "duration")
+    whole_steps(sample, step_ns, "sample")
+    if command_period:
+        whole_steps(command_period, step_ns, "command_period")
+
+
+def _recorded(
+    simulation: Simulation,
+    commanded: tuple[str, ...],
+    bag: Path | None,
+    period: float,
+    stamped: bool,
+) -> AbstractContextManager[Witness | None]:
+    """The witness that writes the bag, if there is to be one."""
+    if bag is None:
+        return nullcontext()
+    from vehicle_roll_sim.bags.run_bag import run_bag  # its library is optional
+
+    period_ns = round(period * NANOSECONDS)
+    return run_bag(simulation, commanded, bag, period_ns, "bag", stamped=stamped)

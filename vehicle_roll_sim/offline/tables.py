@@ -1,0 +1,58 @@
+"""Results with named columns: to numpy, to pandas, and as CSV."""
+
+import csv
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.simulation.output_file import replaced_file
+
+
+def structured(columns: Sequence[str], values: Sequence[np.ndarray]) -> np.ndarray:
+    """A structured array with these columns, each of shape (n,): shape (n,)."""
+    dtype = [(name, column.dtype) for name, column in zip(columns, values, strict=True)]
+    table = np.empty(len(values[0]), dtype)
+    for name, column in zip(columns, values, strict=True):
+        table[name] = column
+    return table
+
+
+def data_frame(table: np.ndarray, units: dict[str, str]):
+    """A pandas DataFrame of a structured array, with the units in `.attrs["units"]`.
+
+    Raises InputError where pandas is not installed.
+    """
+    try:
+        import pandas
+    except ImportError:
+        raise InputError(
+            "to_pandas", "", "pip install pandas", "no Python package pandas"
+        ) from None
+    frame = pandas.DataFrame({name: table[name] for name in table.dtype.names})
+    frame.attrs["units"] = units
+    return frame
+
+
+def write_rows(path: Path, columns: Sequence[str], rows: Sequence[Sequence]) -> None:
+    """Rows as CSV in full precision; the file appears whole or not at all."""
+    with replaced_file(path) as partial, partial.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(rows)
+
+
+def path_of(value: str | os.PathLike, field: str) -> Path:
+    """A file or folder that is named; raises InputError naming `field` for what is no name."""
+    if not isinstance(value, str | os.PathLike) or not os.fspath(value):
+        raise InputError(field, value, "the name of a file or folder")
+    return Path(value)
+
+
+def known(name: str, columns: Sequence[str]) -> int:
+    """The place of a column; raises KeyError with the nearest names there are."""
+    if name not in columns:
+        raise KeyError(f"no column {name!r}: one of {', '.join(columns)}")
+    return list(columns).index(name)
