@@ -14,6 +14,7 @@ from vehicle_roll_sim.command_line import (
     replay,
     run,
     series,
+    template,
 )
 from vehicle_roll_sim.command_line.ending import PROGRAM
 from vehicle_roll_sim.declaration import unknown_name
@@ -26,6 +27,7 @@ COMMANDS = {
     "linearize": (linearize.linearize_command, linearize.DESCRIPTION),
     "paper": (paper.paper_command, paper.DESCRIPTION),
     "parameters": (parameters.parameters_command, parameters.DESCRIPTION),
+    "template": (template.template_command, template.DESCRIPTION),
 }
 
 

@@ -26,6 +26,17 @@ COLUMNS = {
     },
 }
 """Column name: field of the command, and wheel for a field of four."""
+EXAMPLE = """\
+time,steering,brake_torque_lf,brake_torque_rf
+0.0,0.0,0,0
+1.0,0.0,0,0
+1.1,0.05,0,0
+3.0,0.05,0,0
+3.0,0.05,300,300
+4.0,0.05,300,300
+5.0,0.0,0,0
+"""
+"""A file to start from: a turn that is steered in within 0.1 s, and brakes that come at once."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)

@@ -10,7 +10,7 @@ import yaml
 from vehicle_roll_sim.declaration import LONGEST_SHOWN, InputError, parameters_of, unknown_name
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.text_file import read_text
-from vehicle_roll_sim.vehicle.tire_file import load_tire
+from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
 
 A_MAPPING = "a YAML mapping of parameter names to values is wanted"
 LONGEST_VALUE = 4096
@@ -26,6 +26,8 @@ MERGE = "tag:yaml.org,2002:merge"
 ODD_VALUE = (ValueError, LookupError, TypeError, ArithmeticError, AttributeError)
 """What YAML raises, beside its own errors, for a value with a wrong or odd tag."""
 TEMPLATE_HAS_ALL = "`vehicle_roll_sim template` writes a file that has them"
+SHIPPED_TIRE = "reference"
+"""What a vehicle file says for the tire that is shipped, where others name a .tir file."""
 PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 
 
@@ -91,9 +93,10 @@ def load_vehicle(path: str | Path) -> Vehicle:
         raise InputError(f"{path}: {', '.join(missing)}", None, wanted)
     tire = values.pop("tire")
     if not isinstance(tire, str) or not tire:
-        raise InputError(where["tire"], tire, "the name of a .tir file")
+        wanted = f"the name of a .tir file, or {SHIPPED_TIRE}"
+        raise InputError(where["tire"], tire, wanted)
     numbers = {name: known[name].validate(value, where[name]) for name, value in values.items()}
-    tire = load_tire(path.parent / tire)
+    tire = shipped_tire() if tire == SHIPPED_TIRE else load_tire(path.parent / tire)
     try:
         return Vehicle(**numbers, tire=tire)
     except InputError as error:  # values that do not go together
@@ -131,6 +134,12 @@ def _where(error: yaml.YAMLError) -> str:
     problem = getattr(error, "problem", None) or str(error)
     line = f" in line {mark.line + 1}" if mark else ""
     return " ".join(problem.split())[:LONGEST_PROBLEM] + line
+
+
+def shipped_tire() -> Tire:
+    """The tire of the reference vehicle."""
+    with as_file(PRESETS) as folder:
+        return load_tire(folder / "reference.tir")
 
 
 def preset(name: str = "reference") -> Vehicle:
