@@ -128,6 +128,11 @@ def test_a_range_that_ends_before_it_begins_is_refused(highest):
         search(highest_speed=highest)
 
 
+def test_a_speed_of_the_manoeuvre_is_refused_as_the_search_has_its_own():
+    with pytest.raises(InputError, match=r"speed: 20.0 is not allowed: lowest_speed"):
+        search(speed=20.0)
+
+
 @pytest.mark.parametrize("name", ["constant_radius_circle", "iso_double_lane_change", "jturn"])
 def test_a_manoeuvre_whose_speed_is_not_free_is_refused(name):
     with pytest.raises(InputError, match=f"MANOEUVRE: '{name}'"):

@@ -199,8 +199,10 @@ def test_a_tire_that_is_no_name_of_a_file_is_refused(vehicle_from, path, given):
 
 
 def test_a_tire_file_that_is_missing_or_wrong_is_named(vehicle_from, tmp_path):
-    with refused(tmp_path / "none.tir"):
-        vehicle_from(edited(REFERENCE_YAML, "tire", "tire: none.tir"))
+    missing = edited(REFERENCE_YAML, "tire", "tire: none.tir")
+    said = (line_of(missing, "tire:"), "tire", "does not exist", "from the vehicle file")
+    with refused(tmp_path / "some.yaml", tmp_path / "none.tir", *said):
+        vehicle_from(missing)
     with refused(tmp_path / "some.yaml"):  # itself
         vehicle_from(edited(REFERENCE_YAML, "tire", "tire: some.yaml"))
 

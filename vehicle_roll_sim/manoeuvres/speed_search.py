@@ -63,6 +63,9 @@ class SpeedSearch(Series):
 
     def with_values(self, values: dict) -> "SpeedSearch":
         """A copy with other values of the range and of the manoeuvre but for its speed."""
+        for name in self.fixed:
+            if name in values:
+                raise InputError(name, values[name], "lowest_speed and highest_speed in its place")
         own = {name: value for name, value in values.items() if name in parameters_of(type(self))}
         of_manoeuvre = {name: value for name, value in values.items() if name not in own}
         return dataclasses.replace(super().with_values(of_manoeuvre), **own)

@@ -1,5 +1,7 @@
 """Vehicle files: YAML with the names of `Vehicle`, and the shipped presets."""
 
+import errno
+import os
 import re
 from dataclasses import MISSING
 from importlib.resources import as_file, files
@@ -96,11 +98,23 @@ def load_vehicle(path: str | Path) -> Vehicle:
         wanted = f"the name of a .tir file, or {SHIPPED_TIRE}"
         raise InputError(where["tire"], tire, wanted)
     numbers = {name: known[name].validate(value, where[name]) for name, value in values.items()}
-    tire = shipped_tire() if tire == SHIPPED_TIRE else load_tire(path.parent / tire)
+    tire = shipped_tire() if tire == SHIPPED_TIRE else _tire_beside(path, tire, where["tire"])
     try:
         return Vehicle(**numbers, tire=tire)
     except InputError as error:  # values that do not go together
         raise InputError(where[error.field], error.value, error.allowed) from None
+
+
+def _tire_beside(path: Path, name: str, where: str) -> Tire:
+    """The tire file that the vehicle file at `path` names."""
+    file = path.parent / name
+    try:
+        return load_tire(file)
+    except InputError as error:
+        if error.problem != os.strerror(errno.ENOENT):
+            raise
+    wanted = f"a .tir file, by its path from the vehicle file, or {SHIPPED_TIRE}"
+    raise InputError(where, name, wanted, f"{file} does not exist")
 
 
 def _mapping(path: Path) -> tuple[dict, dict[str, int]]:
