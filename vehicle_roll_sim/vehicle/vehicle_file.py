@@ -95,7 +95,8 @@ def load_vehicle(path: str | Path) -> Vehicle:
     try:
         return Vehicle(**numbers, tire=tire)
     except InputError as error:  # values that do not go together
-        raise InputError(where[error.field], error.value, error.allowed) from None
+        field = where.get(error.field, f"{path}: {error.field}")
+        raise InputError(field, error.value, error.allowed, error.problem) from None
 
 
 def _mapping(path: Path) -> tuple[dict, dict[str, int]]:
