@@ -59,8 +59,9 @@ def plausibility(vehicle: "Vehicle") -> list[str]:
 
 def doubtful_steering(name: str, angle: float) -> str:
     """The line on a road-wheel angle (rad) beyond LARGEST_STEERING that is called `name`."""
-    usual = f"usual is at most {LARGEST_STEERING:.4f} rad, at the road wheels"
-    return f"{name}: {angle:.4g} rad is {math.degrees(angle):.4g} deg: {usual}"
+    usual = f"usual is at most {LARGEST_STEERING:.4f} rad, and radians are wanted"
+    figure = f"{angle:.4g} rad is {math.degrees(angle):.4g} deg"
+    return f"{name}: {figure} at the road wheels: {usual}"
 
 
 def warn(lines: Iterable[str]) -> None:
@@ -138,7 +139,7 @@ def _roll_centre(vehicle: "Vehicle", axle: str, wheel: int) -> Iterator[str]:
     depth, height = float(vehicle.roll_centre_depth[wheel]), vehicle.roll_centre_height[wheel]
     if name in vehicle.given and height < -ROUNDING:
         under = f"under a c.g. at {vehicle.cg_height:g} m leaves the roll centre {-height:.3g} m"
-        remedy = f"{axle}_roll_centre_height keeps it where it is said to be"
+        remedy = f"{axle}_roll_centre_height gives it above the road"
         yield f"{name}: {depth:g} m {under} below the road: {remedy}"
     elif depth < -ROUNDING:
         stated = next(each for each in vehicle.given if each.startswith(f"{axle}_roll_centre"))
