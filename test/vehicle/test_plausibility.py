@@ -1,4 +1,4 @@
-"""What is not plausible of a vehicle or of steering is warned of with its figure, nothing else is."""
+"""What is not plausible of a vehicle or of steering is warned of, with its figure."""
 
 import functools
 import warnings
@@ -90,8 +90,9 @@ ODD = {
     "rear_spring_stiffness: 2500 N/m is with the tires a ride frequency of 0.466 Hz of the rear": {
         "rear_spring_stiffness": 2500.0
     },
-    "front_spring_stiffness: 3e+06 N/m is with the tires a ride frequency of 11.6 Hz of the front": {
+    "front_spring_stiffness: 3e+06 N/m is with the tires a ride frequency of 11.6 Hz of the ": {
         "front_spring_stiffness": 3e6,
+        "front_damping": 25e3,
         "front_tire_stiffness": 1e7,
     },
     "rear_tire_stiffness: 30000 N/m is compressed by 0.422 of the tire's radius": {
