@@ -168,7 +168,7 @@ def check_alternatives(declaring_class, given: Mapping) -> None:
             continue
         if name in given and other in given:
             problem = f"{_shown(given[name])} beside {other} {_shown(given[other])}"
-            raise InputError(name, given[name], "only one of the two, for both say it", problem)
+            raise InputError(name, given[name], "only one of the two may be given", problem)
         if name not in given and other not in given:
             raise InputError(name, None, f"it or {other} must be given")
 

@@ -85,6 +85,14 @@ def test_both_for_an_axle_are_refused_by_both_names(vehicle_from, tmp_path, axle
         Vehicle(**preset().given, **{height: 0.1}, tire=preset().tire)
 
 
+@pytest.mark.parametrize("height", [-3.0, 8.1])
+def test_a_height_whose_depth_could_not_be_given_is_refused(height):
+    """So that a recording, which has depths, can say every vehicle."""
+    values = {"cg_height": 48.0 if height < 0.0 else 3.0, "rear_roll_centre_height": height}
+    with refused("rear_roll_centre_height", f"{height}", "with the c.g. at"):
+        preset().with_values(values)
+
+
 @pytest.mark.parametrize("axle", ["front", "rear"])
 def test_none_for_an_axle_is_refused_by_both_names(vehicle_from, tmp_path, axle):
     height, depth = f"{axle}_roll_centre_height", f"{axle}_roll_centre_depth"

@@ -95,6 +95,7 @@ class Vehicle:
     def __post_init__(self):
         validated(Vehicle, self.given)
         check_alternatives(Vehicle, self.given)
+        _check_roll_centres(self)
         _check_inertias(self)
         _check_fits_on_its_wheels(self)
         _check_springs_carry_it(self)
@@ -114,30 +115,21 @@ class Vehicle:
 
         A value also replaces its alternative: a roll centre's height the depth, for instance.
         """
-        kept = {
-            name: value
-            for name, value in self.given.items()
-            if parameters_of(Vehicle)[name].alternative not in values
-        }
+        known, given = parameters_of(Vehicle), self.given
+        kept = {n: value for n, value in given.items() if known[n].alternative not in values}
         return self.checked(kept | values, self.tire, prefix)
 
     @property
     def given(self) -> dict[str, float]:
         """Every value by name, of two alternatives the one that was given."""
-        values = {name: getattr(self, name) for name in parameters_of(Vehicle)}
-        return {
-            name: value
-            for name, value in values.items()
-            if value is not None or not parameters_of(Vehicle)[name].alternative
-        }
+        known = parameters_of(Vehicle)
+        values = {name: getattr(self, name) for name in known}
+        return {n: v for n, v in values.items() if v is not None or not known[n].alternative}
 
     def with_depths(self) -> "Vehicle":
         """The same vehicle, to the bit, with its roll centres given as depths."""
-        depths = {
-            f"{axle}_roll_centre_depth": float(self.roll_centre_depth[wheel])
-            for axle, wheel in AXLES.items()
-        }
-        return self.with_values(depths)
+        depths = {axle: float(self.roll_centre_depth[wheel]) for axle, wheel in AXLES.items()}
+        return self.with_values({f"{axle}_roll_centre_depth": d for axle, d in depths.items()})
 
     @functools.cached_property
     def roll_centre_depth(self) -> np.ndarray:
@@ -209,6 +201,17 @@ class Vehicle:
         vehicle["x"] = front, front, rear, rear
         vehicle["y"] = self.per_wheel("track") / 2 * (1, -1, 1, -1)
         return vehicle
+
+
+def _check_roll_centres(vehicle: Vehicle) -> None:
+    """A height comes to a depth that could have been given."""
+    for axle, wheel in AXLES.items():
+        name = f"{axle}_roll_centre_height"
+        depth = vehicle.roll_centre_depth[wheel]
+        if name in vehicle.given and not _CENTRE["minimum"] <= depth <= _CENTRE["maximum"]:
+            least, most = (vehicle.cg_height - _CENTRE[each] for each in ("maximum", "minimum"))
+            limit = f"from {least:g} to {most:g} m with the c.g. at {vehicle.cg_height:g} m"
+            raise InputError(name, vehicle.given[name], limit)
 
 
 def _check_inertias(vehicle: Vehicle) -> None:
