@@ -11,6 +11,7 @@ _HOMES = {
     "Options": "simulation.options",
     "Simulation": "simulation.simulation",
     "Vehicle": "vehicle.parameters",
+    **dict.fromkeys(("PlausibilityWarning", "plausibility"), "vehicle.plausibility"),
     **dict.fromkeys(("Tire", "load_tire"), "vehicle.tire_file"),
     **dict.fromkeys(("load_vehicle", "preset"), "vehicle.vehicle_file"),
 }

@@ -8,6 +8,8 @@ import dataclasses
 import difflib
 import math
 import reprlib
+import types
+import typing
 from collections.abc import Iterable, Mapping
 
 LONGEST_SHOWN = 60
@@ -55,7 +57,8 @@ def _shown(value) -> str:
 @dataclasses.dataclass(frozen=True)
 class Parameter:
     """What is known of one parameter. Its kind is float, bool, str or, for a list of some of the
-    choices, tuple."""
+    choices, tuple. Its alternative is the parameter that states the same fact in another way: one
+    of the two is given."""
 
     name: str
     kind: type
@@ -67,6 +70,7 @@ class Parameter:
     symbol: str
     choices: tuple[str, ...]
     tunable: bool
+    alternative: str
 
     def validate(self, value, field: str | None = None):
         """`value` as this parameter's type; raises InputError naming `field`, else the name."""
@@ -119,9 +123,13 @@ def parameter(
     symbol: str = "",
     choices: tuple[str, ...] = (),
     tunable: bool = False,
+    alternative: str = "",
     default=dataclasses.MISSING,
 ):
-    """A dataclass field that declares a parameter; without `default` it must be given."""
+    """A dataclass field that declares a parameter; without `default` it must be given.
+
+    One with an `alternative` is None where the other is given, and is set by keyword.
+    """
     about = {
         "description": description,
         "unit": unit,
@@ -130,17 +138,39 @@ def parameter(
         "symbol": symbol,
         "choices": choices,
         "tunable": tunable,
+        "alternative": alternative,
     }
+    if alternative:
+        return dataclasses.field(default=None, metadata=about, kw_only=True)
     return dataclasses.field(default=default, metadata=about)
 
 
 def parameters_of(declaring_class) -> dict[str, Parameter]:
     """The parameters that a dataclass declares, by name, in order."""
     return {
-        field.name: Parameter(field.name, field.type, field.default, **field.metadata)
+        field.name: Parameter(field.name, _kind(field.type), field.default, **field.metadata)
         for field in dataclasses.fields(declaring_class)
         if field.metadata
     }
+
+
+def _kind(annotation) -> type:
+    """The type of a parameter's values: of `float | None`, float."""
+    is_optional = isinstance(annotation, types.UnionType)
+    return typing.get_args(annotation)[0] if is_optional else annotation
+
+
+def check_alternatives(declaring_class, given: Mapping) -> None:
+    """Raise InputError unless exactly one of each pair of alternatives is among the `given`."""
+    for name, declared in parameters_of(declaring_class).items():
+        other = declared.alternative
+        if not other:
+            continue
+        if name in given and other in given:
+            problem = f"{_shown(given[name])} beside {other} {_shown(given[other])}"
+            raise InputError(name, given[name], "only one of the two may be given", problem)
+        if name not in given and other not in given:
+            raise InputError(name, None, f"it or {other} must be given")
 
 
 def number_in(text: str) -> float:

@@ -18,6 +18,7 @@ from vehicle_roll_sim.command_line import (
 )
 from vehicle_roll_sim.command_line.ending import PROGRAM
 from vehicle_roll_sim.declaration import unknown_name
+from vehicle_roll_sim.vehicle.plausibility import unwarned
 
 COMMANDS = {
     "run": (run.run_command, run.DESCRIPTION),
@@ -36,7 +37,8 @@ def main(words: list[str] | None = None) -> int:
     if words is None:
         words = sys.argv[1:]
         signal.signal(signal.SIGTERM, ending.cleanly)
-    return exit_status(lambda: _dispatch(words), PROGRAM)
+    with unwarned():  # commands say it in a line of their own
+        return exit_status(lambda: _dispatch(words), PROGRAM)
 
 
 def _dispatch(words: list[str]) -> int:

@@ -14,6 +14,7 @@ from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.table_file import read_table
+from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 LARGEST_FILE = 200_000_000
 """Bytes: an hour at 1 kHz with every column."""
@@ -49,6 +50,19 @@ class CommandTable(OpenLoop):
 
     times: np.ndarray
     columns: dict[str, np.ndarray]
+    file: str = ""
+
+    @property
+    def doubts(self) -> list[str]:
+        """Of the steering: a line for each of its columns that goes further than wheels do."""
+        lines = []
+        for name in self.columns.keys() & {"steering", "rear_steering"}:
+            row = int(np.argmax(np.abs(self.columns[name])))
+            angle = float(self.columns[name][row])
+            if abs(angle) > LARGEST_STEERING:
+                where = f"{self.file}: {name} at {self.times[row]:g} s"
+                lines.append(doubtful_steering(where, angle))
+        return sorted(lines)
 
     @property
     def commanded(self) -> tuple[str, ...]:
@@ -75,7 +89,10 @@ class CommandTable(OpenLoop):
 
 
 def load_commands(path: str | Path) -> CommandTable:
-    """Read a command file, as long as its last time; raises InputError naming line and column."""
+    """Read a command file, as long as its last time; raises InputError naming line and column.
+
+    Warns (PlausibilityWarning) of steering beyond what wheels do, as in degrees.
+    """
     path = Path(path)
     header, lines = read_table(path, LARGEST_FILE)
     _check_header(path, header)
@@ -92,7 +109,9 @@ def load_commands(path: str | Path) -> CommandTable:
     if not abs(times[-1]) <= LONGEST:
         where = f"{path}: line {rows[-1][0]}: time"
         raise InputError(where, float(times[-1]), f"at most {LONGEST:g} s")
-    return CommandTable(times=times, columns=table, duration=float(times[-1]))
+    commands = CommandTable(times=times, columns=table, file=str(path), duration=float(times[-1]))
+    warn(commands.doubts)
+    return commands
 
 
 def _with_exact_steps(times: np.ndarray) -> np.ndarray:

@@ -88,9 +88,7 @@ def load_vehicle(path: str | Path) -> Vehicle:
     for name in values:
         if name not in expected:
             raise unknown_name(name, expected, f"{path}: line {lines[name]}: name")
-    optional = {n for n, p in known.items() if p.default is not MISSING}
-    missing = [name for name in expected if name not in values and name not in optional]
-    if missing:
+    if missing := _missing(values):
         wanted = f"every parameter must be given; {TEMPLATE_HAS_ALL}"
         raise InputError(f"{path}: {', '.join(missing)}", None, wanted)
     tire = values.pop("tire")
@@ -102,7 +100,21 @@ def load_vehicle(path: str | Path) -> Vehicle:
     try:
         return Vehicle(**numbers, tire=tire)
     except InputError as error:  # values that do not go together
-        raise InputError(where[error.field], error.value, error.allowed) from None
+        field = where.get(error.field, f"{path}: {error.field}")
+        raise InputError(field, error.value, error.allowed, error.problem) from None
+
+
+def _missing(values: dict) -> list[str]:
+    """What a file must give and does not; of two alternatives that are not given, both in one."""
+    missing = []
+    for name, declared in parameters_of(Vehicle).items():
+        other = declared.alternative
+        if other and name not in values and other not in values:
+            both = f"{name} or {other}"
+            missing += [both] if f"{other} or {name}" not in missing else []
+        elif declared.default is MISSING and name not in values:
+            missing.append(name)
+    return missing if "tire" in values else [*missing, "tire"]
 
 
 def _tire_beside(path: Path, name: str, where: str) -> Tire:
