@@ -19,6 +19,7 @@ setup(
         ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
         (SHARE, ["package.xml"]),
         (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
+        (f"{SHARE}/examples", sorted(glob("examples/*"))),
         (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
         (f"{SHARE}/launch", sorted(glob(f"{NAME}/launch/*.launch.py"))),
         (f"{SHARE}/config", sorted(glob(f"{NAME}/config/*"))),

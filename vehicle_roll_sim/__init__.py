@@ -16,6 +16,7 @@ _HOMES = {
     "Road": "simulation.road",
     "Simulation": "simulation.simulation",
     "Vehicle": "vehicle.parameters",
+    **dict.fromkeys(("PlausibilityWarning", "plausibility"), "vehicle.plausibility"),
     **dict.fromkeys(("Tire", "load_tire"), "vehicle.tire_file"),
     **dict.fromkeys(("load_vehicle", "preset"), "vehicle.vehicle_file"),
 }

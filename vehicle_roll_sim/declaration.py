@@ -10,6 +10,8 @@ import difflib
 import math
 import numbers
 import reprlib
+import types
+import typing
 from collections.abc import Iterable, Mapping
 
 LONGEST_SHOWN = 60
@@ -73,7 +75,8 @@ def number_of(value, field: str, allowed: str) -> float:
 @dataclasses.dataclass(frozen=True)
 class Parameter:
     """What is known of one parameter. Its kind is float, bool, str or, for a list of some of the
-    choices or of `size` numbers, tuple."""
+    choices or of `size` numbers, tuple. Its alternative is the parameter that states the same fact
+    in another way: one of the two is given."""
 
     name: str
     kind: type
@@ -86,6 +89,7 @@ class Parameter:
     choices: tuple[str, ...]
     tunable: bool
     size: int
+    alternative: str
 
     def validate(self, value, field: str | None = None):
         """`value` as this parameter's type; raises InputError naming `field`, else the name."""
@@ -148,9 +152,13 @@ def parameter(
     choices: tuple[str, ...] = (),
     tunable: bool = False,
     size: int = 0,
+    alternative: str = "",
     default=dataclasses.MISSING,
 ):
-    """A dataclass field that declares a parameter; without `default` it must be given."""
+    """A dataclass field that declares a parameter; without `default` it must be given.
+
+    One with an `alternative` is None where the other is given, and is set by keyword.
+    """
     about = {
         "description": description,
         "unit": unit,
@@ -160,14 +168,17 @@ def parameter(
         "choices": choices,
         "tunable": tunable,
         "size": size,
+        "alternative": alternative,
     }
+    if alternative:
+        return dataclasses.field(default=None, metadata=about, kw_only=True)
     return dataclasses.field(default=default, metadata=about)
 
 
 def parameters_of(declaring_class) -> dict[str, Parameter]:
     """The parameters that a dataclass declares, by name, in order."""
     return {
-        field.name: Parameter(field.name, field.type, field.default, **field.metadata)
+        field.name: Parameter(field.name, _kind(field.type), field.default, **field.metadata)
         for field in dataclasses.fields(declaring_class)
         if field.metadata
     }
@@ -178,6 +189,25 @@ def given(field: str, value, kind: type):
     if not isinstance(value, kind):
         raise InputError(field, value, f"an object of the class {kind.__name__}")
     return value
+
+
+def _kind(annotation) -> type:
+    """The type of a parameter's values: of `float | None`, float."""
+    is_optional = isinstance(annotation, types.UnionType)
+    return typing.get_args(annotation)[0] if is_optional else annotation
+
+
+def check_alternatives(declaring_class, given: Mapping) -> None:
+    """Raise InputError unless exactly one of each pair of alternatives is among the `given`."""
+    for name, declared in parameters_of(declaring_class).items():
+        other = declared.alternative
+        if not other:
+            continue
+        if name in given and other in given:
+            problem = f"{_shown(given[name])} beside {other} {_shown(given[other])}"
+            raise InputError(name, given[name], "only one of the two may be given", problem)
+        if name not in given and other not in given:
+            raise InputError(name, None, f"it or {other} must be given")
 
 
 def number_in(text: str) -> float:
@@ -208,11 +238,12 @@ def validated(declaring_class, values: Mapping, prefix: str = "") -> dict:
     return {name: known[name].validate(value, prefix + name) for name, value in values.items()}
 
 
-def keep_validated(instance) -> None:
+def keep_validated(instance, given: Mapping | None = None) -> None:
     """Check the parameters of a frozen dataclass's instance and keep them as their declared types.
 
-    For its `__post_init__`; raises InputError.
+    For its `__post_init__`. given: those that have a value, where not all have. Raises InputError.
     """
-    values = {name: getattr(instance, name) for name in parameters_of(instance)}
-    for name, value in validated(type(instance), values).items():
+    if given is None:
+        given = {name: getattr(instance, name) for name in parameters_of(instance)}
+    for name, value in validated(type(instance), given).items():
         object.__setattr__(instance, name, value)

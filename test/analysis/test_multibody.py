@@ -12,7 +12,6 @@ from programmes import Evaluation, j_turn, ramp_and_hold
 from random_states import attitude, random_command, random_state, wheel_positions
 
 from vehicle_roll_sim import Condition, InputError, Simulation, Vehicle, preset
-from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.simulation.history import COLUMNS, OUTPUT_QUANTITIES, History
 from vehicle_roll_sim.simulation.options import MULTIBODY
 from vehicle_roll_sim.simulation.run import run
@@ -49,7 +48,7 @@ def uneven() -> Vehicle:
     """A vehicle near the reference of which no two parameters are alike."""
     vehicle, rng = preset("reference"), np.random.default_rng(5)
     return vehicle.with_values(
-        {name: getattr(vehicle, name) * rng.uniform(0.9, 1.1) for name in parameters_of(Vehicle)}
+        {name: value * rng.uniform(0.9, 1.1) for name, value in vehicle.given.items()}
     )
 
 

@@ -110,8 +110,8 @@ def test_options_of_the_model_are_those_of_run(written, words, options):
 
 
 def test_options_of_the_vehicle_are_those_of_run(written):
-    arrays = written("--set", "cg_height=0.6")
-    trim = find_trim(preset().with_values({"cg_height": 0.6}), speed=SPEED)
+    arrays = written("--set", "cg_height=0.7")
+    trim = find_trim(preset().with_values({"cg_height": 0.7}), speed=SPEED)
     assert np.array_equal(arrays["A"], linearize(trim).a)
 
 

@@ -12,7 +12,9 @@ OPTIONAL = {
     "drag_area": 0.0,
 }
 """What the file leaves out."""
-NUMBERS = {name: value for name, value in REFERENCE.items() if name != "tire"} | OPTIONAL
+HEIGHTS = {"front_roll_centre_height": 0.1, "rear_roll_centre_height": 0.15}
+"""What the depths of the file come to."""
+NUMBERS = {name: value for name, value in REFERENCE.items() if name != "tire"} | OPTIONAL | HEIGHTS
 NAME, SYMBOL, VALUE, UNIT, ALLOWED, MEANING = range(6)
 
 

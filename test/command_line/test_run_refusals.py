@@ -66,7 +66,7 @@ SET = {
     "misspelt": ("sprungmass=1", ["sprungmass", "did you mean sprung_mass"]),
     "no name": ("=1", ["sprung_mass", "steering_ratio"]),
     "no body": ("roll_inertia=9000", ["roll_inertia", "9000", "4000 kg m^2"]),
-    "on its belly": ("cg_height=0.1", ["cg_height", "0.1", "more than"]),
+    "on its rims": ("tire_radius=0.02", ["tire_radius", "0.02", "more than"]),
 }
 
 

@@ -4,7 +4,8 @@ import csv
 
 import pytest
 
-STABLE = ("--set", "cg_height=0.5")
+CENTRES = ("--set", "front_roll_centre_height=0.1", "--set", "rear_roll_centre_height=0.15")
+STABLE = ("--set", "cg_height=0.5", *CENTRES)
 
 
 def table_of(result) -> list[list[str]]:
@@ -74,10 +75,10 @@ def test_what_is_wrong_is_refused_in_one_line(refused, words, named):
 
 
 def test_a_double_lane_change_takes_the_options_of_body_and_driver(command):
-    narrow = ("--preview-time", "0.3", "--vehicle-width", "1.9", "--set", "cg_height=0.5")
+    narrow = ("--preview-time", "0.3", "--vehicle-width", "1.9", *STABLE)
     result = command("series", "iso_severe_double_lane_change", *narrow)
     assert (result.status, result.err) == (0, "")
-    plain = command("series", "iso_severe_double_lane_change", "--set", "cg_height=0.5")
+    plain = command("series", "iso_severe_double_lane_change", *STABLE)
     assert result.value["verdict"] != plain.value["verdict"]
     first = result.out.splitlines()[1].split()
     assert first[:2] == ["left", "20"]

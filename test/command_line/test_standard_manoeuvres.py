@@ -6,7 +6,9 @@ import pytest
 from vehicle_roll_sim.manoeuvres.manoeuvre import SOURCE, STANDARD
 
 OF_STANDARDS = [name for name in STANDARD if name not in SOURCE]
-LOW = ("--set", "cg_height=0.55")
+CENTRES = ("--set", "front_roll_centre_height=0.1", "--set", "rear_roll_centre_height=0.15")
+"""The roll centres of the reference vehicle, kept where they are when its c.g. is lowered."""
+LOW = ("--set", "cg_height=0.55", *CENTRES)
 REPORTED = {
     "slowly_increasing_steer": ("handwheel angle at 0.3 g",),
     "nhtsa_j_turn": ("handwheel angle at 0.3 g", "handwheel amplitude", "two-wheel lift"),

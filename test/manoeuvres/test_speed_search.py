@@ -88,13 +88,29 @@ def test_lines_say_what_was_not_found_and_to_which_side():
     remarks = search().remarks(preset(), rows)
     assert remarks["first wheel lift-off"] == (
         "at 20.000 m/s (72.0 km/h), the lowest speed, already, to the left; "
-        "none up to 22.000 m/s (79.2 km/h), where the run diverged, to the right"
+        "none up to 22.000 m/s (79.2 km/h), to the right"
     )
     assert "none up to 20.000 m/s" in remarks["first rollover"]
+    assert remarks["diverged"].startswith("at 22.000 m/s: ")
+    assert "diverged" not in search().remarks(preset(), rows[:2])
     assert search().verdict(rows) == (
         "wheel lift-off at 20.000 m/s (72.0 km/h), to the left; "
-        "no wheel lifts up to 22.000 m/s (79.2 km/h), where the run diverged, to the right"
+        "no wheel lifts up to 22.000 m/s (79.2 km/h), to the right, but for runs that diverged"
     )
+
+
+def test_the_climb_goes_on_after_a_run_that_diverged(monkeypatch):
+    ends = {10.0: "diverged", 12.0: "complete", 14.0: "rolled_over"}
+
+    def driven_row(ready, speed, vehicle, options):
+        times = (1.0, 1.0, 2.0) if ends[speed] == "rolled_over" else NEVER
+        return row(speed, *times, end=ends[speed])[1:]
+
+    monkeypatch.setattr("vehicle_roll_sim.manoeuvres.speed_search._row", driven_row)
+    chosen = search(lowest_speed=10.0, highest_speed=18.0, speed_step=2.0, resolution=2.0)
+    rows = list(chosen.rows(preset(), Options()))
+    assert [row[1] for row in rows] == 2 * [10.0, 12.0, 14.0]
+    assert "rollover at 14.000 m/s" in chosen.verdict(rows)
 
 
 def test_a_model_without_wheel_heights_does_not_know_of_two_wheel_lift():
@@ -126,6 +142,11 @@ def test_a_step_steer_keeps_the_angle_of_its_lateral_acceleration():
 def test_a_range_that_ends_before_it_begins_is_refused(highest):
     with pytest.raises(InputError, match=r"highest_speed.*more than the lowest one, 5 m/s"):
         search(highest_speed=highest)
+
+
+def test_a_speed_of_the_manoeuvre_is_refused_as_the_search_has_its_own():
+    with pytest.raises(InputError, match=r"speed: 20.0 is not allowed: lowest_speed"):
+        search(speed=20.0)
 
 
 @pytest.mark.parametrize("name", ["constant_radius_circle", "iso_double_lane_change", "jturn"])

@@ -56,9 +56,9 @@ def ordinary_vehicles(draw, sides=("", "left", "right")) -> Vehicle:
     sides: of a tire with shifts, "" for the reference tire, which has none.
     """
     values = {}
-    for name in parameters_of(Vehicle):
+    for name, value in REFERENCE.given.items():
         factor = draw(st.floats(1 / LARGEST_FACTOR, LARGEST_FACTOR))
-        values[name] = getattr(REFERENCE, name) * factor
+        values[name] = value * factor
     values["rolling_resistance_coefficient"] = draw(st.floats(0.0, 0.05))
     values["drag_area"] = draw(st.floats(0.0, 2.0))
     return _on_a_tire(_possible(values), draw(st.sampled_from(sides)))
@@ -68,7 +68,8 @@ def ordinary_vehicles(draw, sides=("", "left", "right")) -> Vehicle:
 def allowed_vehicles(draw) -> Vehicle:
     """Anywhere within the ranges of the parameters, which are decades wide."""
     values = {}
-    for name, about in parameters_of(Vehicle).items():
+    for name in REFERENCE.given:
+        about = parameters_of(Vehicle)[name]
         least, most = about.minimum, about.maximum
         if name in DEPTHS or least == 0.0:
             values[name] = draw(st.one_of(st.just(max(0.0, least)), st.floats(least, most)))

@@ -42,6 +42,15 @@ def test_presets_are_shared_as_files_for_users_to_copy(installed, root):
     assert shared == {file.name: file.read_bytes() for file in presets.iterdir()}
 
 
+def test_the_files_of_the_readme_are_shared_to_start_from(installed, root):
+    shared = {
+        file.name: file.read_bytes()
+        for file in (installed / "share" / PACKAGE / "examples").iterdir()
+    }
+    assert set(shared) == {"car.yaml", "tire.tir", "commands.csv"}
+    assert shared == {file.name: file.read_bytes() for file in (root / "examples").iterdir()}
+
+
 @pytest.mark.parametrize("folder", ["launch", "config"])
 def test_launch_files_and_layouts_lie_where_ros2_launch_and_the_documentation_say(
     installed, root, folder

@@ -14,7 +14,8 @@ from vehicle_roll_sim.ros.process import lifetime
 from vehicle_roll_sim.ros.simulator_client import SimulatorClient
 from vehicle_roll_sim.ros.topics import message_class, recording_qos
 
-VEHICLE = {"cg_height": 0.55, "steering_ratio": 20.0}
+VEHICLE = {"cg_height": 0.55, "steering_ratio": 20.0, "front_roll_centre_height": 0.1}
+"""The front roll centre is above the road, the rear one stays as deep below the c.g. as it was."""
 STEERING, BOTH = (
     "lockstep_topics:=[steering_cmd]",
     "lockstep_topics:=[steering_cmd, wheel_torque_cmd]",

@@ -41,8 +41,17 @@ OPTIONAL = {
     "drag_area": 0.0,
 }
 """What a vehicle file may leave out, and what counts then: the source has none of them."""
+HEIGHTS = {"front_roll_centre_height": 0.1, "rear_roll_centre_height": 0.15}
+"""What a vehicle file may have in place of the depths."""
 WHOLE_YAML = REFERENCE_YAML + "".join(f"{name}: {value}\n" for name, value in OPTIONAL.items())
 """A file that leaves nothing out."""
+
+
+def whole_with(name: str) -> str:
+    """A file that leaves nothing out, with the parameter of that name."""
+    if name not in HEIGHTS:
+        return WHOLE_YAML
+    return edited(WHOLE_YAML, name.replace("height", "depth"), f"{name}: {HEIGHTS[name]}")
 
 
 def beyond(limit: float, direction: float) -> float:
@@ -76,11 +85,15 @@ def path(tmp_path):
 def test_the_reference_vehicle_is_that_of_the_source():
     vehicle = preset("reference")
     assert {name: getattr(vehicle, name) for name in SOURCE} == SOURCE
-    assert {*PARAMETERS} - {*SOURCE} == {"steering_ratio", *OPTIONAL}
+    assert {*PARAMETERS} - {*SOURCE} == {"steering_ratio", *OPTIONAL, *HEIGHTS}
 
 
 def test_what_the_source_does_not_have_is_optional_and_nothing_else_is(vehicle_from):
-    optional = {name: p.default for name, p in PARAMETERS.items() if p.default is not MISSING}
+    optional = {
+        name: p.default
+        for name, p in PARAMETERS.items()
+        if p.default is not MISSING and not p.alternative
+    }
     assert optional == OPTIONAL
     named, unnamed = vehicle_from(WHOLE_YAML), vehicle_from(REFERENCE_YAML)
     for name, value in OPTIONAL.items():
@@ -90,15 +103,15 @@ def test_what_the_source_does_not_have_is_optional_and_nothing_else_is(vehicle_f
 
 @pytest.mark.parametrize("name", PARAMETERS)
 def test_every_value_of_the_file_arrives_under_its_name(vehicle_from, name):
-    value = getattr(preset("reference"), name) * 1.01 or 0.5
-    loaded = vehicle_from(edited(WHOLE_YAML, name, f"{name}: {value!r}"))
+    value = (preset("reference").given | HEIGHTS)[name] * 1.01 or 0.5
+    loaded = vehicle_from(edited(whole_with(name), name, f"{name}: {value!r}"))
     assert getattr(loaded, name) == value
     assert type(getattr(loaded, name)) is float
 
 
 @pytest.mark.parametrize(("name", "value"), WRONG)
 def test_a_value_that_is_not_allowed_is_refused(vehicle_from, path, name, value):
-    text = edited(WHOLE_YAML, name, f"{name}: {value}")
+    text = edited(whole_with(name), name, f"{name}: {value}")
     with refused(path, line_of(text, name), name):
         vehicle_from(text)
 
@@ -109,7 +122,7 @@ def test_zero_is_refused_where_nothing_is_not_allowed(vehicle_from, path, name):
         vehicle_from(edited(WHOLE_YAML, name, f"{name}: 0"))
 
 
-@pytest.mark.parametrize("name", [*(n for n in PARAMETERS if n not in OPTIONAL), "tire"])
+@pytest.mark.parametrize("name", [*(n for n in preset().given if n not in OPTIONAL), "tire"])
 def test_a_missing_key_is_named(vehicle_from, path, name):
     with refused(path, name):
         vehicle_from(edited(REFERENCE_YAML, name, ""))
@@ -138,7 +151,7 @@ def test_what_cannot_be_read_says_what_the_name_should_be(tmp_path, name, words)
 
 @pytest.mark.parametrize("name", [*PARAMETERS, "tire"])
 def test_a_key_that_stands_twice_is_named(vehicle_from, path, name):
-    text = WHOLE_YAML + f"{name}: 1.0\n"
+    text = whole_with(name) + f"{name}: 1.0\n"
     with refused(path, line_of(text, name), name):
         vehicle_from(text)
 
@@ -184,7 +197,7 @@ def test_moments_of_inertia_that_no_body_has_are_refused(vehicle_from, path, nam
 
 @pytest.mark.parametrize(
     ("name", "value"),
-    [("tire_radius", 0.02), ("cg_height", 0.2), ("rear_tire_stiffness", 10_000.0)],
+    [("tire_radius", 0.02), ("rear_tire_stiffness", 10_000.0)],
 )
 def test_a_vehicle_that_does_not_stand_on_its_wheels_is_refused(vehicle_from, path, name, value):
     with refused(path):
@@ -199,8 +212,10 @@ def test_a_tire_that_is_no_name_of_a_file_is_refused(vehicle_from, path, given):
 
 
 def test_a_tire_file_that_is_missing_or_wrong_is_named(vehicle_from, tmp_path):
-    with refused(tmp_path / "none.tir"):
-        vehicle_from(edited(REFERENCE_YAML, "tire", "tire: none.tir"))
+    missing = edited(REFERENCE_YAML, "tire", "tire: none.tir")
+    said = (line_of(missing, "tire:"), "tire", "does not exist", "from the vehicle file")
+    with refused(tmp_path / "some.yaml", tmp_path / "none.tir", *said):
+        vehicle_from(missing)
     with refused(tmp_path / "some.yaml"):  # itself
         vehicle_from(edited(REFERENCE_YAML, "tire", "tire: some.yaml"))
 

@@ -15,9 +15,11 @@ from vehicle_roll_sim.command_line import (
     replay,
     run,
     series,
+    template,
 )
 from vehicle_roll_sim.command_line.ending import PROGRAM
 from vehicle_roll_sim.declaration import unknown_name
+from vehicle_roll_sim.vehicle.plausibility import unwarned
 
 COMMANDS = {
     "run": (run.run_command, run.DESCRIPTION),
@@ -28,6 +30,7 @@ COMMANDS = {
     "paper": (paper.paper_command, paper.DESCRIPTION),
     "compile": (compile.compile_command, compile.DESCRIPTION),
     "parameters": (parameters.parameters_command, parameters.DESCRIPTION),
+    "template": (template.template_command, template.DESCRIPTION),
 }
 
 
@@ -36,7 +39,8 @@ def main(words: list[str] | None = None) -> int:
     if words is None:
         words = sys.argv[1:]
         signal.signal(signal.SIGTERM, ending.cleanly)
-    return exit_status(lambda: _dispatch(words), PROGRAM)
+    with unwarned():  # commands say it in a line of their own
+        return exit_status(lambda: _dispatch(words), PROGRAM)
 
 
 def _dispatch(words: list[str]) -> int:

@@ -4,6 +4,7 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.plausibility import AXLES
 
 DESCRIPTION = "Print every parameter of a vehicle in Markdown: value, unit, range, meaning."
 HEADER = ("name", "symbol", "value", "unit", "allowed", "meaning")
@@ -21,7 +22,15 @@ def parameter_table(vehicle: Vehicle) -> str:
     rows = [HEADER, ("---",) * len(HEADER)]
     for name, parameter in parameters_of(Vehicle).items():
         allowed = f"{parameter.minimum:g} … {parameter.maximum:g}"
-        value = f"{getattr(vehicle, name):.10g}"
+        value = f"{_value(vehicle, name):.10g}"
         meaning = parameter.description
         rows.append((f"`{name}`", parameter.symbol, value, parameter.unit, allowed, meaning))
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
+
+
+def _value(vehicle: Vehicle, name: str) -> float:
+    """The value of a parameter, that of a roll centre also where its alternative was given."""
+    if name in vehicle.given:
+        return vehicle.given[name]
+    axle, _, measure = name.partition("_")
+    return float(getattr(vehicle, measure)[AXLES[axle]])

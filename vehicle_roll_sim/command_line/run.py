@@ -13,6 +13,7 @@ from vehicle_roll_sim.arguments import (
     named_file,
 )
 from vehicle_roll_sim.bags import need_library
+from vehicle_roll_sim.command_line.plausible import heed
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     as_option,
@@ -73,6 +74,7 @@ def run_command(words: list[str], program: str) -> int:
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
     sampling = Sampling(**declared_values(arguments, Sampling))
     csv, plot, bag = _results(arguments)
+    heed(manoeuvre.doubts, arguments)
     simulation = chosen_simulation(arguments)
     values = declared_values(arguments, manoeuvre)
     try:

@@ -6,6 +6,7 @@ import math
 
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.plausible import add_strict, heed
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
 from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.options import Options
@@ -18,6 +19,7 @@ from vehicle_roll_sim.simulation.simulation import (
     Simulation,
 )
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.plausibility import plausibility
 from vehicle_roll_sim.vehicle.tire_file import load_tire
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
@@ -69,6 +71,7 @@ def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="a value in place of the vehicle file's; may be given many times",
     )
+    add_strict(group)
 
 
 def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
@@ -89,7 +92,9 @@ def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
         if name in values:
             raise InputError(f"--set {name}", text, "each name once", "given twice")
         values[name] = number(text, f"--set {name}", known[name])
-    return vehicle.with_values(values, "--set ")
+    vehicle = vehicle.with_values(values, "--set ")
+    heed(plausibility(vehicle), arguments)
+    return vehicle
 
 
 def chosen_options(arguments: argparse.Namespace) -> Options:

@@ -3,6 +3,7 @@
 import abc
 import dataclasses
 import math
+from typing import ClassVar
 
 import numpy as np
 
@@ -38,6 +39,8 @@ class Manoeuvre(abc.ABC):
 
     needs_vehicle = False
     """Whether it is driven only after `for_vehicle`."""
+    doubts: ClassVar[list[str]] = []
+    """What is not plausible of its commands, a line each."""
     throttle_dropped = math.inf
     """Time (s) from which on the speed is not held any more."""
 

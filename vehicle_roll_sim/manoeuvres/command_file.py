@@ -15,6 +15,7 @@ from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.table_file import read_table
+from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 LARGEST_FILE = 200_000_000
 """Bytes: an hour at 1 kHz with every column."""
@@ -27,6 +28,17 @@ COLUMNS = {
     },
 }
 """Column name: field of the command, and wheel for a field of four."""
+EXAMPLE = """\
+time,steering,brake_torque_lf,brake_torque_rf
+0.0,0.0,0,0
+1.0,0.0,0,0
+1.1,0.05,0,0
+3.0,0.05,0,0
+3.0,0.05,300,300
+4.0,0.05,300,300
+5.0,0.0,0,0
+"""
+"""A file to start from: a turn that is steered in within 0.1 s, and brakes that come at once."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -39,6 +51,19 @@ class CommandTable(OpenLoop):
 
     times: np.ndarray
     columns: dict[str, np.ndarray]
+    file: str = ""
+
+    @property
+    def doubts(self) -> list[str]:
+        """Of the steering: a line for each of its columns that goes further than wheels do."""
+        lines = []
+        for name in self.columns.keys() & {"steering", "rear_steering"}:
+            row = int(np.argmax(np.abs(self.columns[name])))
+            angle = float(self.columns[name][row])
+            if abs(angle) > LARGEST_STEERING:
+                where = f"{self.file}: {name} at {self.times[row]:g} s"
+                lines.append(doubtful_steering(where, angle))
+        return sorted(lines)
 
     @property
     def commanded(self) -> tuple[str, ...]:
@@ -65,7 +90,10 @@ class CommandTable(OpenLoop):
 
 
 def load_commands(path: str | Path) -> CommandTable:
-    """Read a command file, as long as its last time; raises InputError naming line and column."""
+    """Read a command file, as long as its last time; raises InputError naming line and column.
+
+    Warns (PlausibilityWarning) of steering beyond what wheels do, as in degrees.
+    """
     path = Path(path)
     header, lines = read_table(path, LARGEST_FILE)
     _check_header(f"{path}: line 1", header)
@@ -74,7 +102,7 @@ def load_commands(path: str | Path) -> CommandTable:
         raise InputError(f"command file {path}", "", "a header and at least one row", "no rows")
     values = [_numbers(path, line, header, row) for line, row in rows]
     table = dict(zip(header, np.array(values).T, strict=True))
-    return _table(table, [f"{path}: line {line}: time" for line, _ in rows])
+    return _table(table, str(path), [f"{path}: line {line}: time" for line, _ in rows])
 
 
 def command_table(columns: Mapping[str, Sequence[float]]) -> CommandTable:
@@ -88,7 +116,7 @@ def command_table(columns: Mapping[str, Sequence[float]]) -> CommandTable:
             raise InputError(f"commands: {name}", *counts)
         if name.startswith("brake_torque") and values.min() < 0.0:
             raise InputError(f"commands: {name}", float(values.min()), "no number below 0")
-    return _table(table, ["commands: time"] * len(table["time"]))
+    return _table(table, "commands", ["commands: time"] * len(table["time"]))
 
 
 def _column(field: str, values: Sequence[float]) -> np.ndarray:
@@ -101,8 +129,11 @@ def _column(field: str, values: Sequence[float]) -> np.ndarray:
     return column
 
 
-def _table(columns: dict[str, np.ndarray], where: list[str]) -> CommandTable:
-    """A table of finite columns, `time` among them; `where` names the time of each row."""
+def _table(columns: dict[str, np.ndarray], file: str, where: list[str]) -> CommandTable:
+    """A table of finite columns, `time` among them; `where` names the time of each row.
+
+    file: what warnings call it.
+    """
     times = _with_exact_steps(columns.pop("time"))
     latest = []
     for place, time in zip(where, times.tolist(), strict=True):
@@ -110,7 +141,9 @@ def _table(columns: dict[str, np.ndarray], where: list[str]) -> CommandTable:
         _check_time(place, latest)
     if not abs(times[-1]) <= LONGEST:
         raise InputError(where[-1], float(times[-1]), f"at most {LONGEST:g} s")
-    return CommandTable(times=times, columns=columns, duration=float(times[-1]))
+    commands = CommandTable(times=times, columns=columns, file=file, duration=float(times[-1]))
+    warn(commands.doubts)
+    return commands
 
 
 def _with_exact_steps(times: np.ndarray) -> np.ndarray:

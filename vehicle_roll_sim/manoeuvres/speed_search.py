@@ -63,6 +63,9 @@ class SpeedSearch(Series):
 
     def with_values(self, values: dict) -> "SpeedSearch":
         """A copy with other values of the range and of the manoeuvre but for its speed."""
+        for name in self.fixed:
+            if name in values:
+                raise InputError(name, values[name], "lowest_speed and highest_speed in its place")
         own = {name: value for name, value in values.items() if name in parameters_of(type(self))}
         of_manoeuvre = {name: value for name, value in values.items() if name not in own}
         return dataclasses.replace(super().with_values(of_manoeuvre), **own)
@@ -86,7 +89,7 @@ class SpeedSearch(Series):
         for speed in self.speeds:
             rows[speed] = _row(ready, speed, vehicle, options)
             yield rows[speed]
-            if rows[speed][END] in (ROLLED_OVER, DIVERGED):
+            if rows[speed][END] == ROLLED_OVER:
                 break
         for event in EVENTS.values():
             while self._is_wide(gap := gap_of(rows, event)):
@@ -99,15 +102,21 @@ class SpeedSearch(Series):
         return self.resolution < first - below < math.inf
 
     def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
-        """A line for each event: between which speeds it happens first."""
-        return {
+        """A line for each event: between which speeds it happens first. And the runs to doubt."""
+        found = {
             f"first {label}": _to_sides(rows, functools.partial(_where, event=event))
             for label, event in EVENTS.items()
         }
+        diverged = sorted({row[SPEED] for row in rows if row[END] == DIVERGED})
+        if diverged:
+            speeds = ", ".join(f"{speed:.3f}" for speed in diverged)
+            found["diverged"] = f"at {speeds} m/s: what would have happened there is not known"
+        return found
 
     def verdict(self, rows: list[tuple]) -> str:
         """The worst that happened, at the lowest speed that it was seen at."""
-        return _to_sides(rows, _worst)
+        doubtful = any(row[END] == DIVERGED for row in rows)
+        return _to_sides(rows, _worst) + (", but for runs that diverged" if doubtful else "")
 
 
 RANGE = ("range of entry speeds", SpeedSearch)
@@ -169,7 +178,7 @@ def _where(rows: dict[float, tuple], event: int) -> str:
     if any(row[event] == UNKNOWN for row in rows.values()):
         return "unknown: the model has no wheel heights"
     if math.isinf(first):
-        return f"none up to {_speed(max(rows))}{_stopped(rows)}"
+        return f"none up to {_speed(max(rows))}"
     if math.isinf(below):
         return f"at {_speed(first)}, the lowest speed, already"
     return f"between {below:.3f} and {_speed(first)}"
@@ -180,11 +189,7 @@ def _worst(rows: dict[float, tuple]) -> str:
         _, first = gap_of(rows, event)
         if not math.isinf(first):
             return f"{label} at {_speed(first)}"
-    return f"no wheel lifts up to {_speed(max(rows))}{_stopped(rows)}"
-
-
-def _stopped(rows: dict[float, tuple]) -> str:
-    return ", where the run diverged" if rows[max(rows)][END] == DIVERGED else ""
+    return f"no wheel lifts up to {_speed(max(rows))}"
 
 
 def _speed(speed: float) -> str:

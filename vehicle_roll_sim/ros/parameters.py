@@ -26,6 +26,7 @@ from vehicle_roll_sim.simulation.command_limits import CommandLimits
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.plausibility import plausibility
 from vehicle_roll_sim.vehicle.tire_file import load_tire
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
@@ -74,11 +75,10 @@ def declare(node: Node) -> Declared:
     tire = _declare(node, TIRE, vehicle.tire.file)
     if tire != vehicle.tire.file:
         vehicle = dataclasses.replace(vehicle, tire=load_tire(tire))
-    values = {
-        name: _declare(node, VEHICLE_PREFIX + name, getattr(vehicle, name))
-        for name in parameters_of(Vehicle)
-    }
-    vehicle = vehicle.with_values(values, VEHICLE_PREFIX)
+    vehicle = vehicle.with_values(_given_of_vehicle(node), VEHICLE_PREFIX)
+    for name, value in vehicle.given.items():  # with both alternatives a dump could not be loaded
+        _declare(node, VEHICLE_PREFIX + name, value)
+    _heed(plausibility(vehicle), node, settings.strict)
     imu = ImuCovariances(**_declare_class(node, ImuCovariances, IMU_PREFIX))
     odom = OdomCovariances(**_declare_class(node, OdomCovariances, ODOM_PREFIX))
     return Declared(settings, limits, options, road, vehicle, Covariances(imu, odom))
@@ -89,6 +89,25 @@ def _check_makes_time(use_sim_time) -> None:
     if use_sim_time:
         allowed = "false, for the simulator makes time; publish_clock has others go by it"
         raise InputError(SIM_TIME, use_sim_time, allowed)
+
+
+def _given_of_vehicle(node: Node) -> dict:
+    """The values that the parameters give in place of those of the vehicle file."""
+    overrides = node._parameter_overrides
+    return {
+        name: overrides[VEHICLE_PREFIX + name].value
+        for name in parameters_of(Vehicle)
+        if VEHICLE_PREFIX + name in overrides
+    }
+
+
+def _heed(doubts: list[str], node: Node, strict: bool) -> None:
+    """Warn in the log of what is not plausible of the vehicle; if strict, raise InputError."""
+    doubts = [VEHICLE_PREFIX + doubt for doubt in doubts]
+    if doubts and strict:
+        raise InputError("strict", strict, "; ".join(doubts), "the vehicle is not plausible")
+    for doubt in doubts:
+        node.get_logger().warning(doubt)
 
 
 def _check_speed(speed: float, options: Options) -> None:

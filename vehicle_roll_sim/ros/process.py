@@ -23,6 +23,7 @@ from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.ros import ending, qos_overrides
 from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
+from vehicle_roll_sim.vehicle.plausibility import unwarned
 
 LOOK = 0.05
 """s that a loop waits in `spin_once`, always the same: an executor that is asked with another
@@ -51,7 +52,8 @@ def node_main(
             _find_log_folder(parser.prog)
             _initialise(words)
             ending.shutting_down(_shut_down)
-            return _run(body, arguments)
+            with unwarned():  # nodes warn in their log
+                return _run(body, arguments)
         except (KeyboardInterrupt, ExternalShutdownException):
             return 0
         finally:

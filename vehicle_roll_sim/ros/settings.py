@@ -126,6 +126,9 @@ class Settings:
     )
     frame_prefix: str = parameter("put before the frames in all messages", default="")
     vehicle_file: str = parameter("vehicle file (YAML); empty: the reference vehicle", default="")
+    strict: bool = parameter(
+        "refuse a vehicle that is not plausible, instead of a warning", default=False
+    )
 
     def check(self) -> None:
         """Raise InputError for what no single value shows."""

@@ -15,8 +15,12 @@ def simulated_vehicle(ask: Callable[[Sequence[str]], list]) -> tuple[Vehicle, Op
     ask: gives the values of its parameters of these names. The tire file is read where it has it;
     raises InputError if it is not there.
     """
-    of_vehicle, of_model = list(parameters_of(Vehicle)), list(parameters_of(Options))
+    known, of_model = parameters_of(Vehicle), list(parameters_of(Options))
+    of_vehicle = [name for name, declared in known.items() if not declared.alternative]
     numbers = ask([VEHICLE_PREFIX + name for name in of_vehicle])
     options = Options(**dict(zip(of_model, ask(of_model), strict=True)))
     values = dict(zip(of_vehicle, numbers, strict=True))
+    for name in known.keys() - values.keys():
+        if found := ask([VEHICLE_PREFIX + name]):  # nothing where the alternative was given
+            values[name] = found[0]
     return Vehicle.checked(values, load_tire(*ask([TIRE])), VEHICLE_PREFIX), options

@@ -10,6 +10,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_of
 from vehicle_roll_sim.model.records import COMMAND, LR, WHEELS
+from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 NO_FORCE = (0.0,) * len(WHEELS)
 
@@ -24,7 +25,8 @@ class Command:
     suspension corner (N, positive pushes the body up). speed_hold_gain, speed_hold_target: at each
     rear wheel a further torque gain * (target - u), in N m per m/s and m/s. Wheels take any
     sequence of four numbers; all values are kept as floats. Raises InputError for a value that is
-    not a finite number, and for more or fewer than four.
+    not a finite number, and for more or fewer than four. Warns (PlausibilityWarning) of steering
+    beyond what wheels do.
     """
 
     steering: float = 0.0
@@ -42,6 +44,10 @@ class Command:
             object.__setattr__(self, field.name, kept(field.name, value))
         if min(self.brake_torque) < 0.0:
             raise InputError("brake_torque", self.brake_torque, "numbers that are not below 0")
+        for name in ("steering", "rear_steering"):
+            if abs(angle := getattr(self, name)) > LARGEST_STEERING:
+                rounded = float(f"{angle:.2g}")  # few different lines for many commands
+                warn([doubtful_steering(f"{name} of a command", rounded)])
 
     def records(self) -> np.ndarray:
         """The command as the equations take it: a COMMAND record in an array, not to be changed."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from vehicle_roll_sim.declaration import parameter, parameters_of
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
+from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING
 
 LARGEST_LIMIT = 1e6
 """N or N m."""
@@ -27,7 +28,7 @@ class CommandLimits:
         0.0,
         math.pi / 2,
         tunable=True,
-        default=math.pi / 3,
+        default=LARGEST_STEERING,
     )
     steering_rate_limit: float = parameter(
         "fastest change of a steering angle, front and rear, 0: any",

@@ -6,7 +6,7 @@ import json
 import math
 import platform
 
-from vehicle_roll_sim.declaration import InputError, parameters_of
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
@@ -56,7 +56,7 @@ def _parts(simulation: Simulation) -> dict:
         "rollover_angle": simulation.rollover_angle,
         "model": dataclasses.asdict(simulation.options),
         "road": dataclasses.asdict(simulation.road),
-        "vehicle": {name: getattr(vehicle, name) for name in parameters_of(Vehicle)},
+        "vehicle": vehicle.with_depths().given,
         "tire": {name: value for name, value in coefficients if math.isfinite(value)},
         "tire_side": vehicle.tire.side,
     }
@@ -81,7 +81,8 @@ def described(text: str) -> Described:
         period = float(told["publish_period"])
         return Described(simulation, period, str(told["version"]), str(told["machine"]))
     except InputError as error:
-        raise InputError(f"{FIELD}: {error.field}", error.value, error.allowed) from None
+        field = f"{FIELD}: {error.field}"
+        raise InputError(field, error.value, error.allowed, error.problem) from None
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         allowed = f"what {PACKAGE} writes"
         raise InputError(FIELD, "", allowed, f"{type(error).__name__}: {error}") from None

@@ -8,6 +8,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import (
     InputError,
+    check_alternatives,
     keep_validated,
     parameter,
     parameters_of,
@@ -20,7 +21,8 @@ from vehicle_roll_sim.model.equilibrium import (
     static_tire_compression,
 )
 from vehicle_roll_sim.model.events import plausible_magnitudes
-from vehicle_roll_sim.model.records import LF, LR, VEHICLE
+from vehicle_roll_sim.model.records import VEHICLE
+from vehicle_roll_sim.vehicle.plausibility import AXLES, plausibility, warn
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 GRAVITY = 9.81
@@ -28,16 +30,23 @@ GRAVITY = 9.81
 
 _LENGTH = {"unit": "m", "minimum": 0.01, "maximum": 50.0}
 _INERTIA = {"unit": "kg m^2", "minimum": 1e-3, "maximum": 1e7}
-_WHEEL_INERTIA = _INERTIA | {"minimum": 0.01}  # less is quicker than a step of 1 ms can follow
+_WHEEL_INERTIA = _INERTIA | {"minimum": 1e-6}
 _STIFFNESS = {"unit": "N/m", "minimum": 1.0, "maximum": 1e8}
 _DAMPING = {"unit": "N s/m", "minimum": 0.0, "maximum": 1e7}
 _MASS = {"unit": "kg", "minimum": 0.01, "maximum": 1e6}
-_DEPTH = {"unit": "m", "minimum": -5.0, "maximum": 50.0}
+_CENTRE = {"unit": "m", "minimum": -5.0, "maximum": 50.0}
+_DEPTH = "roll centre below the sprung c.g."
+_HEIGHT = "in place of the depth: roll centre above ground at rest"
 
 
 @dataclasses.dataclass(frozen=True)
 class Vehicle:
-    """A vehicle: the values of a vehicle file and its tire."""
+    """A vehicle: the values of a vehicle file and its tire.
+
+    The roll centre of an axle is given as a depth or as a height, and keeps that when the height of
+    the c.g. is replaced; the other of the two is None. `roll_centre_depth` and `roll_centre_height`
+    have both, whichever was given.
+    """
 
     sprung_mass: float = parameter("mass carried by the springs", **_MASS, symbol="m")
     roll_inertia: float = parameter("of the sprung mass about x", **_INERTIA, symbol="Jx")
@@ -58,11 +67,17 @@ class Vehicle:
     rear_tire_stiffness: float = parameter("vertical, of one tire", **_STIFFNESS, symbol="ktr")
     tire_radius: float = parameter("unloaded", **_LENGTH, symbol="r0")
     wheel_inertia: float = parameter("of one wheel about its axle", **_WHEEL_INERTIA, symbol="Jw")
-    front_roll_centre_depth: float = parameter(
-        "roll centre below the sprung c.g.", **_DEPTH, symbol="hrcf"
+    front_roll_centre_depth: float | None = parameter(
+        _DEPTH, **_CENTRE, symbol="hrcf", alternative="front_roll_centre_height"
     )
-    rear_roll_centre_depth: float = parameter(
-        "roll centre below the sprung c.g.", **_DEPTH, symbol="hrcr"
+    front_roll_centre_height: float | None = parameter(
+        _HEIGHT, **_CENTRE, alternative="front_roll_centre_depth"
+    )
+    rear_roll_centre_depth: float | None = parameter(
+        _DEPTH, **_CENTRE, symbol="hrcr", alternative="rear_roll_centre_height"
+    )
+    rear_roll_centre_height: float | None = parameter(
+        _HEIGHT, **_CENTRE, alternative="rear_roll_centre_depth"
     )
     steering_ratio: float = parameter(
         "handwheel angle over road-wheel angle", minimum=0.1, maximum=100.0
@@ -79,9 +94,11 @@ class Vehicle:
     tire: Tire = dataclasses.field(kw_only=True)
 
     def __post_init__(self):
-        keep_validated(self)
+        keep_validated(self, self.given)
         if not isinstance(self.tire, Tire):
             raise InputError("tire", self.tire, "a Tire, as load_tire gives")
+        check_alternatives(Vehicle, self.given)
+        _check_roll_centres(self)
         _check_inertias(self)
         _check_fits_on_its_wheels(self)
         _check_springs_carry_it(self)
@@ -93,12 +110,49 @@ class Vehicle:
         try:
             return cls(**numbers, tire=tire)
         except InputError as error:  # values that do not go together
-            raise InputError(prefix + error.field, error.value, error.allowed) from None
+            field = prefix + error.field
+            raise InputError(field, error.value, error.allowed, error.problem) from None
 
     def with_values(self, values: dict, prefix: str = "") -> "Vehicle":
-        """A copy with some values replaced; raises InputError as `checked` does."""
-        present = {name: getattr(self, name) for name in parameters_of(Vehicle)}
-        return self.checked(present | values, self.tire, prefix)
+        """A copy with some values replaced; raises InputError as `checked` does.
+
+        A value also replaces its alternative: a roll centre's height the depth, for instance.
+        """
+        known, given = parameters_of(Vehicle), self.given
+        kept = {n: value for n, value in given.items() if known[n].alternative not in values}
+        return self.checked(kept | values, self.tire, prefix)
+
+    @property
+    def given(self) -> dict[str, float]:
+        """Every value by name, of two alternatives the one that was given."""
+        known = parameters_of(Vehicle)
+        values = {name: getattr(self, name) for name in known}
+        return {n: v for n, v in values.items() if v is not None or not known[n].alternative}
+
+    def with_depths(self) -> "Vehicle":
+        """The same vehicle, to the bit, with its roll centres given as depths."""
+        depths = {axle: float(self.roll_centre_depth[wheel]) for axle, wheel in AXLES.items()}
+        return self.with_values({f"{axle}_roll_centre_depth": d for axle, d in depths.items()})
+
+    @functools.cached_property
+    def roll_centre_depth(self) -> np.ndarray:
+        """Of each wheel's axle, below the sprung c.g. (m)."""
+        return self._roll_centre("depth", "height")
+
+    @functools.cached_property
+    def roll_centre_height(self) -> np.ndarray:
+        """Of each wheel's axle, above the ground at rest (m)."""
+        return self._roll_centre("height", "depth")
+
+    def _roll_centre(self, wanted: str, other: str) -> np.ndarray:
+        """The wanted measure at each wheel (m), where it was not given from the other one."""
+        values = []
+        for axle in AXLES:
+            value = getattr(self, f"{axle}_roll_centre_{wanted}")
+            if value is None:
+                value = self.cg_height - getattr(self, f"{axle}_roll_centre_{other}")
+            values += [value, value]
+        return np.array(values)
 
     @functools.cached_property
     def axle_load_share(self) -> np.ndarray:
@@ -133,12 +187,16 @@ class Vehicle:
         return np.array([front, front, rear, rear])
 
     def record(self) -> np.ndarray:
-        """The vehicle as the equations take it: one VEHICLE record in an array."""
+        """The vehicle as the equations take it: one VEHICLE record in an array.
+
+        Warns (PlausibilityWarning) of values that are not plausible.
+        """
+        warn(plausibility(self))
         vehicle = np.zeros(1, VEHICLE)
         for name in VEHICLE.names:
             if hasattr(self, name):
                 vehicle[name] = getattr(self, name)
-        for name in ("roll_centre_depth", "unsprung_mass", "spring_stiffness", "damping"):
+        for name in ("unsprung_mass", "spring_stiffness", "damping"):
             vehicle[name] = self.per_wheel(name)
         vehicle["tire_stiffness"] = self.per_wheel("tire_stiffness")
         vehicle["gravity"] = GRAVITY
@@ -148,6 +206,17 @@ class Vehicle:
         return vehicle
 
 
+def _check_roll_centres(vehicle: Vehicle) -> None:
+    """A height comes to a depth that could have been given."""
+    for axle, wheel in AXLES.items():
+        name = f"{axle}_roll_centre_height"
+        depth = vehicle.roll_centre_depth[wheel]
+        if name in vehicle.given and not _CENTRE["minimum"] <= depth <= _CENTRE["maximum"]:
+            least, most = (vehicle.cg_height - _CENTRE[each] for each in ("maximum", "minimum"))
+            limit = f"from {least:g} to {most:g} m with the c.g. at {vehicle.cg_height:g} m"
+            raise InputError(name, vehicle.given[name], limit)
+
+
 def _check_inertias(vehicle: Vehicle) -> None:
     """Moments of inertia of a body: none is larger than the sum of the other two."""
     names = ("roll_inertia", "pitch_inertia", "yaw_inertia")
@@ -155,26 +224,26 @@ def _check_inertias(vehicle: Vehicle) -> None:
     for name in names:
         value = getattr(vehicle, name)
         if value > total - value:
-            limit = f"at most the sum of the other two moments, {total - value:g} kg m^2"
-            raise InputError(name, value, limit)
+            most = total - value
+            limit = f"at most the sum of the other two moments, {most:g} kg m^2"
+            beyond = f"{value - most:g} kg m^2 ({100 * (value - most) / most:.2g} %) more"
+            wanted = "wanted is that of the sprung mass alone, not of the whole vehicle"
+            raise InputError(name, value, f"{limit}; it is {beyond}: {wanted}")
 
 
 def _check_fits_on_its_wheels(vehicle: Vehicle) -> None:
-    """At rest the tires are not squashed flat and the struts are above the wheel centres."""
-    radius = float(np.min(vehicle.tire_radius - vehicle.static_tire_compression))
-    if radius <= 0.0:
-        squashed = float(np.max(vehicle.static_tire_compression))
+    """At rest the tires are not squashed flat."""
+    squashed = float(np.max(vehicle.static_tire_compression))
+    if vehicle.tire_radius <= squashed:
         limit = f"more than the compression of the tires at rest, {squashed:g} m"
         raise InputError("tire_radius", vehicle.tire_radius, limit)
-    if float(np.min(vehicle.static_strut_length)) <= 0.0:
-        limit = f"more than the radius of the loaded wheel, {radius:g} m"
-        raise InputError("cg_height", vehicle.cg_height, limit)
 
 
 def _check_springs_carry_it(vehicle: Vehicle) -> None:
     """At rest no spring is compressed by what a run takes for divergence."""
     most = float(np.min(plausible_magnitudes()["suspension_compression"]))
-    for name, wheel in (("front_spring_stiffness", LF), ("rear_spring_stiffness", LR)):
+    for axle, wheel in AXLES.items():
+        name = f"{axle}_spring_stiffness"
         compression = float(vehicle.static_suspension_compression[wheel])
         if compression > most:
             stiffness = getattr(vehicle, name)

@@ -36,6 +36,8 @@ PASSED_OVER = re.compile(r"\s*([$!].*|\{.*|[-+.\d][-+.\deE\s]*([$!].*)?)?$")
 IN_FORCE_UNITS = ("FNOMIN", "FZMIN", "FZMAX")
 UNBOUNDED = {name: -math.inf if name.endswith("MIN") else math.inf for name in RANGES}
 DEFAULTS = dict.fromkeys(SCALING, 1.0) | dict.fromkeys(OPTIONAL, 0.0) | UNBOUNDED
+USED = {*DEFAULTS, *REQUIRED, "TYRESIDE", FORMAT, "FITTYP"}
+"""Keys of a file that count, beside its units."""
 SIDES = {"left": (RF, RR), "right": (LF, LR)}
 """Wheels at which a tire measured on that side runs mirrored."""
 
@@ -137,10 +139,9 @@ def _sections(path: Path) -> dict[str, dict[str, Entry]]:
 
 def _values(sections: dict[str, dict[str, Entry]]) -> dict[str, Entry]:
     """The entries that are used here; none may stand in two sections."""
-    used = {*DEFAULTS, *REQUIRED, "TYRESIDE", FORMAT, "FITTYP"}
     values = {}
     for section, entries in sections.items():
-        for key in used & entries.keys():
+        for key in USED & entries.keys():
             if key in values:
                 text, where = entries[key]
                 again = f"given twice, again in [{section}]"

@@ -1,5 +1,7 @@
 """Vehicle files: YAML with the names of `Vehicle`, and the shipped presets."""
 
+import errno
+import os
 import re
 from dataclasses import MISSING
 from importlib.resources import as_file, files
@@ -10,7 +12,7 @@ import yaml
 from vehicle_roll_sim.declaration import LONGEST_SHOWN, InputError, parameters_of, unknown_name
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.text_file import read_text
-from vehicle_roll_sim.vehicle.tire_file import load_tire
+from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
 
 A_MAPPING = "a YAML mapping of parameter names to values is wanted"
 LONGEST_VALUE = 4096
@@ -26,6 +28,8 @@ MERGE = "tag:yaml.org,2002:merge"
 ODD_VALUE = (ValueError, LookupError, TypeError, ArithmeticError, AttributeError)
 """What YAML raises, beside its own errors, for a value with a wrong or odd tag."""
 TEMPLATE_HAS_ALL = "`vehicle_roll_sim template` writes a file that has them"
+SHIPPED_TIRE = "reference"
+"""What a vehicle file says for the tire that is shipped, where others name a .tir file."""
 PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 
 
@@ -84,20 +88,45 @@ def load_vehicle(path: str | Path) -> Vehicle:
     for name in values:
         if name not in expected:
             raise unknown_name(name, expected, f"{path}: line {lines[name]}: name")
-    optional = {n for n, p in known.items() if p.default is not MISSING}
-    missing = [name for name in expected if name not in values and name not in optional]
-    if missing:
+    if missing := _missing(values):
         wanted = f"every parameter must be given; {TEMPLATE_HAS_ALL}"
         raise InputError(f"{path}: {', '.join(missing)}", None, wanted)
     tire = values.pop("tire")
     if not isinstance(tire, str) or not tire:
-        raise InputError(where["tire"], tire, "the name of a .tir file")
+        wanted = f"the name of a .tir file, or {SHIPPED_TIRE}"
+        raise InputError(where["tire"], tire, wanted)
     numbers = {name: known[name].validate(value, where[name]) for name, value in values.items()}
-    tire = load_tire(path.parent / tire)
+    tire = shipped_tire() if tire == SHIPPED_TIRE else _tire_beside(path, tire, where["tire"])
     try:
         return Vehicle(**numbers, tire=tire)
     except InputError as error:  # values that do not go together
-        raise InputError(where[error.field], error.value, error.allowed) from None
+        field = where.get(error.field, f"{path}: {error.field}")
+        raise InputError(field, error.value, error.allowed, error.problem) from None
+
+
+def _missing(values: dict) -> list[str]:
+    """What a file must give and does not; of two alternatives that are not given, both in one."""
+    missing = []
+    for name, declared in parameters_of(Vehicle).items():
+        other = declared.alternative
+        if other and name not in values and other not in values:
+            both = f"{name} or {other}"
+            missing += [both] if f"{other} or {name}" not in missing else []
+        elif declared.default is MISSING and name not in values:
+            missing.append(name)
+    return missing if "tire" in values else [*missing, "tire"]
+
+
+def _tire_beside(path: Path, name: str, where: str) -> Tire:
+    """The tire file that the vehicle file at `path` names."""
+    file = path.parent / name
+    try:
+        return load_tire(file)
+    except InputError as error:
+        if error.problem != os.strerror(errno.ENOENT):
+            raise
+    wanted = f"a .tir file, by its path from the vehicle file, or {SHIPPED_TIRE}"
+    raise InputError(where, name, wanted, f"{file} does not exist")
 
 
 def _mapping(path: Path) -> tuple[dict, dict[str, int]]:
@@ -131,6 +160,12 @@ def _where(error: yaml.YAMLError) -> str:
     problem = getattr(error, "problem", None) or str(error)
     line = f" in line {mark.line + 1}" if mark else ""
     return " ".join(problem.split())[:LONGEST_PROBLEM] + line
+
+
+def shipped_tire() -> Tire:
+    """The tire of the reference vehicle."""
+    with as_file(PRESETS) as folder:
+        return load_tire(folder / "reference.tir")
 
 
 def preset(name: str = "reference") -> Vehicle:

@@ -1,0 +1,73 @@
+"""The files to start from: the reference vehicle, to the bit, with a word on every value."""
+
+import pytest
+from vehicle_files import REFERENCE_TIR, refused, write
+
+from vehicle_roll_sim import Simulation, Vehicle, load_tire, load_vehicle, preset
+from vehicle_roll_sim.declaration import parameters_of
+from vehicle_roll_sim.model.tire import OPTIONAL, RANGES, REQUIRED, SCALING
+from vehicle_roll_sim.vehicle.template import tire_template, vehicle_template
+from vehicle_roll_sim.vehicle.tire_meanings import MEANINGS
+
+PARAMETERS = parameters_of(Vehicle)
+
+
+def lines_of(text: str, mark: str) -> dict[str, str]:
+    """The comment behind each key; `mark` begins it."""
+    lines = [line.partition(f" {mark} ") for line in text.splitlines()]
+    return {line.split()[0].strip(":"): comment for line, _, comment in lines if line.strip()}
+
+
+def test_the_vehicle_file_is_the_reference_vehicle_to_the_bit(tmp_path):
+    loaded = load_vehicle(write(tmp_path, "car.yaml", vehicle_template()))
+    assert loaded == preset()
+    assert loaded.record().tobytes() == preset().record().tobytes()
+
+
+def test_the_tire_file_is_the_reference_tire_to_the_bit(tmp_path):
+    tire = load_tire(write(tmp_path, "tire.tir", tire_template()))
+    assert tire.coefficients == preset().tire.coefficients
+    assert tire.record().tobytes() == preset().tire.record().tobytes()
+
+
+@pytest.mark.parametrize("name", PARAMETERS)
+def test_every_parameter_stands_there_with_unit_range_and_meaning(name):
+    declared = PARAMETERS[name]
+    line = next(line for line in vehicle_template().splitlines() if f"{name}:" in line)
+    low_to_high = f"{declared.minimum:g} to {declared.maximum:g}"
+    assert f"# {declared.unit or '-'}, {low_to_high}: {declared.description}" in line
+
+
+def test_what_may_be_left_out_stands_below_the_line_that_says_so(tmp_path):
+    must, _, may = vehicle_template().partition("# These may be left out")
+    for name in ("drag_area", "minimum_relaxation_length", "rolling_resistance_coefficient"):
+        assert f"\n{name}: " in may
+    shortened = must + "tire: reference\n"
+    assert load_vehicle(write(tmp_path, "car.yaml", shortened)) == preset()
+
+
+@pytest.mark.parametrize("key", [*SCALING, *REQUIRED, *OPTIONAL, *RANGES])
+def test_every_coefficient_that_counts_has_its_meaning(key):
+    comment = lines_of(tire_template(), "$")[key]
+    assert comment.startswith(MEANINGS[key])
+    assert ("required" in comment) == (key in REQUIRED)
+    assert "not used" not in comment
+
+
+def test_what_does_not_count_is_marked_so_and_changes_nothing(tmp_path):
+    comments = lines_of(tire_template(), "$")
+    unused = [key for key, comment in comments.items() if comment.endswith("not used")]
+    assert {"UNLOADED_RADIUS", "VERTICAL_STIFFNESS", "PDX3", "LGAY"} <= set(unused)
+    kept = [line for line in tire_template().splitlines() if line.split()[0] not in unused]
+    tire = load_tire(write(tmp_path, "tire.tir", "\n".join(kept)))
+    assert tire.coefficients == preset().tire.coefficients
+
+
+def test_the_shipped_tire_needs_no_file_and_a_file_beside_is_another(tmp_path):
+    text = vehicle_template()
+    write(tmp_path, "mine.tir", REFERENCE_TIR.replace("= 1.685", "= 1.5"))
+    named = text.replace("\ntire: reference\n", "\ntire: mine.tir\n")
+    assert load_vehicle(write(tmp_path, "own.yaml", named)).tire.coefficients["PCX1"] == 1.5
+    Simulation(load_vehicle(write(tmp_path, "car.yaml", text)))
+    with refused("own.yaml", "a .tir file, or reference"):
+        load_vehicle(write(tmp_path, "own.yaml", text.replace("\ntire: reference", "\ntire: 3")))
