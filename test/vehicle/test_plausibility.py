@@ -101,8 +101,8 @@ ODD = {
     "front_roll_centre_depth: 0.65 m under a c.g. at 0.6 m leaves the roll centre 0.05 m below": {
         "cg_height": 0.6
     },
-    "rear_roll_centre_height: 15 m: the roll centre is 14.2 m above the sprung c.g.": {
-        "rear_roll_centre_height": 15.0
+    "rear_roll_centre_height: 1.5 m: the roll centre is 0.75 m above the sprung c.g.": {
+        "rear_roll_centre_height": 1.5
     },
     "cg_height: 0.1 m under wheel centres at 0.26": {
         "cg_height": 0.1,
