@@ -20,6 +20,10 @@ def doubled(x):
     return 2.0 * x
 
 
+def tripled(x):
+    return 3.0 * x
+
+
 @pytest.fixture
 def folder(monkeypatch, tmp_path):
     """A cache of its own, as in a process that has said nothing yet."""
@@ -71,6 +75,17 @@ def test_damaged_code_is_made_anew_with_one_line(folder, capsys, kind, damage):
     assert "is damaged and made anew" in line
     assert is_from_cache(compiled_kernel())
     assert capsys.readouterr().err == ""
+
+
+def test_files_that_changed_places_are_damaged(folder, capsys):
+    compiled_kernel()
+    jit.kernel(tripled)(1.0)
+    first, second = folder.rglob("*.nbc")
+    content = first.read_bytes()
+    first.write_bytes(second.read_bytes())
+    second.write_bytes(content)
+    assert not is_from_cache(compiled_kernel())
+    assert "is damaged" in capsys.readouterr().err
 
 
 def test_code_that_is_gone_is_made_anew(folder):

@@ -100,7 +100,7 @@ class _CheckedFile(IndexDataCacheFile):
     def _write(self, path: str, content) -> None:
         data = self._dump(content)
         with self._open_for_write(path) as file:
-            file.write(DIGEST(data).digest() + data)
+            file.write(_digest(path, data) + data)
 
     def _read(self, path: str):
         """What a file holds; None where it is missing, cannot be read or is damaged."""
@@ -112,10 +112,15 @@ class _CheckedFile(IndexDataCacheFile):
             say(f"compiled code cannot be read and is made anew: {error}")
             return None
         size = DIGEST().digest_size
-        if DIGEST(whole[size:]).digest() != whole[:size]:
+        if _digest(path, whole[size:]) != whole[:size]:
             say(f"compiled code in {self._cache_path} is damaged and made anew")
             return None
         return pickle.loads(whole[size:])
+
+
+def _digest(path: str, data: bytes) -> bytes:
+    """Of the name and what is under it: two files that changed places are damaged, too."""
+    return DIGEST(os.path.basename(path).encode() + data).digest()
 
 
 class CheckedCache(FunctionCache):
