@@ -28,8 +28,9 @@ def replay_command(words: list[str], program: str) -> int:
     arguments = _parser(program).parse_args(words)
     folder = named_file(arguments.bag, "BAG")
     need_library("BAG")
-    from vehicle_roll_sim.bags.reading import recorded_runs  # their library is optional
-    from vehicle_roll_sim.bags.replay import replay
+    with ending.at_once():
+        from vehicle_roll_sim.bags.reading import recorded_runs  # their library is optional
+        from vehicle_roll_sim.bags.replay import replay
 
     told = _told(arguments)
     runs = recorded_runs(folder, arguments.namespace)

@@ -15,6 +15,7 @@ from vehicle_roll_sim.arguments import (
     named_file,
 )
 from vehicle_roll_sim.bags import need_library
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     chosen_simulation,
@@ -85,7 +86,8 @@ def run_command(words: list[str], program: str) -> int:
     if csv:
         history.write_csv(csv)
     if plot:
-        from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
+        with ending.at_once():
+            from vehicle_roll_sim.analysis import plots  # half a second, only for a figure
 
         plots.plot_run(history, simulation.events, plot, arguments.manoeuvre or arguments.commands)
     report = [line(label, text) for label, text in manoeuvre.report(history, driver).items()]
@@ -149,7 +151,8 @@ def _recorded(
     """The witness that writes the bag, if there is to be one."""
     if bag is None:
         return nullcontext()
-    from vehicle_roll_sim.bags.run_bag import run_bag  # its library is optional
+    with ending.at_once():
+        from vehicle_roll_sim.bags.run_bag import run_bag  # its library is optional
 
     return run_bag(simulation, commanded, bag, round(period * NANOSECONDS), "--bag")
 

@@ -1,0 +1,80 @@
+"""SIGINT in the first second of a command: one line and status 130, never a traceback."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.unmeasured
+
+PATIENCE = 120
+"""s"""
+INTERRUPTED = (130, "vehicle_roll_sim: interrupted\n")
+COMMAND = (sys.executable, "-m", "vehicle_roll_sim")
+SCRIPT = (
+    "import sys; from importlib.metadata import entry_points;"
+    "(found,) = entry_points(group='console_scripts', name='vehicle_roll_sim');"
+    "sys.exit(found.load()())"
+)
+"""What pip's and colcon's scripts do."""
+WORDS = {
+    "run": ("j_turn", "--csv", "rows.csv", "--plot", "figure.png", "--bag", "bag"),
+    "series": ("sine_with_dwell", "--csv", "rows.csv"),
+    "linearize": ("--npz", "model.npz"),
+}
+DELAYS = {
+    "run": (0.0, 0.1, 0.3, 0.5, 0.7, 0.9),
+    "series": (0.05, 0.2, 0.4),
+    "linearize": (0.02, 0.15, 0.6),
+}
+"""s from the moment at which the command has its handlers: imports, compiled code, results."""
+LARGE = {"numpy", "scipy", "numba", "matplotlib", "tqdm", "yaml", "rclpy", "argparse"}
+
+
+def handles_signals(pid: int) -> bool:
+    """Whether a process has a handler of SIGTERM, which Python itself does not."""
+    status = Path(f"/proc/{pid}/status").read_text()
+    (caught,) = (line.split()[1] for line in status.splitlines() if line.startswith("SigCgt:"))
+    return bool(int(caught, 16) >> (signal.SIGTERM - 1) & 1)
+
+
+def interrupted(command, folder: Path, delay: float) -> tuple[int, str]:
+    """Exit status and stderr of a command that gets SIGINT so long after it has its handlers."""
+    pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command, cwd=folder, **pipes) as process:
+        try:
+            until = time.monotonic() + PATIENCE
+            while process.poll() is None and not handles_signals(process.pid):
+                assert time.monotonic() < until, "no handler of its own"
+            time.sleep(delay)  # what is tried
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate(timeout=PATIENCE)
+        finally:
+            process.kill()
+    return process.returncode, err
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/status"), reason="handlers are seen on Linux")
+@pytest.mark.parametrize("name", WORDS)
+def test_a_command_that_is_starting_is_interrupted_in_one_line(tmp_path, name):
+    for number, delay in enumerate(DELAYS[name]):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        begin = (sys.executable, "-c", SCRIPT) if number % 2 else COMMAND
+        ended = interrupted([*begin, name, *WORDS[name]], folder, delay)
+        assert ended in (INTERRUPTED, (0, "")), delay
+        assert not [path for path in folder.iterdir() if path.name not in WORDS[name]], delay
+
+
+def test_what_runs_before_the_handlers_imports_nothing_large():
+    program = (
+        "import sys, vehicle_roll_sim.command_line.entry, vehicle_roll_sim.ros.executables;"
+        "print(*{name.partition('.')[0] for name in sys.modules})"
+    )
+    words = [sys.executable, "-c", program]
+    result = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE, check=True)
+    assert not LARGE & set(result.stdout.split())
