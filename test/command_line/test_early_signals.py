@@ -32,6 +32,8 @@ DELAYS = {
     "linearize": (0.02, 0.15, 0.6),
 }
 """s from the moment at which the command has its handlers: imports, compiled code, results."""
+FIRST_LIBRARY = "multiarray_umath"
+"""Of numpy, which all the others need."""
 LARGE = {"numpy", "scipy", "numba", "matplotlib", "tqdm", "yaml", "rclpy", "argparse"}
 
 
@@ -42,14 +44,23 @@ def handles_signals(pid: int) -> bool:
     return bool(int(caught, 16) >> (signal.SIGTERM - 1) & 1)
 
 
+def wait_for_handlers(process: subprocess.Popen) -> None:
+    """Until a process has them, which must be before it reads in anything large."""
+    until = time.monotonic() + PATIENCE
+    while process.poll() is None:
+        is_late = FIRST_LIBRARY in Path(f"/proc/{process.pid}/maps").read_text()
+        if handles_signals(process.pid):
+            return
+        assert not is_late, "a library is read in under Python's own handler"
+        assert time.monotonic() < until, "no handler of its own"
+
+
 def interrupted(command, folder: Path, delay: float) -> tuple[int, str]:
     """Exit status and stderr of a command that gets SIGINT so long after it has its handlers."""
     pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
     with subprocess.Popen(command, cwd=folder, **pipes) as process:
         try:
-            until = time.monotonic() + PATIENCE
-            while process.poll() is None and not handles_signals(process.pid):
-                assert time.monotonic() < until, "no handler of its own"
+            wait_for_handlers(process)
             time.sleep(delay)  # what is tried
             process.send_signal(signal.SIGINT)
             _, err = process.communicate(timeout=PATIENCE)
