@@ -55,23 +55,26 @@ def wait_for_handlers(process: subprocess.Popen) -> None:
         assert time.monotonic() < until, "no handler of its own"
 
 
-def interrupted(command, folder: Path, delay: float) -> tuple[int, str]:
-    """Exit status and stderr of a command that gets SIGINT so long after it has its handlers."""
+@pytest.fixture
+def interrupted(started):
+    """interrupted(command, folder, delay): exit status and stderr of a command that gets SIGINT so
+    long after it has its handlers (s)."""
     pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
-    with subprocess.Popen(command, cwd=folder, **pipes) as process:
-        try:
-            wait_for_handlers(process)
-            time.sleep(delay)  # what is tried
-            process.send_signal(signal.SIGINT)
-            _, err = process.communicate(timeout=PATIENCE)
-        finally:
-            process.kill()
-    return process.returncode, err
+
+    def ending(command, folder: Path, delay: float) -> tuple[int, str]:
+        process = started(command, cwd=folder, **pipes)
+        wait_for_handlers(process)
+        time.sleep(delay)  # what is tried
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=PATIENCE)
+        return process.returncode, err
+
+    return ending
 
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/status"), reason="handlers are seen on Linux")
 @pytest.mark.parametrize("name", WORDS)
-def test_a_command_that_is_starting_is_interrupted_in_one_line(tmp_path, name):
+def test_a_command_that_is_starting_is_interrupted_in_one_line(interrupted, tmp_path, name):
     for number, delay in enumerate(DELAYS[name]):
         folder = tmp_path / str(number)
         folder.mkdir()
@@ -89,3 +92,18 @@ def test_what_runs_before_the_handlers_imports_nothing_large():
     words = [sys.executable, "-c", program]
     result = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE, check=True)
     assert not LARGE & set(result.stdout.split())
+
+
+def test_a_command_that_was_started_to_ignore_sigint_does(started):
+    """As a shell has it in the background of a script: Ctrl-C is for what is in front."""
+
+    def ignore() -> None:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    process = started([*COMMAND, "run", "step_steer"], preexec_fn=ignore, **pipes)
+    while process.poll() is None:
+        process.send_signal(signal.SIGINT)
+        time.sleep(0.01)
+    _, err = process.communicate(timeout=PATIENCE)
+    assert (process.returncode, err) == (0, "")

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.simulation.simulation import compile_model
 from vehicle_roll_sim.simulation.summary import line
 
@@ -52,7 +53,9 @@ def demonstrate(folder: Path) -> int:
         raise InputError("--output", str(folder), error.strerror) from None
     compile_model()
     interrupted = threading.Event()
-    for signum in ENDING:  # noted, not raised: no node is lost between its start and its record
+    for signum in ending.heeded(
+        ENDING
+    ):  # noted, not raised: no node is lost between its start and its record
         signal.signal(signum, lambda *_: interrupted.set())
     nodes, statuses = [], []
     try:
