@@ -22,6 +22,7 @@ from rclpy.utilities import remove_ros_args, try_shutdown
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros.parameter_files import warn_of_files_for_others
 from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
 
 LOOK = 0.05
@@ -79,6 +80,7 @@ def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
 def lifetime(node: Node) -> Iterator[Executor]:
     """An executor for a node; in the end it is shut down, and both are gone."""
     refuse_malformed(node)
+    warn_of_files_for_others(node)
     executor = SingleThreadedExecutor(context=node.context)
     executor.add_node(node)
     try:
