@@ -21,7 +21,14 @@ def at_once(status: int = 0) -> None:
     A node (status 0) is ended by SIGINT even where it was started to ignore it, as in the
     background of a script: that is how launch ends nodes. A command goes on ignoring it.
     """
-    _handle(lambda *_: os._exit(status), heeded() if status else SIGNALS)
+
+    def end(signum, _) -> None:
+        if status and signum == signal.SIGINT:
+            with contextlib.suppress(OSError):  # not by sys.stderr, which may be writing just now
+                os.write(2, b"interrupted\n")
+        os._exit(status)
+
+    _handle(end, heeded() if status else SIGNALS)
 
 
 def heeded(signals: Iterable[int] = SIGNALS) -> list[int]:

@@ -76,12 +76,21 @@ def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
             raise unknown_name(name, known, "parameter")
 
 
+class NodeExecutor(SingleThreadedExecutor):
+    """An executor that may be cut short by a signal while it is made.
+
+    rclpy's destructor then asks for what is not there yet, and prints a traceback.
+    """
+
+    _sigint_gc = None
+
+
 @contextlib.contextmanager
 def lifetime(node: Node) -> Iterator[Executor]:
     """An executor for a node; in the end it is shut down, and both are gone."""
     refuse_malformed(node)
     warn_of_files_for_others(node)
-    executor = SingleThreadedExecutor(context=node.context)
+    executor = NodeExecutor(context=node.context)
     executor.add_node(node)
     try:
         yield executor
