@@ -53,9 +53,8 @@ def demonstrate(folder: Path) -> int:
         raise InputError("--output", str(folder), error.strerror) from None
     compile_model()
     interrupted = threading.Event()
-    for signum in ending.heeded(
-        ENDING
-    ):  # noted, not raised: no node is lost between its start and its record
+    # noted, not raised: no node is lost between its start and its record
+    for signum in ending.heeded(ENDING):
         signal.signal(signum, lambda *_: interrupted.set())
     nodes, statuses = [], []
     try:

@@ -158,9 +158,8 @@ class Driver(Node):
             self._simulator.linger(SETTLING)
             if not (is_said or self.collector.is_mixed):
                 is_said = True
-                self.get_logger().info(
-                    f"{topic} has several publishers: waiting {LEASE:g} s for one"
-                )
+                why = f"waiting up to {LEASE:g} s, in case one of them was killed"
+                self.get_logger().info(f"several nodes publish {topic}: {why}")
 
     def _check_alone(self) -> None:
         """Raise NoAnswerError if a second simulator is there by now, or was."""

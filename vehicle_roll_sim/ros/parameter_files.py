@@ -49,7 +49,9 @@ def _sections(file: Path) -> dict[str, set[str]]:
         return {}
     try:
         root = yaml.compose(read_text(file), Loader=yaml.SafeLoader)
-    except (InputError, yaml.YAMLError):  # ROS reads more than this does, and has said what it can
+    except (InputError, yaml.YAMLError, RecursionError):  # what ROS could read all the same
+        return {}
+    if not isinstance(root, yaml.MappingNode):
         return {}
     sections = {}
     for *names, name, parameters in _paths(root, until=PARAMETERS):
@@ -66,7 +68,7 @@ def _paths(node: yaml.Node, until: str | None = None, above: tuple = ()) -> Iter
         yield (*above, node)
         return
     for key, value in node.value:
-        path = (*above, key.value)
+        path = (*above, str(key.value))
         if key.value == until:
             yield (*path, value)
         else:
