@@ -1,4 +1,4 @@
-"""Tests, benchmarks and comparisons have ROS domains of their own."""
+"""Tests and benchmarks have ROS domains of their own."""
 
 import socket
 

@@ -1,4 +1,4 @@
-"""ROS domains that nobody else on this machine uses: for tests, benchmarks and comparisons.
+"""ROS domains that nobody else on this machine uses: for tests and benchmarks.
 
 People are on 0, or on another one up to 101. Above 214 there are some more whose ports Linux does
 not hand out to others. One of these is taken here while it is free, and kept from other takers.
