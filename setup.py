@@ -50,7 +50,7 @@ setup(
     zip_safe=False,
     entry_points={
         "console_scripts": [
-            f"vehicle_roll_sim = {NAME}.command_line.main:main",
+            f"vehicle_roll_sim = {NAME}.command_line.entry:main",
             f"simulator = {NAME}.ros.executables:simulator",
             f"manoeuvre = {NAME}.ros.executables:manoeuvre",
             f"recorder = {NAME}.ros.executables:recorder",

@@ -1,7 +1,6 @@
 """The other end of a simulator that is measured: a node in this process, in its own domain."""
 
-import itertools
-import os
+import contextlib
 import time
 from collections.abc import Callable
 
@@ -14,14 +13,13 @@ from rclpy.serialization import deserialize_message
 
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
 from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.ros.domains import own_domain
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class, offered_qos
 
 PATIENCE = 120.0
 """s until a wait fails: compiling the model on a busy machine included."""
 TURN = 0.02
 """s between two looks at what is waited for."""
-LARGEST_DOMAIN = 100
-"""Above it, ports may meet those that the system hands out."""
 BATCH = 1000
 """Messages that a Tap can leave lying."""
 TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED)}
@@ -30,9 +28,6 @@ TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED)}
 def kind_of(name: str) -> type:
     """The message class of a topic."""
     return message_class(TOPICS[name].type)
-
-
-_domains = itertools.count(os.getpid())
 
 
 def wait(done: Callable[[], object], what: str, turn: Callable[[], None]):
@@ -49,7 +44,8 @@ class Peer:
     """A node that listens and commands, with an executor; a context manager."""
 
     def __init__(self):
-        self.domain = next(_domains) % LARGEST_DOMAIN + 1
+        self._own = contextlib.ExitStack()
+        self.domain = self._own.enter_context(own_domain())
         self.context = Context()
         rclpy.init(context=self.context, domain_id=self.domain)
         self.node = Node("benchmark", context=self.context)
@@ -63,6 +59,7 @@ class Peer:
         self.executor.shutdown()
         self.node.destroy_node()
         rclpy.try_shutdown(context=self.context)
+        self._own.close()
 
     def listen(self, name: str, receive: Callable):
         return self.node.create_subscription(

@@ -1,6 +1,8 @@
 """For all tests: the model is compiled before them; profiles of random cases; who is measured."""
 
 import os
+import signal
+import subprocess
 
 import pytest
 from hypothesis import settings
@@ -17,6 +19,33 @@ settings.register_profile(
     "soak", derandomize=False, database=None, deadline=None, max_examples=4000, print_blob=True
 )
 settings.load_profile("suite")
+
+
+def have_children_heed_sigint() -> None:
+    """Where this process was started to ignore SIGINT, as by a script that goes on (`pytest &`).
+
+    It goes on doing so; but what is ignored is inherited, and what has a handler is not.
+    """
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, lambda *_: None)
+
+
+have_children_heed_sigint()
+
+
+@pytest.fixture
+def started():
+    """started(words, ...): a process (subprocess.Popen) that ends with its test at the latest."""
+    processes = []
+
+    def start(words, **options) -> subprocess.Popen:
+        processes.append(subprocess.Popen(words, **options))
+        return processes[-1]
+
+    yield start
+    for process in reversed(processes):
+        with process:  # which closes its pipes and waits for it
+            process.kill()
 
 
 @pytest.fixture(scope="session", autouse=True)

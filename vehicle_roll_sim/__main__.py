@@ -2,7 +2,7 @@
 
 import sys
 
-from vehicle_roll_sim.command_line.main import main
+from vehicle_roll_sim.command_line.entry import main
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -155,7 +155,7 @@ def test_what_is_not_a_state_of_a_simulator_is_refused(j_turn, changed):
 def test_a_damaged_bag_is_read_or_refused_and_no_more(j_turn, tmp_path, seed):
     damaged = tmp_path / "j_turn"
     shutil.copytree(j_turn, damaged)
-    file = damaged / ("metadata.yaml" if seed % 3 == 0 else "j_turn.mcap")
+    file = damaged / ("metadata.yaml" if seed % 3 == 0 else "j_turn_0.mcap")
     data, numbers = bytearray(file.read_bytes()), np.random.default_rng(seed)
     for place in numbers.integers(len(data), size=30):
         data[place] = numbers.integers(256)

@@ -114,7 +114,7 @@ def test_the_8_dof_model_has_its_own_states_and_no_transform_to_the_body(tmp_pat
 def test_the_same_run_gives_the_same_bytes(j_turn, tmp_path):
     record(tmp_path / "j_turn")
     files = sorted(file.name for file in j_turn.iterdir())
-    assert files == ["j_turn.mcap", "metadata.yaml"]
+    assert files == ["j_turn_0.mcap", "metadata.yaml"]
     for name in files:
         assert (tmp_path / "j_turn" / name).read_bytes() == (j_turn / name).read_bytes()
 

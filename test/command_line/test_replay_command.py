@@ -91,7 +91,7 @@ def test_a_bag_of_another_vehicle_than_the_options_say_is_refused(refused, bag):
 
 @pytest.mark.parametrize("length", [0, 7, 1000, -1])
 def test_a_truncated_bag_is_refused(refused, folder, bag, length):
-    file = folder / bag / "bag.mcap"
+    file = folder / bag / "bag_0.mcap"
     file.write_bytes(file.read_bytes()[:length])
     refused(["replay", bag], "BAG", "a whole bag")
     refused(["plot", bag], "BAG", "a whole bag")

@@ -76,9 +76,9 @@ def test_a_result_that_is_refused_while_it_is_written_is_no_wrong_input(tmp_path
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_run_that_is_terminated_leaves_nothing_half_written(tmp_path):
+def test_a_run_that_is_terminated_leaves_nothing_half_written(started, tmp_path):
     words = ("step_steer", "--amplitude", "0", "--duration", "80000", "--bag", "bag")
-    process = subprocess.Popen([*COMMAND, "run", *words], cwd=tmp_path)
+    process = started([*COMMAND, "run", *words], cwd=tmp_path)
     while not list(tmp_path.iterdir()):
         assert process.poll() is None
         time.sleep(0.01)
@@ -89,9 +89,9 @@ def test_a_run_that_is_terminated_leaves_nothing_half_written(tmp_path):
 
 @pytest.mark.skipif(not COMPILED, reason="interrupting compiled code needs compiled code")
 @pytest.mark.parametrize("signum", ENDINGS)
-def test_a_signal_in_the_middle_of_a_computation_is_no_crash(signum):
+def test_a_signal_in_the_middle_of_a_computation_is_no_crash(started, signum):
     words = ("step_steer", "--amplitude", "0", "--duration", "3600", "--sample", "0.1")
-    process = subprocess.Popen(
+    process = started(
         [*COMMAND, "run", *words, "--step", "1e-5"],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,

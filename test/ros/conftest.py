@@ -1,19 +1,10 @@
 """Fixtures: a domain for each test, processes and peers that end with it."""
 
-import itertools
-import os
-
 import launch_files
 import pytest
 from peers import Peer, Process
 
-LARGEST_DOMAIN = 100
-"""Above it, ports may meet those that the system hands out."""
-WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
-WORKERS = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
-DOMAINS = range(WORKER + 1, LARGEST_DOMAIN + 1, WORKERS)
-"""Those of this worker."""
-_numbers = itertools.count(os.getpid())
+from vehicle_roll_sim.ros.domains import own_domain
 
 
 @pytest.fixture(autouse=True)
@@ -22,16 +13,11 @@ def local_discovery(monkeypatch, tmp_path):
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "ros_log"))
 
 
-@pytest.fixture(scope="session")
-def new_domain():
-    """new_domain(): a ROS domain that no other test of this run has at the same time."""
-    return lambda: DOMAINS[next(_numbers) % len(DOMAINS)]
-
-
 @pytest.fixture
-def domain(new_domain):
-    """The ROS domain of a test."""
-    return new_domain()
+def domain():
+    """The ROS domain of a test, which nobody else on this machine has meanwhile."""
+    with own_domain() as number:
+        yield number
 
 
 @pytest.fixture

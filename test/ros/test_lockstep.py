@@ -1,7 +1,6 @@
 """In lockstep results depend on the commands alone, over pauses, resets and wrong answers."""
 
 import json
-import subprocess
 import sys
 from pathlib import Path
 
@@ -22,13 +21,9 @@ BOTH = ("lockstep_topics:=[steering_cmd, normal_force_cmd]", "-p", "normal_force
 
 
 @pytest.fixture
-def hog():
+def hog(started):
     """Two processes that want a core each."""
-    busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(2)]
-    yield
-    for process in busy:
-        process.kill()
-        process.wait()
+    return [started([sys.executable, "-c", "while True: pass"]) for _ in range(2)]
 
 
 def heard_in_a_run(start, *words):

@@ -12,6 +12,7 @@ from recordings import read_bag
 from vehicle_roll_sim import WHEELS, Simulation, preset
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
+from vehicle_roll_sim.ros.domains import own_domain
 from vehicle_roll_sim.ros.topics import message_class
 
 CONFIG = launch_files.PACKAGE / "config"
@@ -167,13 +168,14 @@ def test_rviz_looks_at_frames_that_are_there():
 
 
 @pytest.fixture(scope="module")
-def recorded(new_domain, tmp_path_factory) -> dict[str, list]:
+def recorded(tmp_path_factory) -> dict[str, list]:
     """A J-turn in lockstep that ends in a rollover: decoded messages by topic."""
     folder = tmp_path_factory.mktemp("recorded")
     with pytest.MonkeyPatch.context() as patch, launch_files.stand_in(patch, folder / "install"):
         patch.setenv("ROS_LOG_DIR", str(folder / "log"))
         given = {"lockstep": "true", "bag": str(folder / "bag")}
-        results = launch_files.run("manoeuvre", new_domain(), **given)
+        with own_domain() as domain:
+            results = launch_files.run("manoeuvre", domain, **given)
     assert "rolled over" in results["manoeuvre"][1]
     return read_bag(folder / "bag")
 

@@ -1,15 +1,23 @@
 """SIGINT and SIGTERM end every node with status 0 and no traceback, whatever it is doing."""
 
+import gc
 import itertools
 import re
 import signal
+import sys
 import time
 from pathlib import Path
 
 import pytest
+import rclpy
 from peers import PATIENCE
+from rclpy.context import Context
+from rclpy.exceptions import NotInitializedException
 from recordings import heard_so_far, read_bag
 from std_srvs.srv import Trigger
+
+from vehicle_roll_sim.ros import demo, ending
+from vehicle_roll_sim.ros.process import NodeExecutor
 
 pytestmark = pytest.mark.unmeasured
 
@@ -128,6 +136,18 @@ def test_a_recorder_closes_its_bag_and_a_manoeuvre_leaves_no_file(start, peer, t
     assert not list(tmp_path.glob("*.csv"))
 
 
+def test_an_executor_that_is_cut_short_while_it_is_made_leaves_no_traceback(monkeypatch):
+    lost = []
+    monkeypatch.setattr(sys, "unraisablehook", lost.append)
+    context = Context()
+    rclpy.init(context=context)
+    rclpy.shutdown(context=context)
+    with pytest.raises((RuntimeError, NotInitializedException)):  # which a node's main heeds
+        NodeExecutor(context=context)
+    gc.collect()
+    assert lost == []
+
+
 @pytest.mark.parametrize("signum", SIGNALS)
 @pytest.mark.parametrize("module", ["simulator", "recorder"])
 def test_a_second_signal_changes_nothing(start, peer, tmp_path, module, signum):
@@ -154,3 +174,28 @@ def test_one_that_waits_for_an_answer_in_lockstep_ends_too(start, peer, signum):
         return simulator
 
     ends_cleanly(waiting, signum)
+
+
+@pytest.mark.parametrize(("status", "expected"), [(0, (0, "")), (130, (7, ""))])
+def test_a_node_heeds_sigint_in_any_case_and_a_command_where_it_was_not_to_ignore_it(
+    started, status, expected
+):
+    program = (
+        "import signal, sys\n"
+        "signal.signal(signal.SIGINT, signal.SIG_IGN)  # as whoever starts it would\n"
+        "from vehicle_roll_sim.ros import ending\n"
+        f"ending.at_once({status})\n"
+        "signal.raise_signal(signal.SIGINT)\n"
+        "sys.exit(7)\n"
+    )
+    process = started([sys.executable, "-c", program], stderr=-1, text=True)
+    _, err = process.communicate(timeout=PATIENCE)
+    assert (process.returncode, err) == expected
+
+
+def test_a_demo_that_was_started_to_ignore_hanging_up_does():
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        assert ending.heeded(demo.ENDING) == [signal.SIGINT, signal.SIGTERM]
+    finally:
+        signal.signal(signal.SIGHUP, before)

@@ -21,10 +21,14 @@ END = (
 
 
 class KeptFile(McapWriter):
-    """Every chunk goes to the file in one piece with an end, which the next one overwrites."""
+    """Every chunk goes to the file in one piece with an end, which the next one overwrites.
+
+    It is named as rosbag2 names the first file of a bag, and as its reindexer wants it.
+    """
 
     def __init__(self, path: Path, compression):
         super().__init__(path, compression)
+        self.path = self.path.rename(path / f"{path.name}_0{self.path.suffix}")
         self.bio = io.BufferedWriter(self.bio.detach(), LARGEST_CHUNK)
 
     def close_chunk(self) -> None:

@@ -1,10 +1,15 @@
-"""How SIGINT and SIGTERM end a command: statuses 130 and 143, and nothing half-written."""
+"""How SIGINT and SIGTERM end a command: statuses 130 and 143, and nothing half-written.
+
+A signal that whoever started the command has it ignore, as a shell does for SIGINT in the
+background of a script, stays ignored.
+"""
 
 import contextlib
+import importlib
 import os
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 PROGRAM = "vehicle_roll_sim"
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
@@ -12,27 +17,68 @@ SHELLS_SIGNAL = 128
 """Added to a signal's number it is an exit status, as shells have it."""
 
 
-def cleanly(signum, frame) -> None:
-    """End as the signal would have, but clear away what is half-written."""
-    sys.exit(SHELLS_SIGNAL + signum)
+@contextlib.contextmanager
+def whole_process() -> Iterator[None]:
+    """Within is all that the process does: a signal ends it at once, and afterwards does nothing.
+
+    Not even in the end may Python's own handler of SIGINT, with its traceback, be reached.
+    """
+    _handle(_end)
+    try:
+        yield
+    finally:
+        _handle(signal.SIG_IGN)
 
 
 @contextlib.contextmanager
 def at_once() -> Iterator[None]:
     """Within, a signal ends the process as it is: for as long as there is nothing to lose.
 
-    The compiler reads and makes code with callbacks that lose an exception, and then breaks.
+    The compiler reads and makes code with callbacks that lose an exception, and then breaks; so
+    do some of the large libraries while they are imported.
     """
-    heeded = [each for each in SIGNALS if signal.getsignal(each) is not signal.SIG_IGN]
-    before = {signum: signal.signal(signum, _end) for signum in heeded}
+    with _handled_by(_end):
+        yield
+
+
+def import_at_once(*modules: str) -> None:
+    """Import modules of this package, whose libraries take long or are optional, `at_once`."""
+    with at_once():
+        for name in modules:
+            importlib.import_module(f"{PROGRAM}.{name}")
+
+
+@contextlib.contextmanager
+def by_exceptions() -> Iterator[None]:
+    """Within, SIGINT raises KeyboardInterrupt and SIGTERM SystemExit: half-written files go."""
+    with _handled_by(_raise):
+        yield
+
+
+@contextlib.contextmanager
+def _handled_by(handler: Callable) -> Iterator[None]:
+    before = _handle(handler)
     try:
         yield
     finally:
-        for signum, handler in before.items():
-            signal.signal(signum, handler)
+        for signum, earlier in before.items():
+            signal.signal(signum, earlier)
+
+
+def _handle(handler: Callable | signal.Handlers) -> dict:
+    """Set the handler of all signals but those that are ignored; the handlers before, by signal."""
+    heeded = [each for each in SIGNALS if signal.getsignal(each) is not signal.SIG_IGN]
+    return {signum: signal.signal(signum, handler) for signum in heeded}
+
+
+def _raise(signum, frame) -> None:
+    if signum == signal.SIGINT:
+        raise KeyboardInterrupt
+    sys.exit(SHELLS_SIGNAL + signum)
 
 
 def _end(signum, frame) -> None:
     if signum == signal.SIGINT:
-        print(f"{PROGRAM}: interrupted", file=sys.stderr, flush=True)
+        with contextlib.suppress(OSError):  # not by sys.stderr, which may be writing just now
+            os.write(2, f"{PROGRAM}: interrupted\n".encode())
     os._exit(SHELLS_SIGNAL + signum)

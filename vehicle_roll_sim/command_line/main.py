@@ -1,7 +1,6 @@
 """The command `vehicle_roll_sim` and its subcommands."""
 
 import argparse
-import signal
 import sys
 
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
@@ -36,11 +35,19 @@ COMMANDS = {
 
 def main(words: list[str] | None = None) -> int:
     """Run the command with `words` (default: those of the process); returns the exit status."""
-    if words is None:
-        words = sys.argv[1:]
-        signal.signal(signal.SIGTERM, ending.cleanly)
+    if words is not None:
+        return exit_status(lambda: _command(words), PROGRAM)
+
+    def command() -> int:
+        with ending.by_exceptions():
+            return _command(sys.argv[1:])
+
+    return exit_status(command, PROGRAM)
+
+
+def _command(words: list[str]) -> int:
     with unwarned():  # commands say it in a line of their own
-        return exit_status(lambda: _dispatch(words), PROGRAM)
+        return _dispatch(words)
 
 
 def _dispatch(words: list[str]) -> int:

@@ -57,7 +57,8 @@ def paper_command(words: list[str], program: str) -> int:
 
 def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
     """Make all runs, then write figures, data and tables, all of them or none."""
-    from vehicle_roll_sim.analysis.paper import figures  # matplotlib: half a second
+    with ending.at_once():
+        from vehicle_roll_sim.analysis.paper import figures  # matplotlib: half a second
 
     bar.reset(len(study.runs) + len(figures.FIGURES))
     for manoeuvre, case in study.runs:

@@ -9,6 +9,7 @@ from pathlib import Path
 from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.bags import need_library
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
@@ -34,7 +35,8 @@ class PlotSettings:
 def plot_command(words: list[str], program: str) -> int:
     """The command, given the words behind its name; returns the exit status."""
     arguments = _parser(program).parse_args(words)
-    from vehicle_roll_sim.analysis import drawing, plots  # half a second, for a figure only
+    with ending.at_once():
+        from vehicle_roll_sim.analysis import drawing, plots  # half a second, for a figure only
 
     files = [named_file(text, "FILE") for text in arguments.files]
     if len(files) > len(plots.COLOURS):
@@ -63,7 +65,8 @@ def history_from(path: Path, namespace: str | None) -> History:
     """The samples of a run that was recorded; raises InputError for what is no recording."""
     if path.is_dir():
         need_library("FILE")
-        from vehicle_roll_sim.bags.reading import last_history  # its library is optional
+        with ending.at_once():
+            from vehicle_roll_sim.bags.reading import last_history  # its library is optional
 
         return last_history(path, namespace)
     return History.read_csv(path)

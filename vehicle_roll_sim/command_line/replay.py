@@ -28,6 +28,7 @@ def replay_command(words: list[str], program: str) -> int:
     arguments = _parser(program).parse_args(words)
     folder = named_file(arguments.bag, "BAG")
     need_library("BAG")
+    ending.import_at_once("bags.reading", "bags.replay")
     told = _told(arguments)
     with ending.at_once():
         compile_model()

@@ -74,6 +74,10 @@ def run_command(words: list[str], program: str) -> int:
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
     sampling = Sampling(**declared_values(arguments, Sampling))
     csv, plot, bag = _results(arguments)
+    if plot:
+        ending.import_at_once("analysis.plots")
+    if bag:
+        ending.import_at_once("bags.run_bag")
     heed(manoeuvre.doubts, arguments)
     simulation = chosen_simulation(arguments)
     values = declared_values(arguments, manoeuvre)

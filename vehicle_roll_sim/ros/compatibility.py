@@ -14,6 +14,8 @@ from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 UNNAMED = "_NODE_NAME_UNKNOWN_"
 """Node of an endpoint that was discovered before its node was, or that is not of ROS."""
 
+NAMELESS = "a node whose name is not known"
+
 
 def incompatible_partners(node: Node) -> list[str]:
     """One line for each publisher and subscription elsewhere that does not fit one of the node.
@@ -43,7 +45,7 @@ def other_publishers(node: Node, topic: Topic) -> list[str]:
     name = node.resolve_topic_name(topic.name)
     found = node.get_publishers_info_by_topic(name)
     names = [
-        f"{each.node_namespace.rstrip('/')}/{each.node_name}"
+        _full_name(each)
         for each in found
         if each.topic_type == topic.type and each.node_name != UNNAMED
     ]
@@ -59,12 +61,23 @@ def command_publishers(node: Node) -> dict[str, list[str]]:
     return {topic.name: other_publishers(node, topic) for topic in COMMANDS}
 
 
+def publishers_of(node: Node, topic: str) -> list[str]:
+    """Full names of the nodes that publish a topic, given by its full name."""
+    return sorted(map(_full_name, node.get_publishers_info_by_topic(topic)))
+
+
 def fitting_listeners(node: Node, publisher: Publisher) -> int:
     """How many subscriptions there are, as far as is known, that a publisher of `node` fits."""
     topic = publisher.topic_name
     own = [each for each in node.get_publishers_info_by_topic(topic) if _is_of(node, each)]
     listeners = node.get_subscriptions_info_by_topic(topic)
     return sum(not any(_mismatch(each, listener) for each in own) for listener in listeners)
+
+
+def _full_name(endpoint: TopicEndpointInfo) -> str:
+    if endpoint.node_name == UNNAMED:
+        return NAMELESS
+    return f"{endpoint.node_namespace.rstrip('/')}/{endpoint.node_name}"
 
 
 def _is_of(node: Node, endpoint: TopicEndpointInfo) -> bool:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.summary import line
 
@@ -55,7 +56,8 @@ def demonstrate(folder: Path) -> int:
         ) from None
     compile_model()
     interrupted = threading.Event()
-    for signum in ENDING:  # noted, not raised: no node is lost between its start and its record
+    # noted, not raised: no node is lost between its start and its record
+    for signum in ending.heeded(ENDING):
         signal.signal(signum, lambda *_: interrupted.set())
     nodes, statuses = [], []
     try:

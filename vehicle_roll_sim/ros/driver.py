@@ -10,11 +10,16 @@ from std_msgs.msg import Float64, Float64MultiArray
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.manoeuvres.manoeuvre import Manoeuvre
-from vehicle_roll_sim.messages.collected import COLLECTED
+from vehicle_roll_sim.messages.collected import COLLECTED, STATE
 from vehicle_roll_sim.model.events import MINIMUM_SPEED, Condition
 from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.collector import Collector
-from vehicle_roll_sim.ros.compatibility import UNNAMED, fitting_listeners
+from vehicle_roll_sim.ros.compatibility import (
+    NAMELESS,
+    UNNAMED,
+    fitting_listeners,
+    publishers_of,
+)
 from vehicle_roll_sim.ros.lockstep import SETTLING
 from vehicle_roll_sim.ros.process import refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import make_publisher, refuse_wrong_overrides
@@ -34,6 +39,9 @@ ROUNDING = 1e-9
 DISCOVERY = 3.5
 """Wall seconds until all nodes should be known: usually at once, else with their next announcement,
 which the middleware sends every 3 s."""
+LEASE = 21.0
+"""Wall seconds for which a node that was killed may still be known: the lease of the middleware is
+20 s."""
 STANDING_STILL = 3
 """States without progress after which the simulator has stopped."""
 
@@ -84,7 +92,7 @@ class Driver(Node):
                 self.manoeuvre = self.manoeuvre.for_vehicle(vehicle, options)
         simulator.set("initial_speed", self.manoeuvre.speed)
         simulator.wait(self._hears, "a connection to its topics")
-        self._check_alone()
+        self._find_alone()
         if mode == LOCKSTEP:
             commanded = self._answered()
             self._refuse_others(commanded)
@@ -145,13 +153,38 @@ class Driver(Node):
     def _hears(self) -> bool:
         return all(each.get_publisher_count() for each in self.collector.subscriptions)
 
+    def _find_alone(self) -> None:
+        """Wait until one node alone publishes each topic; raises NoAnswerError if that lasts.
+
+        One that was killed is known until its lease ends, but sends nothing any more.
+        """
+        until, is_said = time.monotonic() + LEASE, False
+        while crowded := [e for e in self.collector.subscriptions if e.get_publisher_count() > 1]:
+            topic = crowded[0].topic_name
+            if self.collector.is_mixed or time.monotonic() > until:
+                raise self._not_alone(topic)
+            self._simulator.linger(SETTLING)
+            if not (is_said or self.collector.is_mixed):
+                is_said = True
+                why = f"waiting up to {LEASE:g} s, in case one of them was killed"
+                self.get_logger().info(f"several nodes publish {topic}: {why}")
+
     def _check_alone(self) -> None:
-        """Raise InputError where two simulators publish on the same topics."""
-        for each in self.collector.subscriptions:
-            if each.get_publisher_count() > 1:
-                allowed = "one simulator in a namespace"
-                problem = f"{each.get_publisher_count()} nodes publish it"
-                raise InputError(each.topic_name, "", allowed, problem)
+        """Raise NoAnswerError if a second simulator is there by now, or was."""
+        if self.collector.is_mixed or self.collector.simulators() > 1:
+            raise self._not_alone(self.resolve_topic_name(STATE))
+
+    def _not_alone(self, topic: str) -> NoAnswerError:
+        until = time.monotonic() + DISCOVERY
+        while NAMELESS in (names := publishers_of(self, topic)) and time.monotonic() < until:
+            self._simulator.linger(SETTLING)
+        if len(names) < 2:
+            name = self._simulator.name
+            return NoAnswerError(f"`{name}` has been replaced: another node publishes {topic} now")
+        return NoAnswerError(
+            f"{len(names)} nodes publish {topic}: {', '.join(names)}; allowed: one simulator in a "
+            "namespace (end the others, or start each with --ros-args -r __ns:=/NAME)"
+        )
 
     def _is_heard(self) -> bool:
         """Whether everybody known to listen to a command is matched, and somebody is."""
@@ -168,11 +201,13 @@ class Driver(Node):
         while not self.finished:
             seen = self._states
             self._simulator.wait(lambda: self._states > seen, self._missing())  # noqa: B023
+            self._check_alone()
             if self._awaited:
                 self._refuse_others(self._commands)  # found late: see DISCOVERY
             if self.disturbed:
                 raise NoAnswerError(f"`{self._simulator.name}` was reset by somebody else")
         self._simulator.wait(self.collector.is_complete, "the rest of its last set")
+        self._check_alone()
 
     def _missing(self) -> str:
         """What keeps the next state away."""

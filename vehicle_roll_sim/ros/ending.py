@@ -10,14 +10,30 @@ import contextlib
 import os
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
 def at_once(status: int = 0) -> None:
-    """From now on a signal ends the process as it is, for as long as there is nothing to lose."""
-    _handle(lambda *_: os._exit(status))
+    """From now on a signal ends the process as it is, for as long as there is nothing to lose.
+
+    A node (status 0) is ended by SIGINT even where it was started to ignore it, as in the
+    background of a script: that is how launch ends nodes. A command goes on ignoring it.
+    """
+
+    def end(signum, _) -> None:
+        if status and signum == signal.SIGINT:
+            with contextlib.suppress(OSError):  # not by sys.stderr, which may be writing just now
+                os.write(2, b"interrupted\n")
+        os._exit(status)
+
+    _handle(end, heeded() if status else SIGNALS)
+
+
+def heeded(signals: Iterable[int] = SIGNALS) -> list[int]:
+    """Those of `signals` that this process was not started to ignore."""
+    return [each for each in signals if signal.getsignal(each) is not signal.SIG_IGN]
 
 
 def shutting_down(shut_down: Callable[[], None]) -> None:
@@ -53,8 +69,8 @@ def interruptible() -> Iterator[None]:
             signal.signal(signum, handler)
 
 
-def _handle(handler: Callable | signal.Handlers) -> None:
-    for signum in SIGNALS:
+def _handle(handler: Callable | signal.Handlers, signals: Iterable[int] = SIGNALS) -> None:
+    for signum in signals:
         signal.signal(signum, handler)
 
 

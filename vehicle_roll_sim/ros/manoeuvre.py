@@ -48,16 +48,21 @@ def drive(
         with lifetime(driver) as executor:
             driver.prepare(SimulatorClient(driver, executor, simulator))
             driver.play()
+        with ending.interruptible():
+            return _tell(name, driver, csv, plot)
     except NoAnswerError as error:
         print(f"manoeuvre: error: {error}", file=sys.stderr)
         return NO_SIMULATOR
-    with ending.interruptible():
-        return _tell(name, driver, csv, plot)
 
 
 def _tell(name: str, driver: Driver, csv: Path | None, plot: Path | None) -> int:
-    """Write the files of a manoeuvre that was played and print its summary; the exit status."""
+    """Write the files of a manoeuvre that was played and print its summary; the exit status.
+
+    Raises NoAnswerError if there is nothing to tell of.
+    """
     history = driver.collector.history(driver.road)
+    if not len(history.rows):
+        raise NoAnswerError("no whole set came from the simulator")
     events = events_of(history, driver.rollover_angle)
     if csv:
         history.write_csv(csv)

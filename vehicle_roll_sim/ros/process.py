@@ -22,6 +22,7 @@ from rclpy.utilities import remove_ros_args, try_shutdown
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.ros import ending, qos_overrides
+from vehicle_roll_sim.ros.parameter_files import warn_of_files_for_others
 from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
 from vehicle_roll_sim.vehicle.plausibility import unwarned
 
@@ -74,11 +75,21 @@ def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
             raise unknown_name(name, known, "parameter")
 
 
+class NodeExecutor(SingleThreadedExecutor):
+    """An executor that may be cut short by a signal while it is made.
+
+    rclpy's destructor then asks for what is not there yet, and prints a traceback.
+    """
+
+    _sigint_gc = None
+
+
 @contextlib.contextmanager
 def lifetime(node: Node) -> Iterator[Executor]:
     """An executor for a node; in the end it is shut down, and both are gone."""
     refuse_malformed(node)
-    executor = SingleThreadedExecutor(context=node.context)
+    warn_of_files_for_others(node)
+    executor = NodeExecutor(context=node.context)
     executor.add_node(node)
     try:
         yield executor
