@@ -4,9 +4,10 @@ import re
 from pathlib import Path
 
 import pytest
-from compare import CONTROLLERS, SCENARIOS, WITHOUT, drive, row, warning_line
 
+from benchmarks.controllers import CONTROLLERS, SCENARIOS, WITHOUT, row, warning_line
 from vehicle_roll_sim.messages.topics import COMMANDS
+from vehicle_roll_sim.ros.comparison import drive
 from vehicle_roll_sim.ros.topics import message_class
 
 pytestmark = pytest.mark.unmeasured
@@ -18,8 +19,8 @@ NUMBER = re.compile(r"-?\d+\.\d+")
 LAST_DIGIT = 1.01
 """Of what is shown: another machine may round the other way."""
 PERIODS = 50
-ANSWERS = {chain.command for chain in CONTROLLERS.values()}
-PROGRAMS = {program for chain in CONTROLLERS.values() for (program,) in chain.programs}
+ANSWERS = {command for chain in CONTROLLERS.values() for command in chain.commands}
+PROGRAMS = {Path(script).stem for chain in CONTROLLERS.values() for script, *_ in chain.programs}
 
 
 @pytest.fixture(scope="module", params=SCENARIOS)
