@@ -8,6 +8,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from vehicle_roll_sim.analysis import figure_size
 from vehicle_roll_sim.arguments import (
     OneLineParser,
     add_declared,
@@ -26,7 +27,7 @@ from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.history import WITH_COMMANDS, History
 from vehicle_roll_sim.simulation.output_file import (
     check_distinct,
     check_figure_format,
@@ -73,6 +74,7 @@ def run_command(words: list[str], program: str) -> int:
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
     sampling = Sampling(**declared_values(arguments, Sampling))
     csv, plot, bag = _results(arguments)
+    size = figure_size.named_size(arguments.size, "--size")
     simulation = chosen_simulation(arguments)
     manoeuvre = _adjusted(manoeuvre, arguments, simulation.step_ns)
     _check_multiples(manoeuvre, sampling, simulation.step_ns)
@@ -83,11 +85,12 @@ def run_command(words: list[str], program: str) -> int:
     with _recorded(simulation, manoeuvre.commanded, bag, period) as witness:
         history = _run_with_progress(simulation, driver, manoeuvre.duration, sampling, witness)
     if csv:
-        history.write_csv(csv)
+        history.write_csv(csv, arguments.with_commands)
     if plot:
         from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
 
-        plots.plot_run(history, simulation.events, plot, arguments.manoeuvre or arguments.commands)
+        title = arguments.manoeuvre or arguments.commands
+        plots.plot_run(history, simulation.events, plot, title, size)
     report = [line(label, text) for label, text in manoeuvre.report(history, driver).items()]
     lines = summary_lines(
         simulation.events, simulation.time, simulation.condition, simulation.implausible
@@ -114,8 +117,10 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     add_declared(parser, Sampling, "sampling")
     group = parser.add_argument_group("results")
     group.add_argument("--csv", metavar="FILE", help="write the samples")
+    group.add_argument("--with-commands", action="store_true", help=WITH_COMMANDS)
     group.add_argument("--bag", metavar="DIR", help="write what the node would have published")
     group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
+    group.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
     return parser
 
 

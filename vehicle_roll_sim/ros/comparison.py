@@ -153,7 +153,7 @@ def _starter(script: str, words: Sequence[str]):
 
 @contextlib.contextmanager
 def _noted_signals() -> Iterator[threading.Event]:
-    """Within, a signal is noted, not raised: no process is lost between its start and its record."""
+    """Within, a signal is noted, not raised: no process is started that is not recorded."""
     interrupted = threading.Event()
     before = {each: signal.signal(each, lambda *_: interrupted.set()) for each in ENDING}
     try:
@@ -193,7 +193,7 @@ class _Nodes:
 
     def _fail(self, node: tuple) -> None:
         name, process, file = node
-        text = file.read_text(encoding="utf-8", errors="replace")
+        text = _text_of(file)
         if TRACEBACK in text:
             print(text, file=sys.stderr, end="")  # of a script of the user's
         line = (text.splitlines() or ["it said nothing"])[-1]
@@ -203,6 +203,8 @@ class _Nodes:
 
     def said(self) -> str:
         """Everything that all have said."""
-        return "".join(
-            file.read_text(encoding="utf-8", errors="replace") for *_, file in self._started
-        )
+        return "".join(_text_of(file) for *_, file in self._started)
+
+
+def _text_of(file: Path) -> str:
+    return file.read_text(encoding="utf-8", errors="replace")

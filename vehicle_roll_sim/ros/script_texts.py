@@ -4,11 +4,10 @@ import ast
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-import vehicle_roll_sim
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.ros.settings import COMMANDED
 
-EXAMPLES = Path(vehicle_roll_sim.__file__).parent / "examples"
+EXAMPLES = Path(__file__).parents[1] / "examples"
 NO_CONTROLLERS = ("__init__", "executables")
 NEEDED = {"roll_braking": ("rollover_warning",)}
 """Examples that answer what others say, which are started with them."""
