@@ -43,6 +43,12 @@ class Scenario:
     commands: tuple[str, ...] = ("steering_cmd",)
     simulator: tuple[str, ...] = ()
 
+    @property
+    def rollover_angle(self) -> float:
+        """rad"""
+        given = dict(each.split(":=", 1) for each in self.simulator)
+        return float(given.get("rollover_angle", DEFAULT_ROLLOVER_ANGLE))
+
 
 @dataclasses.dataclass(frozen=True)
 class Chain:
@@ -61,6 +67,7 @@ class Outcome:
 
     history: History
     warnings: tuple[tuple[float, str], ...] = ()
+    rollover_angle: float = DEFAULT_ROLLOVER_ANGLE
 
     @property
     def peak_roll(self) -> float:
@@ -93,7 +100,7 @@ class Outcome:
 
     @property
     def rollover(self) -> float:
-        over = np.abs(self.history["roll"][-1]) >= DEFAULT_ROLLOVER_ANGLE
+        over = np.abs(self.history["roll"][-1]) >= self.rollover_angle
         return float(self.history["time"][-1]) if over else math.nan
 
     @property
@@ -129,13 +136,13 @@ def drive(scenario: Scenario, chain: Chain = NONE) -> Outcome:
             nodes.start("simulator", lambda **to: start("simulator", *ros_words(parameters), **to))
             for script, *words in chain.programs:
                 nodes.start(Path(script).name, _starter(script, words))
-            words = (*scenario.manoeuvre, "--csv", str(rows))
+            words = (*scenario.manoeuvre, "--csv", str(rows), "--with-commands")
             nodes.start("manoeuvre", lambda **to: start("manoeuvre", *words, **to))
             nodes.wait_for_last(interrupted)
         finally:
             nodes.stop()
         warnings = tuple((float(time), side) for time, side in WARNED.findall(nodes.said()))
-        return Outcome(History.read_csv(rows), warnings)
+        return Outcome(History.read_csv(rows), warnings, scenario.rollover_angle)
 
 
 def ros_words(parameters: Sequence[str]) -> list[str]:
