@@ -41,8 +41,6 @@ from vehicle_roll_sim.simulation.simulation import compile_model
 from vehicle_roll_sim.simulation.summary import line
 
 DESCRIPTION = "Drive a manoeuvre in lockstep without controllers and with them, and compare."
-FAILED = 1
-"""Exit status when a node ended too early."""
 DOMAINS = range(1, 101)
 """Those whose ports never meet the ones that a system hands out."""
 SET_HERE = ("mode", "lockstep_topics")
@@ -192,7 +190,7 @@ def main() -> int:
             print("\n".join(compare(parser.parse_args())))
         except RunFailedError as error:
             print(f"{parser.prog}: error: {error}", file=sys.stderr)
-            return FAILED
+            return error.status
         return 0
 
     return exit_status(command, parser.prog)

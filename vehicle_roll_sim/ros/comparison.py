@@ -16,7 +16,8 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.arguments import REFUSED as FAILED
+from vehicle_roll_sim.arguments import WRONG_INPUT
 from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift
 from vehicle_roll_sim.ros.demo import ENDING, LOCAL, POLL, start, stop
 from vehicle_roll_sim.simulation.history import History
@@ -25,13 +26,18 @@ from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE
 INNER_WHEELS_OFF = 0.999
 """Load transfer ratio; 1 but for rounding."""
 WARNED = re.compile(r"at (\d+\.\d+) s: the (\w+) wheels lift")
-WRONG_INPUT = 2
-"""Exit status of a node that was given something wrong."""
 TRACEBACK = "Traceback (most recent call last)"
 
 
 class RunFailedError(Exception):
-    """A node ended before the run was over; the text is one line that says which and why."""
+    """A node ended before the run was over; the text is one line that says which and why.
+
+    status: what a program ends with that drove it: 2 where the node was given something wrong.
+    """
+
+    def __init__(self, text: str, status: int):
+        super().__init__(text)
+        self.status = status
 
 
 @dataclasses.dataclass(frozen=True)
@@ -125,8 +131,7 @@ def drive(scenario: Scenario, chain: Chain = NONE) -> Outcome:
     """Simulator, manoeuvre and controllers as processes in lockstep, in the domain of ours.
 
     However it ends, by a signal too, which raises KeyboardInterrupt, none of them is left. Raises
-    RunFailedError for a node that ended too early, and InputError for one that was given something
-    wrong.
+    RunFailedError for a node that ended too early.
     """
     topics = ", ".join(dict.fromkeys((*scenario.commands, *chain.commands)))
     parameters = ("mode:=lockstep", f"lockstep_topics:=[{topics}]", *scenario.simulator)
@@ -205,8 +210,8 @@ class _Nodes:
             print(text, file=sys.stderr, end="")  # of a script of the user's
         line = (text.splitlines() or ["it said nothing"])[-1]
         if process.returncode == WRONG_INPUT:
-            raise InputError(name, "", "see its error", line.partition("error: ")[2] or line)
-        raise RunFailedError(f"{name} ended with status {process.returncode}: {line}")
+            raise RunFailedError(f"{name}: {line.partition('error: ')[2] or line}", WRONG_INPUT)
+        raise RunFailedError(f"{name} ended with status {process.returncode}: {line}", FAILED)
 
     def said(self) -> str:
         """Everything that all have said."""

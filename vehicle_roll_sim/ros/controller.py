@@ -27,6 +27,8 @@ from vehicle_roll_sim.simulation.command_inbox import channels
 
 ASK_AGAIN = 1.0
 """s after which a question is repeated: a node that has not found us yet drops its answer."""
+HEARD = {topic.name: topic for topic in (*STATE_SET, *COMMANDS)}
+"""What controllers can hear, beside what they say to each other."""
 SIZES = {name: channel.size for name, channel in channels().items()}
 """Values that a command has."""
 
@@ -131,13 +133,11 @@ class Controller(Node):
 
 def heard_topics(declared: tuple[str | Topic, ...] | str) -> dict[str, Topic]:
     """Topics by name of which every set has a message; raises InputError for others."""
-    known = {topic.name: topic for topic in (*STATE_SET, *COMMANDS)}
-    others = [topic.name for topic in PUBLISHED if topic.name not in known]
-    found = _topics("heard", declared, known)
-    for name in others:
-        if name in found:
+    found = _topics("heard", declared, HEARD | {topic.name: topic for topic in PUBLISHED})
+    for name in found:
+        if any(name == topic.name for topic in PUBLISHED) and name not in HEARD:
             problem = f"{name} is not published with every set"
-            raise InputError("heard", name, f"one of {', '.join(known)}", problem)
+            raise InputError("heard", name, f"one of {', '.join(HEARD)}", problem)
     return found
 
 
