@@ -1,5 +1,6 @@
 """The base of controllers: several topics of one set in, one answer for every set out."""
 
+import subprocess
 import sys
 
 import numpy as np
@@ -169,10 +170,20 @@ def test_what_is_no_answer_is_refused_with_what_is_wanted(name, data):
         message_of(said_topics((name,))[name], data)
 
 
-def test_the_base_can_be_imported_without_touching_signals():
+def test_importing_the_base_leaves_signals_alone():
     """Unlike `vehicle_roll_sim.controller`, which is for scripts."""
-    assert "vehicle_roll_sim.ros.controller" in sys.modules
-    assert "vehicle_roll_sim.controller" not in sys.modules
+    program = "import signal, vehicle_roll_sim.{}; print(signal.getsignal(signal.SIGINT))"
+    said = [
+        subprocess.run(
+            [sys.executable, "-c", program.format(module)],
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=True,
+        ).stdout
+        for module in ("ros.controller", "controller")
+    ]
+    assert ["default_int_handler" in text for text in said] == [True, False]
 
 
 def test_labels_give_values_by_name(start, peer):

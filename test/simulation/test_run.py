@@ -47,6 +47,29 @@ def test_a_period_of_commands_adds_no_rows(simulation, period):
     assert milliseconds(history) == [0, 20, 40, 60, 70]
 
 
+def test_a_programme_has_its_own_commands_at_each_row_with_the_torque_that_holds_the_speed(
+    simulation,
+):
+    history = run(simulation, everything, 0.07, sample=0.02)
+    for k, time in enumerate(history["time"]):
+        held = command_at(everything, time, {"u": history["u"][k]})
+        assert history.command("rear_steering")[k] == held.rear_steering
+        np.testing.assert_allclose(history.command("wheel_torque")[k], held.wheel_torque)
+        assert tuple(history.command("brake_torque")[k]) == held.brake_torque
+        assert tuple(history.command("active_force")[k]) == held.normal_force
+
+
+def test_held_commands_are_those_of_the_period_that_ends_with_the_row(simulation):
+    history = run(simulation, everything, 0.08, sample=0.02, command_period=0.02)
+    began = [history["time"][:-1], history["u"][:-1]]
+    held = [command_at(everything, time, {"u": u}) for time, u in zip(*began, strict=True)]
+    expected = [Command(), *held]
+    for k, command in enumerate(expected):
+        assert history.command("rear_steering")[k] == command.rear_steering
+        assert tuple(history.command("wheel_torque")[k]) == command.wheel_torque
+        assert tuple(history.command("active_force")[k]) == command.normal_force
+
+
 def test_a_run_that_stops_ends_with_the_row_of_its_last_moment(simulation):
     history = run(simulation, turn(12.0), 9.0, sample=0.5)
     assert simulation.condition is Condition.ROLLED_OVER

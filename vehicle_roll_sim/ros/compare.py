@@ -112,7 +112,8 @@ def compare(arguments: argparse.Namespace) -> list[str]:
     name = " + ".join(Path(each).stem for each in arguments.scripts)
     os.environ.update(LOCAL | {"ROS_DOMAIN_ID": str(_domain(arguments.domain))})
     compile_model()
-    without, found = drive(scenario), drive(scenario, chain)
+    found = drive(scenario, chain)  # first: it is the one that may fail
+    without = drive(scenario)
     for run, file in zip((without, found), list(files.values())[1:], strict=False):
         run.history.write_csv(file, with_commands=True)
     if plot:
