@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -76,6 +77,18 @@ def test_several_topics_of_one_set_are_answered_once_and_together(start, peer, t
     assert len(brakes) == PERIODS
     driven = [message.data[2] for _, message in peer.received["applied_command"]]
     np.testing.assert_allclose(driven, [0.0, *(0.0005 * np.arange(PERIODS))])
+
+
+def test_the_controller_of_the_manual_answers(start, peer, tmp_path):
+    manual = (Path(__file__).parents[2] / "docs" / "controllers.md").read_text()
+    script = tmp_path / "mine.py"
+    script.write_text(manual.partition("```python\n")[2].partition("```")[0])
+    start("simulator")
+    start("", "--ros-args", "-p", "gain:=500", program=str(script))
+    peer.listen("brake_torque_cmd")
+    peer.command(
+        {"steering_cmd": 0.05}, lambda: max(peer.newest("brake_torque_cmd").data), "brakes"
+    )
 
 
 @pytest.mark.parametrize(

@@ -24,13 +24,15 @@ class Size:
         return self.width / MM_PER_INCH, self.height / MM_PER_INCH
 
 
-def named_size(text: str | None, field: str) -> Size | None:
+def named_size(text: str | None, field: str, has_figure: object = True) -> Size | None:
     """The size that an option gives as WIDTHxHEIGHT, None where it was not given.
 
-    Raises InputError naming `field` for what is none.
+    Raises InputError naming `field` for what is none, and where there is no figure.
     """
     if text is None:
         return None
+    if not has_figure:
+        raise InputError(field, text, "together with --plot")
     found = SIZE.fullmatch(text)
     width, height = map(float, found.groups()) if found else (0.0, 0.0)
     if not (NARROWEST <= width <= LARGEST and LOWEST <= height <= LARGEST):

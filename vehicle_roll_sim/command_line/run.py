@@ -27,7 +27,7 @@ from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import WITH_COMMANDS, History
+from vehicle_roll_sim.simulation.history import WITH_COMMANDS, History, check_with_commands
 from vehicle_roll_sim.simulation.output_file import (
     check_distinct,
     check_figure_format,
@@ -74,7 +74,8 @@ def run_command(words: list[str], program: str) -> int:
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
     sampling = Sampling(**declared_values(arguments, Sampling))
     csv, plot, bag = _results(arguments)
-    size = figure_size.named_size(arguments.size, "--size")
+    size = figure_size.named_size(arguments.size, "--size", plot)
+    check_with_commands(arguments.with_commands, csv)
     simulation = chosen_simulation(arguments)
     manoeuvre = _adjusted(manoeuvre, arguments, simulation.step_ns)
     _check_multiples(manoeuvre, sampling, simulation.step_ns)

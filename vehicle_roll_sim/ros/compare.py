@@ -100,8 +100,8 @@ def _ros_words(parameters: Sequence[str]) -> list[str]:
 def compare(arguments: argparse.Namespace) -> list[str]:
     """Check the words, drive both runs, write the files; the lines that are printed."""
     scenario, chain = scenario_of(arguments), chain_of(arguments)
-    size = figure_size.named_size(arguments.size, "--size")
     plot = named_file(arguments.plot, "--plot")
+    size = figure_size.named_size(arguments.size, "--size", plot)
     files = {"--plot": plot, **_csv_files(arguments.csv)}
     for option, file in files.items():
         if file:

@@ -146,6 +146,8 @@ def drive(scenario: Scenario, chain: Chain = NONE) -> Outcome:
             nodes.wait_for_last(interrupted)
         finally:
             nodes.stop()
+        if interrupted.is_set():
+            raise KeyboardInterrupt
         warnings = tuple((float(time), side) for time, side in WARNED.findall(nodes.said()))
         return Outcome(History.read_csv(rows), warnings, scenario.rollover_angle)
 
@@ -192,11 +194,14 @@ class _Nodes:
             stop(process)
 
     def wait_for_last(self, interrupted: threading.Event) -> None:
-        """Until the process that was started last has ended well, and none before it has ended."""
+        """Until the process that was started last has ended well, and none before it has ended.
+
+        Or until a signal has come.
+        """
         *others, last = self._started
         while last[1].poll() is None:
             if interrupted.wait(POLL):
-                raise KeyboardInterrupt
+                return
             for each in others:
                 if each[1].poll() is not None:
                     self._fail(each)

@@ -119,7 +119,8 @@ class Controller(Node):
 
         Endpoints are made known in order, so that it has then found our subscriptions, too.
         """
-        nodes = {f"{each.node_namespace.rstrip('/')}/{each.node_name}" for each in self._found()}
+        found = filter(None, self._found())
+        nodes = {f"{each.node_namespace.rstrip('/')}/{each.node_name}" for each in found}
         for node in sorted(nodes):
             client = self.create_client(GetParameters, f"{node}/get_parameters")
             asked, answer = -math.inf, None

@@ -20,7 +20,7 @@ from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.driver import ROUNDING, Driver
 from vehicle_roll_sim.ros.process import lifetime, node_main
 from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
-from vehicle_roll_sim.simulation.history import WITH_COMMANDS, History
+from vehicle_roll_sim.simulation.history import WITH_COMMANDS, History, check_with_commands
 from vehicle_roll_sim.simulation.output_file import (
     check_distinct,
     check_figure_format,
@@ -120,7 +120,8 @@ def main() -> int:
         if plot:
             check_figure_format(plot, "--plot")
         check_distinct({"--csv": csv, "--plot": plot})
-        size = figure_size.named_size(arguments.size, "--size")
+        size = figure_size.named_size(arguments.size, "--size", plot)
+        check_with_commands(arguments.with_commands, csv)
         files = Files(csv, plot, arguments.with_commands, size)
         return drive(arguments.manoeuvre, manoeuvre, arguments.simulator, files)
 

@@ -44,6 +44,12 @@ WITH_COMMANDS = "in the CSV also every command beside the steering, which `plot`
 """What the option of that name does."""
 
 
+def check_with_commands(wanted: bool, csv: Path | None) -> None:
+    """Raise InputError where commands are wanted in a file that is not."""
+    if wanted and csv is None:
+        raise InputError("--with-commands", "", "together with --csv", "without a file")
+
+
 def row_of(simulation: Simulation) -> np.ndarray:
     """The columns at the present simulated time."""
     outputs = simulation.outputs
