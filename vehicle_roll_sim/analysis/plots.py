@@ -1,7 +1,6 @@
 """The standard figure of one run, or of several over each other."""
 
 import dataclasses
-import itertools
 import math
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,7 +8,6 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from vehicle_roll_sim.analysis.drawing import (
@@ -21,13 +19,11 @@ from vehicle_roll_sim.analysis.drawing import (
     save_figure,
 )
 from vehicle_roll_sim.analysis.figure_size import Size
+from vehicle_roll_sim.analysis.pens import Pen, pens
 from vehicle_roll_sim.analysis.signals import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.history import History
 
-COLOURS = ("black", "#D55E00", "#0072B2", "#009E73", "#CC79A7", "#E69F00")
-"""Of the runs; those of Okabe and Ito, which the colour-blind can tell apart."""
-STYLES = ("-", "--", "-.")
 STYLES_OF_WHEELS = ("-", "--", "-.", ":")
 """Of a command that a wheel has, and perhaps others behind it have, too."""
 WIDTH, HEIGHT_OF_SIGNAL, HEIGHT_OF_REST = 10.0, 1.35, 1.0
@@ -37,8 +33,6 @@ REST_IN_PANELS = 0.75
 LONGEST_NAME = 9.6
 """Length of the longest line beside a panel over the height of its letters."""
 POINTS_PER_INCH = 72.0
-LINE = 1.3
-"""Points."""
 KILO = 1e3
 LEAST_SPAN = 0.1
 """Of a vertical axis, in its unit: less is rounding, and not drawn as if it were a signal."""
@@ -46,8 +40,6 @@ WHOLE_RATIO = (-1.05, 1.05)
 """What is shown of the load transfer ratio, whatever it is."""
 MARGIN = 0.02
 """Room after the last sample, as a share of the time shown."""
-MARKER = 5
-"""Points."""
 HEADINGS = 12
 """Times along a path, at most."""
 ARROW = {"pivot": "mid", "scale_units": "width", "scale": 24, "width": 0.006}
@@ -65,50 +57,6 @@ class DrawnRun:
     def shows(self, time: float) -> bool:
         """Whether a time (s), nan for never, is one of those that the history covers."""
         return self.history["time"][0] <= time <= self.history["time"][-1]
-
-
-@dataclasses.dataclass(frozen=True)
-class Pen:
-    """How a run is drawn; `band` is the share of a panel's height that it may shade, and `scale`
-    that of the figure."""
-
-    colour: str
-    style: str
-    band: tuple[float, float]
-    scale: float = 1.0
-
-    @property
-    def width(self) -> float:
-        """Points."""
-        return self.scale * LINE
-
-    def example(self) -> Line2D:
-        """A line for a legend."""
-        return Line2D([], [], linestyle=self.style, color=self.colour)
-
-    def draw(self, axis, x: np.ndarray, y: np.ndarray, style: str = "") -> None:
-        """A line, or the word that there is none; style: another one than that of the run."""
-        axis.plot(x, y, style or self.style, color=self.colour, linewidth=self.width)
-        if np.isnan(y).all():
-            about = {"color": self.colour, "ha": "center", "va": "center"}
-            axis.text(0.5, sum(self.band) / 2, "no data", transform=axis.transAxes, **about)
-
-    def shade(self, axis, x: np.ndarray, where: np.ndarray, label: str) -> None:
-        height = axis.get_xaxis_transform()
-        shade = axis.fill_between(x, *self.band, where=where, transform=height, label=label)
-        shade.set(color=self.colour, alpha=0.13)
-
-    def mark(self, axis, x: float, y: float, marker: str, label: str) -> None:
-        axis.plot(x, y, marker, color=self.colour, markersize=self.scale * MARKER, label=label)
-
-
-def pens(count: int, scale: float = 1.0) -> list[Pen]:
-    """One for each run; their bands lie one above the other, that of the first run at the top."""
-    looks = zip(COLOURS, itertools.cycle(STYLES), strict=False)
-    return [
-        Pen(*look, (1 - (place + 1) / count, 1 - place / count), scale)
-        for place, look in zip(range(count), looks, strict=False)
-    ]
 
 
 def plot_run(

@@ -35,11 +35,11 @@ class PlotSettings:
 def plot_command(words: list[str], program: str) -> int:
     """The command, given the words behind its name; returns the exit status."""
     arguments = _parser(program).parse_args(words)
-    from vehicle_roll_sim.analysis import drawing, plots  # half a second, for a figure only
+    from vehicle_roll_sim.analysis import drawing, pens, plots  # half a second, for a figure only
 
     files = [named_file(text, "FILE") for text in arguments.files]
-    if len(files) > len(plots.COLOURS):
-        wanted = f"at most {len(plots.COLOURS)}, with a colour for each"
+    if len(files) > len(pens.COLOURS):
+        wanted = f"at most {len(pens.COLOURS)}, with a colour for each"
         raise InputError("FILE", f"{len(files)} files", wanted)
     settings = {"begin": -math.inf, "end": math.inf} | declared_values(arguments, PlotSettings)
     if not settings["begin"] < settings["end"]:
