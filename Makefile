@@ -64,7 +64,7 @@ mutations: setup
 
 # What each example controller does, in lockstep; brings the README's table up to date.
 controllers: setup
-	$(BIN)/python msg_examples/compare.py README.md
+	$(BIN)/python -m benchmarks.controllers README.md
 
 lint: setup
 	$(BIN)/ruff check .

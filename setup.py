@@ -6,6 +6,7 @@ from setuptools import find_packages, setup
 
 NAME = "vehicle_roll_sim"
 SHARE = f"share/{NAME}"
+EXAMPLES = ("active_roll_bar", "rear_steering", "roll_braking", "rollover_warning", "yaw_control")
 
 setup(
     name=NAME,
@@ -55,6 +56,8 @@ setup(
             f"manoeuvre = {NAME}.ros.executables:manoeuvre",
             f"recorder = {NAME}.ros.executables:recorder",
             f"demo = {NAME}.ros.executables:demo",
+            f"compare = {NAME}.ros.executables:compare",
+            *(f"{name} = {NAME}.examples.executables:{name}" for name in EXAMPLES),
         ],
     },
 )

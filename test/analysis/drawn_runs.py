@@ -15,7 +15,6 @@ SIGNALS = (
     ("lateral_acceleration", "(m/s²)", 1.0),
     ("yaw_rate", "(deg/s)", DEGREES),
 )
-SIGNAL_COUNT = len(SIGNALS) + 1
 SAMPLES = 21
 ANGLE = 1.0
 """rad of roll that counts as rolled over."""
@@ -48,7 +47,7 @@ def drawn(history: History, label: str = "") -> DrawnRun:
 def panels(figure) -> tuple[list, list, object]:
     """Axes of the signals, of the loads and of the path."""
     axes = figure.axes
-    return axes[:SIGNAL_COUNT], axes[SIGNAL_COUNT:-1], axes[-1]
+    return axes[:-5], axes[-5:-1], axes[-1]
 
 
 def curves(axis) -> list:

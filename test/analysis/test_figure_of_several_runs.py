@@ -8,7 +8,8 @@ from drawn_runs import DEGREES, curves, drawn, labelled, panels, recorded, same,
 from matplotlib.colors import to_rgb
 
 from vehicle_roll_sim import WHEELS
-from vehicle_roll_sim.analysis.plots import COLOURS, standard_figure
+from vehicle_roll_sim.analysis.pens import COLOURS
+from vehicle_roll_sim.analysis.plots import standard_figure
 from vehicle_roll_sim.simulation.history import History
 
 pytestmark = pytest.mark.filterwarnings("error")

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from scipy.spatial.transform import Rotation
 from scipy.stats import linregress
 
 from vehicle_roll_sim.analysis.metrics import (
@@ -19,6 +20,7 @@ from vehicle_roll_sim.analysis.metrics import (
     rms,
     roll_gradient,
     rollover_time,
+    sideslip_angle,
     steady,
     understeer_gradient,
 )
@@ -145,6 +147,22 @@ def test_the_ratio_is_1_on_the_right_wheels_alone_0_on_none_and_unknown_of_the_u
     loads = np.array([[0.0, 5.0, 0.0, 1.0], [0.0, 0.0, 0.0, 0.0], [NAN, 1.0, 1.0, 1.0]])
     np.testing.assert_array_equal(load_transfer_ratio(loads), [1.0, 0.0, NAN])
     assert load_transfer_ratio(np.zeros(4)) == 0.0
+
+
+def test_sideslip_is_the_angle_of_the_way_over_the_ground_whatever_the_attitude_of_the_body():
+    """Velocities on the ground, as an independent library turns them into the body's axes."""
+    ahead, left = np.array([20.0, 20.0, 5.0, -3.0]), np.array([1.0, -2.0, 5.0, 0.3])
+    roll, pitch = np.array([0.0, 0.2, -1.2, 0.1]), np.array([0.0, -0.1, 0.3, 0.05])
+    attitudes = Rotation.from_euler("YX", np.column_stack((pitch, roll)))
+    velocity = attitudes.inv().apply(np.column_stack((ahead, left, [0.0, 1.0, -2.0, 0.0])))
+    found = sideslip_angle(velocity.T, roll, pitch)
+    np.testing.assert_allclose(found, np.arctan(left / ahead), rtol=ROUNDING)
+
+
+def test_sideslip_without_heave_and_pitch_or_in_standstill():
+    u, v, w = np.array([10.0, 0.01, 5.0]), np.array([1.0, 0.0, -5.0]), np.full(3, NAN)
+    found = sideslip_angle((u, v, w), np.zeros(3), np.full(3, NAN))
+    np.testing.assert_allclose(found, [np.arctan(0.1), NAN, -np.pi / 4], rtol=ROUNDING)
 
 
 def test_a_wheel_lifts_at_the_first_sample_without_load_after_one_with_load():

@@ -45,7 +45,7 @@ CURVES = {
 """Manoeuvre and models of each figure of the source that is no drawing."""
 LOADS = {f"{wheel} load\n(kN)": (f"normal_force_{wheel}", 1e-3) for wheel in WHEELS}
 SIGNALS = {
-    "steering\n(deg)": ("steering", math.degrees(1)),
+    "steering, front\nroad wheels (deg)": ("steering", math.degrees(1)),
     "roll angle\n(deg)": ("roll", math.degrees(1)),
     "lateral acceleration\n(m/s²)": ("lateral_acceleration", 1.0),
     "yaw rate\n(deg/s)": ("yaw_rate", math.degrees(1)),

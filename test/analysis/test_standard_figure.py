@@ -21,7 +21,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from vehicle_roll_sim import WHEELS
 from vehicle_roll_sim.analysis.drawing import save_figure
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
+from vehicle_roll_sim.analysis.metrics import load_transfer_ratio, sideslip_angle
 from vehicle_roll_sim.analysis.plots import plot_run, standard_figure
 from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.simulation.history import COLUMNS, History
@@ -41,6 +41,22 @@ def test_the_signals_are_those_of_the_samples_with_their_units(history):
         same(curve, history["time"], history[name] * scale)
         assert name.replace("_", " ").partition(" angle")[0] in axis.get_ylabel()
         assert unit in axis.get_ylabel()
+
+
+def test_steering_is_said_to_be_that_of_the_front_road_wheels(history):
+    axes, _, _ = panels(standard_figure([drawn(history)], "run"))
+    assert axes[0].get_ylabel() == "steering, front\nroad wheels (deg)"
+
+
+def test_sideslip_and_speed_are_shown(history):
+    axes, _, _ = panels(standard_figure([drawn(history)], "run"))
+    sideslip, speed = axes[-3:-1]
+    assert sideslip.get_ylabel() == "sideslip angle\n(deg)"
+    velocity = [history[name] for name in "uvw"]
+    angle = sideslip_angle(velocity, history["roll"], history["pitch"])
+    same(curves(sideslip)[0], history["time"], np.degrees(1) * angle)
+    assert speed.get_ylabel() == "forward speed\n(m/s)"
+    same(curves(speed)[0], history["time"], history["u"])
 
 
 def test_load_transfer_is_shown_from_one_side_to_the_other(history):
@@ -135,7 +151,7 @@ def test_what_no_topic_or_model_has_is_said_and_the_rest_is_drawn(history, tmp_p
     figure = standard_figure([drawn(history)], "run")
     without = [axis for axis in figure.axes if any(t.get_text() == "no data" for t in axis.texts)]
     signals, loads, _ = panels(figure)
-    assert without == [signals[3], signals[4], loads[2]]
+    assert without == [signals[3], signals[-1], loads[2]]
     plot_run(history, events_of(history, ANGLE), tmp_path / "figure.png", "run")
 
 

@@ -105,6 +105,19 @@ def test_the_format_is_that_of_the_name_and_the_bytes_are_the_same_twice(
     assert contents[0].startswith(BEGINNINGS[suffix])
 
 
+def test_commands_that_run_was_told_to_write_are_drawn(command, figure):
+    words = ("run", "step_steer", "--duration", "1.5", "--csv", "run.csv")
+    for option, shown in (((), False), (("--with-commands",), True)):
+        assert command(*words, *option).status == 0
+        labels = [axis.get_ylabel() for axis in figure("run.csv")[0].axes]
+        assert ("wheel torque\n(N m)" in labels) == shown
+
+
+def test_the_size_is_that_which_was_asked_for(figure, history):
+    drawn, _ = figure("run.csv", "--size", "170x200")
+    assert [25.4 * side for side in drawn.get_size_inches()] == pytest.approx([170.0, 200.0])
+
+
 def test_only_the_part_that_was_asked_for_is_drawn_with_the_events_of_all(figure, history):
     drawn, _ = figure("run.csv", "--begin", "1", "--end", "2")
     (curve,) = roll_of(drawn)
@@ -224,6 +237,7 @@ def test_neither_is_what_is_not_there_or_a_folder(refused, folder):
         (("--begin", "soon"), ("--begin", "'soon'", "a number")),
         (("--stop-roll", "0"), ("--stop-roll", "0", "1 to 90 deg")),
         (("--label", "a", "--label", "b"), ("--label", "2 labels", "1 file")),
+        (("--size", "170"), ("--size", "'170'", "WIDTHxHEIGHT in mm")),
         (("--output", "figure.jpg"), ("--output", "figure.jpg", ".png, .svg, .pdf")),
         (("--output", "none/figure.png"), ("--output", "none does not")),
         (("--output", ""), ("--output", "''")),

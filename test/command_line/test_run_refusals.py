@@ -109,6 +109,16 @@ def test_a_figure_of_another_kind_is_refused(refused, name):
     refused(("run", "step_steer", "--plot", name), "--plot", name, ".png", ".svg", ".pdf")
 
 
+def test_what_says_how_a_file_is_written_is_refused_without_that_file(refused):
+    refused(("run", "step_steer", "--size", "170x200"), "--size", "'170x200'", "with --plot")
+    refused(("run", "step_steer", "--with-commands"), "--with-commands", "together with --csv")
+
+
+def test_what_is_no_size_of_a_figure_is_refused(refused):
+    words = ("run", "step_steer", "--plot", "run.png", "--size", "17x20cm")
+    refused(words, "--size", "'17x20cm'", "WIDTHxHEIGHT in mm, from 80x120 to 1000x1000")
+
+
 @pytest.mark.parametrize("option", ["--csv", "--plot", "--vehicle", "--tire", "--commands"])
 def test_an_empty_name_is_refused(refused, option):
     manoeuvre = () if option == "--commands" else ("step_steer",)

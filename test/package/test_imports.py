@@ -14,6 +14,8 @@ MAY_IMPORT = {
     "arguments": {"arguments"},
     "command_line": {"command_line", "arguments", *LAYERS},
     "ros": {"ros", "arguments", *LAYERS},
+    "controller": {"controller", "ros", "messages"},
+    "examples": {"examples", "controller", "ros", *LAYERS},
 }
 EVERYONE_MAY_IMPORT = "declaration"
 MODEL_MAY_USE = {"numpy", "numba"}

@@ -8,7 +8,13 @@ import pytest
 
 from vehicle_roll_sim.command_line.main import main
 
-EXECUTABLES = ("simulator", "manoeuvre", "recorder", "demo", "vehicle_roll_sim")
+CONTROLLERS = (
+    *("active_roll_bar", "rear_steering", "roll_braking", "rollover_warning", "yaw_control"),
+)
+EXECUTABLES = (
+    *("simulator", "manoeuvre", "recorder", "demo", "vehicle_roll_sim", "compare"),
+    *CONTROLLERS,
+)
 PACKAGE = "vehicle_roll_sim"
 
 
@@ -24,6 +30,18 @@ def test_the_executables_lie_where_ros2_run_finds_them_and_no_others(installed):
     assert found == set(EXECUTABLES)
     for name in EXECUTABLES:
         assert os.access(folder / name, os.X_OK)
+
+
+def test_every_example_controller_has_an_executable(root):
+    scripts = {path.stem for path in (root / PACKAGE / "examples").glob("*.py")}
+    assert scripts - {"__init__", "executables"} == set(CONTROLLERS)
+
+
+def test_example_controllers_are_shared_as_scripts_for_users_to_copy(installed, root):
+    for name in CONTROLLERS:
+        shared = installed / "share" / PACKAGE / "msg_examples" / f"{name}.py"
+        assert not shared.is_symlink()
+        assert shared.read_bytes() == (root / PACKAGE / "examples" / f"{name}.py").read_bytes()
 
 
 def test_the_package_is_in_the_resource_index_with_its_manifest(installed, root):
@@ -100,6 +118,13 @@ def test_the_installed_command_runs_a_manoeuvre_like_the_one_of_the_checkout(
     assert (result.returncode, result.stderr) == (0, "")
     assert result.stdout == capsys.readouterr().out
     assert "0.200 s, complete" in result.stdout
+
+
+@pytest.mark.parametrize("name", ["compare", *CONTROLLERS])
+def test_the_installed_executables_of_controllers_start(run_installed, installed, name):
+    result = run_installed(installed / "lib" / PACKAGE / name, "--help")
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.startswith(f"usage: {name} ")
 
 
 def test_the_installed_package_reads_its_own_presets(run_installed, installed):

@@ -1,13 +1,26 @@
-"""The controllers of msg_examples, in lockstep: what they prevent, and that the README says so."""
+"""The example controllers, in lockstep: what they prevent, and that the README says so."""
 
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
-from compare import CONTROLLERS, SCENARIOS, WITHOUT, drive, row, warning_line
 
+from benchmarks.controllers import (
+    CONTROLLERS,
+    SCENARIOS,
+    WITHOUT,
+    program,
+    row,
+    warning_line,
+)
+from vehicle_roll_sim import Condition, Options, Simulation, preset
+from vehicle_roll_sim.analysis.signals import SIDESLIP
+from vehicle_roll_sim.manoeuvres.manoeuvre import manoeuvre_named
 from vehicle_roll_sim.messages.topics import COMMANDS
+from vehicle_roll_sim.ros.comparison import Chain, Scenario, drive
 from vehicle_roll_sim.ros.topics import message_class
+from vehicle_roll_sim.simulation.run import run
 
 pytestmark = pytest.mark.unmeasured
 
@@ -18,8 +31,10 @@ NUMBER = re.compile(r"-?\d+\.\d+")
 LAST_DIGIT = 1.01
 """Of what is shown: another machine may round the other way."""
 PERIODS = 50
-ANSWERS = {chain.command for chain in CONTROLLERS.values()}
-PROGRAMS = {program for chain in CONTROLLERS.values() for (program,) in chain.programs}
+ON_ITS_WHEELS = 2.5
+"""s until which the vehicle without control is, in the sine with dwell."""
+ANSWERS = {command for chain in CONTROLLERS.values() for command in chain.commands}
+PROGRAMS = {Path(script).stem for chain in CONTROLLERS.values() for script, *_ in chain.programs}
 
 
 @pytest.fixture(scope="module", params=SCENARIOS)
@@ -66,12 +81,35 @@ def test_it_prevents_the_rollover_as_the_readme_says(manoeuvre, without, control
     assert_shown("| " + " | ".join(row(controller, manoeuvre, without, found)) + " |")
 
 
+def test_yaw_control_prevents_the_rollover_in_the_sine_with_dwell_with_less_sideslip(in_domain):
+    """At 80 km/h, as docs/controllers.md says."""
+    vehicle = preset()
+    manoeuvre = manoeuvre_named("sine_with_dwell").for_vehicle(vehicle, Options())
+    simulation = Simulation(vehicle)
+    simulation.reset(manoeuvre.speed)
+    alone = run(simulation, manoeuvre.driver(), manoeuvre.duration, command_period=0.01)
+    assert simulation.condition is Condition.ROLLED_OVER
+    commands = ("steering_cmd", "wheel_torque_cmd")
+    found = drive(
+        Scenario(("sine_with_dwell",), commands),
+        Chain(("brake_torque_cmd",), (program("yaw_control"),)),
+    )
+    assert not found.rollover > 0.0
+    assert found.end == manoeuvre.duration
+    largest = [
+        np.nanmax(np.abs(SIDESLIP.of(history)[history["time"] < ON_ITS_WHEELS]))
+        for history in (alone, found.history)
+    ]
+    assert largest[1] < 0.9 * largest[0]
+    assert np.count_nonzero(found.history.command("brake_torque"), axis=1).max() == 1
+
+
 def test_each_gives_one_answer_for_every_set(start, peer):
     topics = ", ".join(("steering_cmd", *sorted(ANSWERS)))
     lockstep = ("-p", "mode:=lockstep", "-p", f"lockstep_topics:=[{topics}]")
     start("simulator", "--ros-args", *lockstep)
-    for program in sorted(PROGRAMS):
-        start("", program=str(EXAMPLES / f"{program}.py"))
+    for name in sorted(PROGRAMS):
+        start("", program=str(EXAMPLES / f"{name}.py"))
     answers = {name: [] for name in ANSWERS}
     kinds = {topic.name: message_class(topic.type) for topic in COMMANDS}
     for name, kept in answers.items():

@@ -67,6 +67,8 @@ def test_a_manoeuvre_without_a_simulator_gives_up_with_status_1(start):
         (["j_tum"], "j_turn"),
         (["j_turn", "--amplitude", "100"], "--amplitude"),
         (["j_turn", "--plot", "x.gif"], "--plot"),
+        (["j_turn", "--size", "170x200"], "--size"),
+        (["j_turn", "--with-commands"], "--with-commands"),
         ([], "NAME"),
     ],
 )

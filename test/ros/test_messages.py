@@ -93,6 +93,26 @@ def test_odometry_is_the_pose_and_twist_of_the_sprung_cg(session, messages):
     assert vector(odom.twist.twist.angular) == pytest.approx(rates)
 
 
+@pytest.mark.parametrize("model", ["1", "8dof"])
+def test_motion_has_steering_speed_and_yaw_rate_in_one_message(model):
+    command = Command(steering=0.05, rear_steering=-0.01)
+    session = Session(Simulation(preset(), Options(model=model)), CommandInbox(), 10_000_000, 20.0)
+    session.applied = command
+    session.simulation.step(command, 0.8)
+    motion, simulation = Decoded(session).motion(), session.simulation
+    state = simulation.state
+    expected = {
+        "time": simulation.time,
+        "steering": 0.05,
+        "rear_steering": -0.01,
+        **{name: state[name] for name in ("u", "v", "yaw_rate", "roll", "roll_rate")},
+        "lateral_acceleration": simulation.outputs.acceleration[1],
+    }
+    assert abs(expected["v"] * expected["yaw_rate"] * expected["roll"]) > 0.0
+    labels = [dimension.label for dimension in motion.layout.dim]
+    assert dict(zip(labels, motion.data, strict=True)) == expected
+
+
 def test_imu_reads_g_upwards_at_rest():
     at_rest = Session(Simulation(preset()), CommandInbox(), 10_000_000, 13.9)
     imu = Decoded(at_rest).imu()

@@ -24,7 +24,7 @@ pytestmark = pytest.mark.unmeasured
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
 WORDS = {"simulator": (), "manoeuvre": ("j_turn",), "recorder": ("--output", "{}/bag{}")}
 EXAMPLES = Path(__file__).parents[2] / "msg_examples"
-CONTROLLERS = ("active_roll_bar", "rear_steering", "rollover_warning", "roll_braking")
+CONTROLLERS = ("active_roll_bar", "yaw_control", "rollover_warning", "roll_braking")
 IMPORTING, IMPORTED, JOINING = "multiarray_umath", "rclpy_pybind", "librmw_fastrtps_cpp"
 """Libraries that a node reads in: at first, with rclpy, and when it joins the others."""
 LONGEST_END = 4.0

@@ -71,6 +71,43 @@ def test_a_row_has_every_value_under_its_name(simulation):
     assert row["lateral_acceleration"] == outputs.acceleration[1]
 
 
+COMMANDS_PROMISED = [
+    "rear_steering",
+    *("wheel_torque_lf", "wheel_torque_rf", "wheel_torque_lr", "wheel_torque_rr"),
+    *("brake_torque_lf", "brake_torque_rf", "brake_torque_lr", "brake_torque_rr"),
+    *("active_force_lf", "active_force_rf", "active_force_lr", "active_force_rr"),
+]
+
+
+def test_commands_come_behind_the_columns_where_they_are_asked_for_and_are_read_again(
+    history, tmp_path
+):
+    plain, more = tmp_path / "plain.csv", tmp_path / "more.csv"
+    history.rows[:, 0] = np.arange(50.0)
+    history.write_csv(plain)
+    history.commands = np.random.default_rng(2).normal(size=(50, len(COMMANDS_PROMISED)))
+    history.write_csv(more, with_commands=True)
+    assert plain.read_text() == "".join(
+        line.rsplit(",", len(COMMANDS_PROMISED))[0] + "\n" for line in more.read_text().splitlines()
+    )
+    assert more.read_text().splitlines()[0].split(",")[len(COLUMNS) :] == COMMANDS_PROMISED
+    found = History.read_csv(more)
+    assert bits(found.rows.flat) == bits(history.rows.flat)
+    for place, name in enumerate(COMMANDS_PROMISED):
+        assert bits(found.command(name)) == bits(history.commands[:, place])
+    assert bits(found.command("brake_torque").flat) == bits(history.commands[:, 5:9].flat)
+    assert found.part(found["time"] < 2.0).commands.shape == (2, len(COMMANDS_PROMISED))
+    history.write_csv(plain)
+    assert History.read_csv(plain).commands is None
+    assert np.isnan(History.read_csv(plain).command("wheel_torque")).all()
+
+
+def test_unknown_commands_are_nan_in_the_file(history, tmp_path):
+    history.rows[:, 0] = np.arange(50.0)
+    history.write_csv(tmp_path / "more.csv", with_commands=True)
+    assert np.isnan(History.read_csv(tmp_path / "more.csv").commands).all()
+
+
 def test_a_row_is_a_copy_that_the_next_step_leaves_alone(simulation):
     row = row_of(simulation)
     before = row.copy()

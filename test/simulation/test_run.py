@@ -7,6 +7,7 @@ import pytest
 from signals import everything, turn
 
 from vehicle_roll_sim import Command, Condition, InputError, Simulation, preset
+from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.simulation.command import command_at
 from vehicle_roll_sim.simulation.history import row_of
 from vehicle_roll_sim.simulation.run import run
@@ -45,6 +46,39 @@ def test_there_is_a_row_at_the_start_at_every_sample_and_at_the_end(
 def test_a_period_of_commands_adds_no_rows(simulation, period):
     history = run(simulation, turn(4.0), 0.07, sample=0.02, command_period=period)
     assert milliseconds(history) == [0, 20, 40, 60, 70]
+
+
+def all_commands(times: np.ndarray) -> np.ndarray:
+    """A programme with every command, each another one, and a speed hold."""
+    records = np.zeros(len(times), COMMAND)
+    records["rear_steering"] = 0.01 * times
+    for place, name in enumerate(("wheel_torque", "brake_torque", "normal_force")):
+        records[name] = (place + 1 + np.arange(4)) * (1.0 + times[:, np.newaxis])
+    records["speed_hold_gain"], records["speed_hold_target"] = 200.0, 15.0
+    return records
+
+
+def test_a_programme_has_its_own_commands_at_each_row_with_the_torque_that_holds_the_speed(
+    simulation,
+):
+    history = run(simulation, all_commands, 0.07, sample=0.02)
+    for k, time in enumerate(history["time"]):
+        held = command_at(all_commands, time, {"u": history["u"][k]})
+        assert history.command("rear_steering")[k] == held.rear_steering
+        np.testing.assert_allclose(history.command("wheel_torque")[k], held.wheel_torque)
+        assert tuple(history.command("brake_torque")[k]) == held.brake_torque
+        assert tuple(history.command("active_force")[k]) == held.normal_force
+
+
+def test_held_commands_are_those_of_the_period_that_ends_with_the_row(simulation):
+    history = run(simulation, all_commands, 0.08, sample=0.02, command_period=0.02)
+    began = [history["time"][:-1], history["u"][:-1]]
+    held = [command_at(all_commands, time, {"u": u}) for time, u in zip(*began, strict=True)]
+    expected = [Command(), *held]
+    for k, command in enumerate(expected):
+        assert history.command("rear_steering")[k] == command.rear_steering
+        assert tuple(history.command("wheel_torque")[k]) == command.wheel_torque
+        assert tuple(history.command("active_force")[k]) == command.normal_force
 
 
 def test_a_run_that_stops_ends_with_the_row_of_its_last_moment(simulation):

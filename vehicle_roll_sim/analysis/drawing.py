@@ -1,6 +1,7 @@
 """What all figures share: they need no screen, have room for a legend, are the same every time."""
 
-from collections.abc import Sequence
+import contextlib
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import matplotlib
@@ -9,6 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
+from vehicle_roll_sim.analysis.figure_size import Size
 from vehicle_roll_sim.simulation.output_file import replaced_file
 
 UNDATED = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
@@ -18,6 +20,16 @@ LEGEND_GAP = 0.01
 CHARACTERS_PER_INCH, CHARACTERS_OF_AN_EXAMPLE = 13, 8
 """Of the text in a legend, and what stands beside it."""
 MOST_COLUMNS = 4
+FONT = 10.0
+"""Points, in the figures of the default size."""
+SMALLEST_FONT = 6.0
+"""Points, however small a figure is."""
+SCREEN_DPI, PRINT_DPI = 110, 300
+SCALED = (
+    *("lines.linewidth", "lines.markersize", "axes.linewidth", "axes.labelpad", "grid.linewidth"),
+    *(f"{axis}tick.major.{what}" for axis in "xy" for what in ("size", "width", "pad")),
+)
+"""What of the style becomes smaller with a figure."""
 DIGITS_OF_A_POSITION = 9
 """As a share of the figure: far less than a pixel, far more than rounding."""
 
@@ -37,17 +49,37 @@ class SteadyLayout(ConstrainedLayoutEngine):
             axes.set_in_layout(True)  # else it would keep this place
 
 
-def new_figure(width: float, height: float) -> Figure:
-    """An empty figure (inches), drawn without a screen."""
-    figure = Figure(figsize=(width, height), layout=SteadyLayout())
-    FigureCanvasAgg(figure)
-    return figure
+class DrawnFigure(Figure):
+    """A figure that is drawn without a screen; scale: of its texts, lines and marks."""
+
+    def __init__(self, width: float, height: float, scale: float = 1.0, dpi: int = SCREEN_DPI):
+        super().__init__(figsize=(width, height), layout=SteadyLayout())
+        FigureCanvasAgg(self)
+        self.scale, self.dpi_of_file = scale, dpi
 
 
-def save_figure(figure: Figure, path: Path) -> None:
+@contextlib.contextmanager
+def drawn_at(scale: float) -> Iterator[None]:
+    """Within, what is drawn is smaller by `scale`, but no text than `SMALLEST_FONT`."""
+    sizes = {name: scale * matplotlib.rcParamsDefault[name] for name in SCALED}
+    with matplotlib.rc_context({"font.size": max(scale * FONT, SMALLEST_FONT), **sizes}):
+        yield
+
+
+def new_figure(width: float, height: float, size: Size | None = None) -> DrawnFigure:
+    """An empty figure (inches); with a size, of that size, and drawn smaller to fit."""
+    if size is None:
+        return DrawnFigure(width, height)
+    scale = min(size.inches[0] / width, size.inches[1] / height)
+    return DrawnFigure(*size.inches, min(scale, 1.0), PRINT_DPI)
+
+
+def save_figure(figure: DrawnFigure, path: Path) -> None:
     """Write a figure in the format of its name, the same bytes for the same figure."""
-    with replaced_file(path) as partial, matplotlib.rc_context({"svg.hashsalt": "run"}):
-        figure.savefig(partial, dpi=110, metadata=UNDATED.get(path.suffix.lower()))
+    salt = matplotlib.rc_context({"svg.hashsalt": "run"})
+    with replaced_file(path) as partial, drawn_at(figure.scale), salt:
+        metadata = UNDATED.get(path.suffix.lower())
+        figure.savefig(partial, dpi=figure.dpi_of_file, metadata=metadata)
 
 
 def add_title(figure: Figure, title: str) -> None:
@@ -64,7 +96,8 @@ def add_legend(figure: Figure, entries: Sequence[tuple]) -> None:
         return
     artists = [artist for artist, _ in entries]
     widest = max(len(name) for _, name in entries) + CHARACTERS_OF_AN_EXAMPLE
-    fitting = int(figure.get_figwidth() * CHARACTERS_PER_INCH) // widest
+    per_inch = CHARACTERS_PER_INCH * FONT / matplotlib.rcParams["font.size"]
+    fitting = int(figure.get_figwidth() * per_inch) // widest
     columns = min(max(fitting, 1), MOST_COLUMNS)
     legend = figure.legend(artists, [""] * len(artists), loc="lower center", ncols=columns)
     for text, (_, name) in zip(legend.get_texts(), entries, strict=True):

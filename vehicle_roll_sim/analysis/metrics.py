@@ -8,6 +8,7 @@ for; a mean or slope of them is nan. Lengths that do not fit raise what numpy ra
 """
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -19,6 +20,8 @@ ROUNDING = 5e-7
 """s: more than times are rounded by, also those that count from 1970."""
 STRAIGHT = 1e-6
 """m/s^2: a span of lateral accelerations below it is rounding; a slope over it would be noise."""
+STANDSTILL = 0.1
+"""m/s"""
 CROSSINGS_OF_A_PERIOD = 3
 
 
@@ -107,6 +110,20 @@ def load_transfer_ratio(loads: np.ndarray) -> float | np.ndarray:
     left, right = loads[..., LEFT].sum(axis=-1), loads[..., RIGHT].sum(axis=-1)
     total = left + right
     return np.divide(right - left, total, out=np.zeros(np.shape(total)), where=total != 0.0)[()]
+
+
+def sideslip_angle(velocity: Sequence[np.ndarray], roll: np.ndarray, pitch: np.ndarray):
+    """Angle (rad) from the heading to the way over the ground, left positive, shape (n,).
+
+    velocity: u, v and w along the body's axes (m/s). nan for w and pitch is that of a model without
+    heave and pitch, where both are 0. nan in standstill, where it is not defined.
+    """
+    u, v, w = velocity
+    w, pitch = np.nan_to_num(w), np.nan_to_num(pitch)
+    ahead = np.cos(pitch) * u + np.sin(pitch) * (np.sin(roll) * v + np.cos(roll) * w)
+    left = np.cos(roll) * v - np.sin(roll) * w
+    moves = np.hypot(ahead, left) >= STANDSTILL
+    return np.arctan(np.divide(left, ahead, out=np.full(np.shape(ahead), np.nan), where=moves))
 
 
 def lift_off_times(time: np.ndarray, loads: np.ndarray) -> np.ndarray:

@@ -1,30 +1,38 @@
 """The standard figure of one run, or of several over each other."""
 
 import dataclasses
-import itertools
 import math
 from collections.abc import Sequence
 from pathlib import Path
 
+import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from vehicle_roll_sim.analysis.drawing import add_legend, add_title, new_figure, save_figure
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
+from vehicle_roll_sim.analysis.drawing import (
+    DrawnFigure,
+    add_legend,
+    add_title,
+    drawn_at,
+    new_figure,
+    save_figure,
+)
+from vehicle_roll_sim.analysis.figure_size import Size
+from vehicle_roll_sim.analysis.pens import Pen, pens
+from vehicle_roll_sim.analysis.signals import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.history import History
 
-PANELS = (
-    ("steering", "steering\n(deg)", math.degrees(1)),
-    ("roll", "roll angle\n(deg)", math.degrees(1)),
-    ("lateral_acceleration", "lateral acceleration\n(m/s²)", 1.0),
-    ("yaw_rate", "yaw rate\n(deg/s)", math.degrees(1)),
-)
-COLOURS = ("black", "#D55E00", "#0072B2", "#009E73", "#CC79A7", "#E69F00")
-"""Of the runs; those of Okabe and Ito, which the colour-blind can tell apart."""
-STYLES = ("-", "--", "-.")
+STYLES_OF_WHEELS = ("-", "--", "-.", ":")
+"""Of a command that a wheel has, and perhaps others behind it have, too."""
+WIDTH, HEIGHT_OF_SIGNAL, HEIGHT_OF_REST = 10.0, 1.35, 1.0
+"""Inches: of the figure, of a signal's panel, and of title and legend."""
+REST_IN_PANELS = 0.75
+"""Height of title and legend over that of a signal's panel."""
+LONGEST_NAME = 9.6
+"""Length of the longest line beside a panel over the height of its letters."""
+POINTS_PER_INCH = 72.0
 KILO = 1e3
 LEAST_SPAN = 0.1
 """Of a vertical axis, in its unit: less is rounding, and not drawn as if it were a signal."""
@@ -32,8 +40,6 @@ WHOLE_RATIO = (-1.05, 1.05)
 """What is shown of the load transfer ratio, whatever it is."""
 MARGIN = 0.02
 """Room after the last sample, as a share of the time shown."""
-MARKER = 5
-"""Points."""
 HEADINGS = 12
 """Times along a path, at most."""
 ARROW = {"pivot": "mid", "scale_units": "width", "scale": 24, "width": 0.006}
@@ -53,93 +59,97 @@ class DrawnRun:
         return self.history["time"][0] <= time <= self.history["time"][-1]
 
 
-@dataclasses.dataclass(frozen=True)
-class Pen:
-    """How a run is drawn; `band` is the share of a panel's height that it may shade."""
-
-    colour: str
-    style: str
-    band: tuple[float, float]
-
-    def example(self) -> Line2D:
-        """A line for a legend."""
-        return Line2D([], [], linestyle=self.style, color=self.colour)
-
-    def draw(self, axis, x: np.ndarray, y: np.ndarray) -> None:
-        """A line, or the word that there is none."""
-        axis.plot(x, y, self.style, color=self.colour, linewidth=1.3)
-        if np.isnan(y).all():
-            about = {"color": self.colour, "ha": "center", "va": "center"}
-            axis.text(0.5, sum(self.band) / 2, "no data", transform=axis.transAxes, **about)
-
-    def shade(self, axis, x: np.ndarray, where: np.ndarray, label: str) -> None:
-        height = axis.get_xaxis_transform()
-        shade = axis.fill_between(x, *self.band, where=where, transform=height, label=label)
-        shade.set(color=self.colour, alpha=0.13)
-
-    def mark(self, axis, x: float, y: float, marker: str, label: str) -> None:
-        axis.plot(x, y, marker, color=self.colour, markersize=MARKER, label=label)
-
-
-def pens(count: int) -> list[Pen]:
-    """One for each run; their bands lie one above the other, that of the first run at the top."""
-    looks = zip(COLOURS, itertools.cycle(STYLES), strict=False)
-    return [
-        Pen(*look, (1 - (place + 1) / count, 1 - place / count))
-        for place, look in zip(range(count), looks, strict=False)
-    ]
-
-
-def plot_run(history: History, events: np.record, path: Path, title: str) -> None:
+def plot_run(
+    history: History, events: np.record, path: Path, title: str, size: Size | None = None
+) -> None:
     """Write the standard figure of one run; events: its EVENTS record."""
-    save_figure(standard_figure([DrawnRun(history, events)], title), path)
+    save_figure(standard_figure([DrawnRun(history, events)], title, size), path)
 
 
-def standard_figure(runs: Sequence[DrawnRun], title: str) -> Figure:
-    """Steering, roll, lateral acceleration, yaw rate, load transfer, tire loads and path.
+def standard_figure(runs: Sequence[DrawnRun], title: str, size: Size | None = None) -> DrawnFigure:
+    """Commands, roll, acceleration, yaw rate, sideslip, speed, loads and their transfer, path.
 
-    As many runs as there are `COLOURS`. The panel of a wheel is shaded while it carries no load.
+    As many runs as there are `COLOURS`. Of the commands the steering is shown, and the others where
+    they are not 0. The panel of a wheel is shaded while it carries no load. size: to be printed;
+    else it is made for a screen.
     """
-    figure = new_figure(10.0, 9.0)
-    signals, loads, path = panels = _panels(figure)
+    shown = signals_of(run.history for run in runs)
+    figure = new_figure(WIDTH, HEIGHT_OF_REST + HEIGHT_OF_SIGNAL * len(shown), size)
+    with drawn_at(figure.scale):
+        _fill(figure, runs, shown)
+        add_title(figure, title)
+        pairs = zip(runs, pens(len(runs)), strict=True)
+        named = [(pen.example(), run.label) for run, pen in pairs if run.label]
+        add_legend(figure, [*named, *_marks(figure)])
+    return figure
+
+
+def _fill(figure: DrawnFigure, runs: Sequence[DrawnRun], shown: Sequence[Signal]) -> None:
+    """Draw everything but title and legend."""
+    signals, loads, path = _panels(figure, len(shown))
     begin = min(run.history["time"][0] for run in runs)
     end = max(run.history["time"][-1] for run in runs)
     headings = MaxNLocator(HEADINGS, steps=(1, 2, 5, 10)).tick_values(begin, end)
-    drawn = list(zip(runs, pens(len(runs)), strict=True))
-    for run, pen in drawn:
-        _draw_signals(signals, run, pen)
+    for run, pen in zip(runs, pens(len(runs), figure.scale), strict=True):
+        for axis, signal in zip(signals, shown, strict=True):
+            _draw_signal(axis, signal, run, pen)
         _draw_loads(loads, run, pen)
         _draw_path(path, run, pen, headings)
-    _label(*panels, runs)
+    _label(signals, loads, path, runs)
     path.set_title(f"path, heading every {headings[1] - headings[0]:g} s", fontsize="medium")
     for axis in (*signals, *loads):
         axis.set_xlim(begin, end + MARGIN * max(end - begin, MARGIN))
     for axis in figure.axes:
         axis.grid(alpha=0.3)
         _widen(axis)
-    signals[-1].set_ylim(*WHOLE_RATIO)
+    for axis, signal in zip(signals, shown, strict=True):
+        if signal is LOAD_TRANSFER:
+            axis.set_ylim(*WHOLE_RATIO)
+    _name(figure, signals, shown)
+
+
+def _name(figure: DrawnFigure, signals, shown: Sequence[Signal]) -> None:
+    """Say beside the panels what they show; above them where they are too low for that."""
+    height = figure.get_figheight() * POINTS_PER_INCH / (len(shown) + REST_IN_PANELS)
+    is_low = height < LONGEST_NAME * matplotlib.rcParams["font.size"]
+    for axis, signal in zip(signals, shown, strict=True):
+        if is_low:
+            axis.set_title(signal.label.replace("\n", " "), loc="left", fontsize="medium", pad=1.0)
+        else:
+            axis.set_ylabel(signal.label)
     figure.align_ylabels(signals)
-    add_title(figure, title)
-    named = [(pen.example(), run.label) for run, pen in drawn if run.label]
-    add_legend(figure, [*named, *_marks(figure)])
-    return figure
 
 
-def _panels(figure: Figure) -> tuple:
+def _panels(figure: Figure, count: int) -> tuple:
     """Axes: signals on the left; on the right those of the wheels as seen from above, and path."""
     left, right = figure.add_gridspec(1, 2, width_ratios=(1, 1.2))
     upper, lower = right.subgridspec(2, 1, height_ratios=(3, 2))
-    signals = left.subgridspec(len(PANELS) + 1, 1).subplots(sharex=True)
+    signals = left.subgridspec(count, 1).subplots(sharex=True)
     loads = upper.subgridspec(2, 2).subplots(sharex=True, sharey=True)
     return signals, loads.flatten(), figure.add_subplot(lower)
 
 
-def _draw_signals(axes, run: DrawnRun, pen: Pen) -> None:
-    signals = [run.history[name] * scale for name, _, scale in PANELS]
-    signals.append(load_transfer_ratio(run.history.wheels("normal_force")))
-    for axis, signal in zip(axes, signals, strict=True):
-        pen.draw(axis, run.history["time"], signal)
-        _mark_rollover(axis, run, pen)
+def _draw_signal(axis, signal: Signal, run: DrawnRun, pen: Pen) -> None:
+    time, values = run.history["time"], signal.of(run.history)
+    if signal.is_command:
+        _draw_command(axis, time, values, pen)
+    else:
+        pen.draw(axis, time, values)
+    _mark_rollover(axis, run, pen)
+
+
+def _draw_command(axis, time: np.ndarray, values: np.ndarray, pen: Pen) -> None:
+    """A line for the wheels that have the same command; a single one, at 0, where none has any."""
+    groups: dict[bytes, list[int]] = {}
+    for wheel in range(len(WHEELS)):
+        if np.nan_to_num(values[:, wheel]).any():
+            groups.setdefault(values[:, wheel].tobytes(), []).append(wheel)
+    for wheels in groups.values() or [[0]]:
+        pen.draw(axis, time, values[:, wheels[0]], STYLES_OF_WHEELS[wheels[0]])
+    for wheels in groups.values():
+        names = "all wheels" if len(wheels) == len(WHEELS) else ", ".join(WHEELS[i] for i in wheels)
+        style = STYLES_OF_WHEELS[wheels[0]]
+        axis.plot([], [], style, color="black", linewidth=pen.width, label=f"command: {names}")
 
 
 def _draw_loads(axes, run: DrawnRun, pen: Pen) -> None:
@@ -156,7 +166,9 @@ def _draw_loads(axes, run: DrawnRun, pen: Pen) -> None:
 def _mark_rollover(axis, run: DrawnRun, pen: Pen) -> None:
     rollover = run.events.rollover_time[0]
     if run.shows(rollover):
-        axis.axvline(rollover, color=pen.colour, linestyle=":", linewidth=1.3, label="rollover")
+        axis.axvline(
+            rollover, color=pen.colour, linestyle=":", linewidth=pen.width, label="rollover"
+        )
 
 
 def _draw_path(axis, run: DrawnRun, pen: Pen, headings: np.ndarray) -> None:
@@ -174,9 +186,6 @@ def _draw_path(axis, run: DrawnRun, pen: Pen, headings: np.ndarray) -> None:
 
 def _label(signals, loads, path, runs: Sequence[DrawnRun]) -> None:
     """Names and units; of a single run also when its wheels lift."""
-    labels = [*(label for _, label, _ in PANELS), "load transfer\nratio (−)"]
-    for axis, label in zip(signals, labels, strict=True):
-        axis.set_ylabel(label)
     for axis, wheel, lift_off in zip(loads, WHEELS, runs[0].events.lift_off_time, strict=True):
         lifts = len(runs) == 1 and not math.isnan(lift_off)
         axis.set_title(wheel + (f", lifts at {lift_off:.2f} s" if lifts else ""), fontsize="medium")

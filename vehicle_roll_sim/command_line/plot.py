@@ -6,6 +6,7 @@ import math
 import os
 from pathlib import Path
 
+from vehicle_roll_sim.analysis import figure_size
 from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.bags import need_library
@@ -35,16 +36,17 @@ class PlotSettings:
 def plot_command(words: list[str], program: str) -> int:
     """The command, given the words behind its name; returns the exit status."""
     arguments = _parser(program).parse_args(words)
-    with ending.at_once():
-        from vehicle_roll_sim.analysis import drawing, plots  # half a second, for a figure only
+    ending.import_at_once("analysis.plots")
+    from vehicle_roll_sim.analysis import drawing, pens, plots
 
     files = [named_file(text, "FILE") for text in arguments.files]
-    if len(files) > len(plots.COLOURS):
-        wanted = f"at most {len(plots.COLOURS)}, with a colour for each"
+    if len(files) > len(pens.COLOURS):
+        wanted = f"at most {len(pens.COLOURS)}, with a colour for each"
         raise InputError("FILE", f"{len(files)} files", wanted)
     settings = {"begin": -math.inf, "end": math.inf} | declared_values(arguments, PlotSettings)
     if not settings["begin"] < settings["end"]:
         raise InputError("--end", settings["end"], f"more than --begin, {settings['begin']:g}")
+    size = figure_size.named_size(arguments.size, "--size")
     output, labels = _output(arguments.output, files), _labels(arguments.label, files)
     rollover_angle = math.radians(settings.get("stop_roll", DEFAULT_ROLLOVER_DEGREES))
     runs = []
@@ -56,7 +58,7 @@ def plot_command(words: list[str], program: str) -> int:
     if len(runs) == 1:  # it needs no legend
         title = labels[0] if title is None else title
         runs = [dataclasses.replace(runs[0], label="")]
-    drawing.save_figure(plots.standard_figure(runs, title or ""), output)
+    drawing.save_figure(plots.standard_figure(runs, title or "", size), output)
     print(line("plot", output))
     return 0
 
@@ -75,11 +77,11 @@ def history_from(path: Path, namespace: str | None) -> History:
 def part_of(history: History, begin: float, end: float, path: Path) -> History:
     """The samples from `begin` to `end` (s), of which there must be some."""
     time = history["time"]
-    part = history.rows[(begin <= time) & (time <= end)]
-    if not len(part):
+    part = history.part((begin <= time) & (time <= end))
+    if not len(part.rows):
         field, value = ("--begin", begin) if begin > time[0] else ("--end", end)
         raise InputError(field, value, f"samples of {path}, {time[0]:g} to {time[-1]:g} s")
-    return History(part)
+    return part
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
@@ -93,6 +95,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
     group.add_argument(
         "--output", metavar="FILE", help="PNG, SVG or PDF (default, of one run: its name with .png)"
     )
+    group.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
     group.add_argument(
         "--title", metavar="TEXT", help="above the figure (default: the name of the run)"
     )

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from vehicle_roll_sim.analysis import figure_size
 from vehicle_roll_sim.arguments import (
     OneLineParser,
     add_declared,
@@ -13,6 +14,7 @@ from vehicle_roll_sim.arguments import (
     named_file,
 )
 from vehicle_roll_sim.bags import need_library
+from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.plausible import heed
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
@@ -27,6 +29,7 @@ from vehicle_roll_sim.model.events import Condition
 from vehicle_roll_sim.offline.asked_for import manoeuvre_of
 from vehicle_roll_sim.offline.run_result import RunResult
 from vehicle_roll_sim.offline.running import drive
+from vehicle_roll_sim.simulation.history import WITH_COMMANDS, check_with_commands
 from vehicle_roll_sim.simulation.output_file import (
     check_distinct,
     check_figure_format,
@@ -74,6 +77,8 @@ def run_command(words: list[str], program: str) -> int:
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
     sampling = Sampling(**declared_values(arguments, Sampling))
     csv, plot, bag = _results(arguments)
+    size = figure_size.named_size(arguments.size, "--size", plot)
+    check_with_commands(arguments.with_commands, csv)
     if plot:
         ending.import_at_once("analysis.plots")
     if bag:
@@ -89,9 +94,9 @@ def run_command(words: list[str], program: str) -> int:
             raise as_option(error) from None
         raise
     if csv:
-        result.write_csv(csv)
+        result.write_csv(csv, arguments.with_commands)
     if plot:
-        result.plot(plot, arguments.manoeuvre or arguments.commands)
+        result.plot(plot, arguments.manoeuvre or arguments.commands, size)
     is_held_by_bag = bag and not sampling.command_period and isinstance(result.manoeuvre, OpenLoop)
     notes = [line("commands", HELD_BY_BAG)] if is_held_by_bag else []
     written = (("CSV", csv), ("plot", plot), ("bag", bag))
@@ -116,6 +121,7 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     add_declared(parser, Sampling, "sampling")
     group = parser.add_argument_group("results")
     group.add_argument("--csv", metavar="FILE", help="write the samples")
+    group.add_argument("--with-commands", action="store_true", help=WITH_COMMANDS)
     group.add_argument(
         "--bag",
         metavar="DIR",
@@ -125,6 +131,7 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     about = "in the bag, what has no header with one, too: NAME_stamped, as publish_stamped has it"
     group.add_argument("--stamped", action="store_true", help=about)
     group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
+    group.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
     return parser
 
 

@@ -13,7 +13,7 @@ from vehicle_roll_sim.messages.sets import COMMAND_LABELS
 from vehicle_roll_sim.messages.topics import STATE_SET
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.history import COLUMNS, History
+from vehicle_roll_sim.simulation.history import COLUMNS, COMMANDS, History
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import GRAVITY
 
@@ -50,7 +50,9 @@ class Collected:
 
     def history(self, road: Road) -> History:
         """One row for every complete set, driven on `road`; what no topic carries is nan."""
-        return History([_row(road, *parts) for parts in self.sets()])
+        sets = list(self.sets())
+        commands = [command.data[len(COMMAND_LABELS) - len(COMMANDS) :] for _, command, *_ in sets]
+        return History([_row(road, *parts) for parts in sets], np.array(commands))
 
     def sets(self) -> Iterator[tuple]:
         """(state, applied_command, imu, tire_normal_forces) of every complete set."""

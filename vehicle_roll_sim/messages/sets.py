@@ -23,6 +23,12 @@ COMMAND_LABELS = (
     *(f"brake_torque_{wheel}" for wheel in WHEELS),
     *(f"normal_force_{wheel}" for wheel in WHEELS),
 )
+MOTION_LABELS = (
+    *("time", "steering", "rear_steering", "u", "v", "yaw_rate"),
+    *("roll", "roll_rate", "lateral_acceleration"),
+)
+"""What controllers of a vehicle's handling need; the names mean what they do in `state`,
+`applied_command` and the CSV."""
 SUSPENSION, STEERING, SPINNING = (
     tuple(f"{wheel}_{kind}_joint" for wheel in WHEELS)
     for kind in ("suspension", "steering", "wheel")
@@ -73,6 +79,7 @@ class Messages:
         self._state = self._labelled("state", ("time", *simulation.state_names))
         self._command = self._labelled("applied_command", COMMAND_LABELS)
         self._loads = self._labelled("tire_normal_forces", WHEELS)
+        self._motion = self._labelled("motion", MOTION_LABELS)
         self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
         self._ratio = Encoded(encode(TYPES[RATIO], {"data": MARK}), 1)
         self.named[RATIO] = (RATIO,), self._ratio.numbers
@@ -204,6 +211,17 @@ class Messages:
         loads = self.simulation.outputs["normal_force"]
         self._ratio.numbers[0] = load_transfer_ratio(loads)
         return bytes(self._ratio)
+
+    def motion(self) -> bytes:
+        state, command = self.simulation.state_vector, self.applied
+        self._motion.numbers[:] = (
+            self.simulation.time,
+            command.steering,
+            command.rear_steering,
+            *state[[at.U, at.V, at.YAW_RATE, at.ROLL, at.ROLL_RATE]],
+            self.simulation.outputs["acceleration"][1],
+        )
+        return bytes(self._motion)
 
     def _attitude(self) -> tuple[float, ...]:
         """As a quaternion (x, y, z, w); of a model that does not pitch, roll and yaw."""

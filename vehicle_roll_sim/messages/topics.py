@@ -41,6 +41,7 @@ STATE_SET = (
     *(Topic(f"tire_forces/{wheel}", WRENCH) for wheel in WHEELS),
     Topic("lift_off", FLAGS),
     Topic("load_transfer_ratio", FLOAT),
+    Topic("motion", ARRAY),
 )
 """What is published every period, in this order: a set begins with its `state`."""
 STAMPED_ENDING = "_stamped"

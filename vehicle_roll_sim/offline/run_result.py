@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from vehicle_roll_sim.analysis.figure_size import Size, named_size
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio, peak
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.events import TIME, VALUE, Condition
@@ -87,14 +88,19 @@ class RunResult:
         """All rows as a pandas DataFrame, units in `.attrs["units"]`; needs the package pandas."""
         return data_frame(self.to_numpy(), UNITS)
 
-    def write_csv(self, path: str | Path) -> None:
-        """Write all rows in full precision, as the command's --csv does."""
-        self.history.write_csv(path_of(path, "path"))
+    def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
+        """Write all rows in full precision, as the command's --csv and --with-commands do."""
+        self.history.write_csv(path_of(path, "path"), with_commands)
 
-    def plot(self, path: str | Path, title: str = "") -> None:
-        """Draw the standard figure (PNG, SVG or PDF); raises InputError for another format."""
+    def plot(self, path: str | Path, title: str = "", size: Size | str | None = None) -> None:
+        """Draw the standard figure (PNG, SVG or PDF); raises InputError for another format.
+
+        size: of the figure, a Size or a text such as "170x200" (mm); that of the screen if there is
+        none.
+        """
+        size = named_size(size, "size") if isinstance(size, str) else size
         path = path_of(path, "path")
         check_figure_format(path, "path")
         from vehicle_roll_sim.analysis import plots  # matplotlib: half a second
 
-        plots.plot_run(self.history, self.events, path, title)
+        plots.plot_run(self.history, self.events, path, title, size)

@@ -26,6 +26,10 @@ def demo() -> int:
     return _run("demo", 128 + signal.SIGINT)  # as shells have it
 
 
+def compare() -> int:
+    return _run("compare", 128 + signal.SIGINT)
+
+
 def _run(name: str, interrupted: int = 0) -> int:
     """The main function of a module beside this one; its status after a signal before that."""
     ending.at_once(interrupted)
@@ -33,5 +37,5 @@ def _run(name: str, interrupted: int = 0) -> int:
 
 
 if __name__ == "__main__":
-    functions = {each.__name__: each for each in (simulator, manoeuvre, recorder, demo)}
+    functions = {each.__name__: each for each in (simulator, manoeuvre, recorder, demo, compare)}
     sys.exit(functions[sys.argv.pop(1)]())

@@ -25,8 +25,8 @@ from launch_ros.parameter_descriptions import ParameterValue
 from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
 from vehicle_roll_sim.messages.urdf import urdf
-from vehicle_roll_sim.ros.script_texts import assigned, texts_of
-from vehicle_roll_sim.ros.settings import COMMANDED, PUBLISHED_IN_SETS
+from vehicle_roll_sim.ros.script_texts import assigned, commanded_by, scripts_of
+from vehicle_roll_sim.ros.settings import PUBLISHED_IN_SETS
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
@@ -34,8 +34,6 @@ PACKAGE = "vehicle_roll_sim"
 DISCOVERY = "ROS_AUTOMATIC_DISCOVERY_RANGE"
 NEARBY = "LOCALHOST"
 """Nobody else's network, unless the environment says otherwise."""
-NEEDED = {"roll_braking": ("rollover_warning",)}
-"""Controllers of msg_examples that answer what others say, which are started with them."""
 TEXTS = ("model", "vehicle_file", "frame_prefix")
 NUMBERS = ("publish_rate", "initial_speed", "real_time_factor")
 """Arguments that are parameters of the simulator."""
@@ -89,13 +87,13 @@ def controller_arguments() -> list:
     return [
         argument(
             "controller",
-            "a script of msg_examples, or the path of your own; several with spaces between",
+            "an example by name, or the path of your own script; several with spaces between",
             "active_roll_bar",
         ),
         argument("parameters", "of the controllers, such as 'share:=0.7 smoothing:=0.1'"),
         argument(
             "answers",
-            "topics they command, for lockstep; empty: those whose names are texts in the scripts",
+            "topics they command, for lockstep; empty: what the scripts declare as `said`",
         ),
     ]
 
@@ -170,7 +168,7 @@ def manoeuvre(given: Mapping[str, str]) -> Node:
 def controllers(given: Mapping[str, str]) -> list[ExecuteProcess]:
     """Scripts that this Python runs, those first that others need."""
     words = ["--ros-args", "-r", f"__ns:=/{given['namespace'].strip('/')}"]
-    values = assigned(shlex.split(given["parameters"]), _scripts(given))
+    values = assigned(shlex.split(given["parameters"]), _scripts(given), "controller")
     return [
         ExecuteProcess(
             cmd=[sys.executable, str(script), *words, *values[script]],
@@ -183,27 +181,14 @@ def controllers(given: Mapping[str, str]) -> list[ExecuteProcess]:
 
 
 def _scripts(given: Mapping[str, str]) -> list[Path]:
-    names = []
-    for name in given["controller"].split():
-        names += [*NEEDED.get(name, ()), name]
-    return [_script(name) for name in dict.fromkeys(names)]
-
-
-def _script(name: str) -> Path:
-    examples = Path(get_package_share_directory(PACKAGE)) / "msg_examples"
-    for path in (examples / f"{name}.py", Path(name)):
-        if path.is_file():
-            return path
-    there = ", ".join(sorted(path.stem for path in examples.glob("*.py")))
-    raise InputError("controller", name, f"the path of a script, or one of {there}")
+    return scripts_of(given["controller"].split(), "controller")
 
 
 def answers_of(given: Mapping[str, str]) -> list[str]:
-    """What the controllers command: topics that their scripts name, unless told."""
+    """What the controllers command, as their scripts have it, unless told."""
     if given["answers"]:
         return given["answers"].split()
-    named = set().union(*map(texts_of, _scripts(given)))
-    return [topic for topic in COMMANDED if topic in named]
+    return commanded_by(_scripts(given), "controller")
 
 
 def recording(given: Mapping[str, str]) -> list[ExecuteProcess]:

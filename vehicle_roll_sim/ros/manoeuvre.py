@@ -5,6 +5,7 @@ import dataclasses
 import sys
 from pathlib import Path
 
+from vehicle_roll_sim.analysis import figure_size
 from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.arguments import (
     OneLineParser,
@@ -19,7 +20,7 @@ from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.ros.driver import ROUNDING, Driver
 from vehicle_roll_sim.ros.process import lifetime, node_main
 from vehicle_roll_sim.ros.simulator_client import NoAnswerError, SimulatorClient
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.simulation.history import WITH_COMMANDS, History, check_with_commands
 from vehicle_roll_sim.simulation.output_file import (
     check_distinct,
     check_figure_format,
@@ -39,9 +40,17 @@ def late_commands(history: History, sent_at: dict[float, float]) -> int:
     return sum(abs(found - sent_at.get(time, found)) > ROUNDING for time, found in driven)
 
 
-def drive(
-    name: str, manoeuvre: Manoeuvre, simulator: str, csv: Path | None, plot: Path | None
-) -> int:
+@dataclasses.dataclass(frozen=True)
+class Files:
+    """Where the rows go, with commands or without, and the figure, of which size."""
+
+    csv: Path | None
+    plot: Path | None
+    with_commands: bool = False
+    size: figure_size.Size | None = None
+
+
+def drive(name: str, manoeuvre: Manoeuvre, simulator: str, files: Files) -> int:
     """Play the manoeuvre, then tell of it; the exit status."""
     driver = Driver(manoeuvre)
     try:
@@ -49,13 +58,13 @@ def drive(
             driver.prepare(SimulatorClient(driver, executor, simulator))
             driver.play()
         with ending.interruptible():
-            return _tell(name, driver, csv, plot)
+            return _tell(name, driver, files)
     except NoAnswerError as error:
         print(f"manoeuvre: error: {error}", file=sys.stderr)
         return NO_SIMULATOR
 
 
-def _tell(name: str, driver: Driver, csv: Path | None, plot: Path | None) -> int:
+def _tell(name: str, driver: Driver, files: Files) -> int:
     """Write the files of a manoeuvre that was played and print its summary; the exit status.
 
     Raises NoAnswerError if there is nothing to tell of.
@@ -64,12 +73,12 @@ def _tell(name: str, driver: Driver, csv: Path | None, plot: Path | None) -> int
     if not len(history.rows):
         raise NoAnswerError("no whole set came from the simulator")
     events = events_of(history, driver.rollover_angle)
-    if csv:
-        history.write_csv(csv)
-    if plot:
+    if files.csv:
+        history.write_csv(files.csv, files.with_commands)
+    if files.plot:
         from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
 
-        plots.plot_run(history, events, plot, name)
+        plots.plot_run(history, events, files.plot, name, files.size)
     condition = driver.condition
     late = late_commands(history, driver.sent)
     report = driver.manoeuvre.report(history, driver.driver)
@@ -77,7 +86,7 @@ def _tell(name: str, driver: Driver, csv: Path | None, plot: Path | None) -> int
     print("\n".join([*(line(label, text) for label, text in report.items()), *lines]))
     if late:
         print(line("late commands", f"{late} periods were driven with an older command"))
-    for label, path in (("CSV", csv), ("plot", plot)):
+    for label, path in (("CSV", files.csv), ("plot", files.plot)):
         if path:
             print(line(label, path))
     return DIVERGED if condition is Condition.DIVERGED else 0
@@ -95,7 +104,9 @@ def _parser() -> argparse.ArgumentParser:
         "--simulator", default="simulator", metavar="NODE", help="name of the simulator's node"
     )
     parser.add_argument("--csv", metavar="FILE", help="write a row for every set that came")
+    parser.add_argument("--with-commands", action="store_true", help=WITH_COMMANDS)
     parser.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
+    parser.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
     return parser
 
 
@@ -114,7 +125,10 @@ def main() -> int:
         if plot:
             check_figure_format(plot, "--plot")
         check_distinct({"--csv": csv, "--plot": plot})
-        return drive(arguments.manoeuvre, manoeuvre, arguments.simulator, csv, plot)
+        size = figure_size.named_size(arguments.size, "--size", plot)
+        check_with_commands(arguments.with_commands, csv)
+        files = Files(csv, plot, arguments.with_commands, size)
+        return drive(arguments.manoeuvre, manoeuvre, arguments.simulator, files)
 
     return node_main(_parser(), body, sys.argv)
 

@@ -1,22 +1,98 @@
-"""What the scripts of controllers name, topics and parameters among it."""
+"""The scripts of controllers: where they are, and the topics and parameters that they name."""
 
 import ast
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.ros.settings import COMMANDED
 
-def texts_of(script: Path) -> set:
+EXAMPLES = Path(__file__).parents[1] / "examples"
+NO_CONTROLLERS = ("__init__", "executables")
+NEEDED = {"roll_braking": ("rollover_warning",)}
+"""Examples that answer what others say, which are started with them."""
+SAID = "said"
+"""What a controller declares its answers as."""
+
+
+def scripts_of(names: Iterable[str], field: str) -> list[Path]:
+    """The scripts of controllers: examples by name, others by path; those first that others need.
+
+    Raises InputError naming `field` for what is neither.
+    """
+    found = []
+    for name in names:
+        found += [_script(each, field) for each in (*NEEDED.get(name, ()), name)]
+    return list(dict.fromkeys(found))
+
+
+def _script(name: str, field: str) -> Path:
+    there = sorted(path.stem for path in EXAMPLES.glob("*.py") if path.stem not in NO_CONTROLLERS)
+    if name in there:
+        return EXAMPLES / f"{name}.py"
+    if Path(name).is_file():
+        return Path(name)
+    raise InputError(field, name, f"the path of a script, or one of {', '.join(there)}")
+
+
+def commanded_by(scripts: Iterable[Path], field: str) -> list[str]:
+    """The commands of the simulator that controllers answer with.
+
+    Those that they declare as `said`; where that is not written out, all that their texts name.
+    """
+    named = set()
+    for script in scripts:
+        named |= _said_in(_tree(script, field))
+    return [topic for topic in COMMANDED if topic in named]
+
+
+def texts_of(script: Path, field: str) -> set:
     """The constants of a script."""
-    tree = ast.parse(script.read_text(encoding="utf-8"))
+    return _constants(_tree(script, field))
+
+
+def _tree(script: Path, field: str) -> ast.AST:
+    try:
+        return ast.parse(script.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(field, str(script), "a script in Python", error.strerror) from None
+    except (SyntaxError, ValueError) as error:
+        problem = f"{script}: {getattr(error, 'msg', error)}"
+        raise InputError(field, str(script), "a script in Python", problem) from None
+
+
+def _constants(tree: ast.AST) -> set:
     return {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant)}
 
 
-def assigned(parameters: Iterable[str], scripts: Iterable[Path]) -> dict[Path, list[str]]:
+def _said_in(tree: ast.AST) -> set:
+    declared = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            declared += [node.value] if SAID in map(ast.unparse, targets) else []
+    if declared and all(map(_is_written_out, declared)):
+        return set().union(*map(_constants, declared))
+    return _constants(tree)
+
+
+def _is_written_out(value: ast.AST | None) -> bool:
+    """Whether topics are given as texts, alone or in a tuple or list, or as a `Topic`."""
+    if isinstance(value, ast.Tuple | ast.List):
+        return all(map(_is_written_out, value.elts))
+    if isinstance(value, ast.Call):
+        return all(isinstance(argument, ast.Constant) for argument in value.args)
+    return isinstance(value, ast.Constant)
+
+
+def assigned(
+    parameters: Iterable[str], scripts: Sequence[Path], field: str
+) -> dict[Path, list[str]]:
     """Command-line words by script: each NAME:=VALUE for those that name it, or for all if none do.
 
     A controller refuses a parameter that is meant for another.
     """
-    texts = {script: texts_of(script) for script in scripts}
+    texts = {script: texts_of(script, field) for script in scripts}
     words = {script: [] for script in texts}
     for parameter in parameters:
         name = parameter.partition(":=")[0]

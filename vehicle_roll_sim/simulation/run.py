@@ -4,8 +4,11 @@ import bisect
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
+import numpy as np
+
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.model.records import LR
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
 from vehicle_roll_sim.simulation.history import History, row_of
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
@@ -54,8 +57,8 @@ def run(
     )
     end = simulation.time_ns + whole_steps(duration, step_ns, "duration") * step_ns
     steps_at = [] if period else _in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
-    rows = [row_of(simulation)]
-    held = None
+    rows, held = [row_of(simulation)], None
+    driven = [Command() if period else None]
     if witness:
         witness.sees_set()
     while simulation.time_ns < end and simulation.condition is Condition.RUNNING:
@@ -72,10 +75,28 @@ def run(
         has_moved = simulation.time_ns > now  # not where its first step was given up
         if has_moved and (ended or simulation.time_ns % every == 0):
             rows.append(row_of(simulation))
+            driven.append(held)
         if witness and (ended or simulation.time_ns % period == 0):
             witness.sees_set()
         progress((simulation.time_ns - now) / NANOSECONDS)
-    return History(rows)
+    return _with_commands(History(rows), driven, driver)
+
+
+def _with_commands(
+    history: History, driven: list[Command | None], driver: Programme | Feedback
+) -> History:
+    """The history with the command of each row; None: the programme's at its time."""
+    if None in driven:
+        records = np.broadcast_to(driver(history["time"]), len(history.rows))
+        torque = records["wheel_torque"].copy()
+        hold = records["speed_hold_gain"] * (records["speed_hold_target"] - history["u"])
+        torque[:, LR:] += hold[:, np.newaxis]
+    else:
+        records = np.concatenate([command.records() for command in driven])
+        torque = records["wheel_torque"]
+    others = (records["brake_torque"], records["normal_force"])
+    history.commands = np.column_stack((records["rear_steering"], torque, *others))
+    return history
 
 
 def _in_whole_steps(times: Sequence[float], step_ns: int) -> list[int]:

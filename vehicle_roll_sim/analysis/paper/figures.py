@@ -21,7 +21,8 @@ from vehicle_roll_sim.analysis.paper.study import (
     Response,
     Study,
 )
-from vehicle_roll_sim.analysis.plots import KILO, PANELS
+from vehicle_roll_sim.analysis.plots import KILO
+from vehicle_roll_sim.analysis.signals import PANELS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.vehicle.parameters import GRAVITY

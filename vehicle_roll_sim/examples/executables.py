@@ -1,0 +1,31 @@
+"""Entry points of the example controllers: signal handlers are installed before large imports."""
+
+import importlib
+
+from vehicle_roll_sim.ros import ending
+
+
+def active_roll_bar() -> None:
+    _run("active_roll_bar")
+
+
+def rear_steering() -> None:
+    _run("rear_steering")
+
+
+def roll_braking() -> None:
+    _run("roll_braking")
+
+
+def rollover_warning() -> None:
+    _run("rollover_warning")
+
+
+def yaw_control() -> None:
+    _run("yaw_control")
+
+
+def _run(name: str) -> None:
+    """The main function of a module beside this one, which ends the program."""
+    ending.at_once()
+    importlib.import_module(f"vehicle_roll_sim.examples.{name}").main()

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""A warning to start from: load transfer and time to rollover, foreseen with a roll-plane model.
+
+Answers `imu` with `rollover_prediction` (std_msgs/Float64MultiArray: time, load_transfer_ratio,
+predicted_load_transfer_ratio, time_to_rollover), for controllers such as roll_braking.py, and with
+`rollover_warning` (std_msgs/Bool). The model is in vehicle_roll_sim.analysis.rollover_prediction,
+its vehicle that of the simulator's parameters.
+"""
+
+import math
+
+from vehicle_roll_sim.controller import Controller, Topic, run  # isort: split
+
+from vehicle_roll_sim.analysis.rollover_prediction import (
+    Foresight,
+    Prediction,
+    RolloverPredictor,
+)
+from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
+from vehicle_roll_sim.ros.simulator_client import SimulatorClient
+
+FORESIGHT = ("horizon", "interval", "persistence", "smoothing")
+"""Its numbers."""
+
+
+class RolloverWarning(Controller):
+    node_name = "rollover_warning"
+    heard = ("imu",)
+    said = (
+        Topic("rollover_prediction", "std_msgs/msg/Float64MultiArray"),
+        Topic("rollover_warning", "std_msgs/msg/Bool"),
+    )
+    needs_listener = False
+
+    def __init__(self):
+        super().__init__()
+        self.simulator = self.declare_parameter("simulator", "simulator").value  # node's name
+        self.warning_time = self.parameter("warning_time", 0.5)  # warn that long before, s
+        self.foresight = Foresight(
+            **{name: self.parameter(name, getattr(Foresight, name)) for name in FORESIGHT}
+        )
+        self.warned = False
+
+    def prepare(self) -> None:
+        simulator = SimulatorClient(self, self.executor, self.simulator)
+        vehicle, _ = simulated_vehicle(simulator.get)
+        self.predictor = RolloverPredictor(vehicle, self.foresight)
+
+    def answer(self, imu) -> dict:
+        time = imu.header.stamp.sec + 1e-9 * imu.header.stamp.nanosec
+        rates, specific = imu.angular_velocity, imu.linear_acceleration
+        roll = roll_of(imu.orientation)
+        lateral = math.cos(roll) * specific.y - math.sin(roll) * specific.z  # along the ground
+        found = self.predictor.update(time, roll, rates.x, lateral)
+        prediction = [
+            time,
+            found.load_transfer_ratio,
+            found.predicted_load_transfer_ratio,
+            found.time_to_rollover,
+        ]
+        warning = self.warns(time, found)
+        return {"rollover_prediction": prediction, "rollover_warning": warning}
+
+    def warns(self, time: float, found: Prediction) -> bool:
+        left = found.time_to_rollover
+        is_near = left <= self.warning_time
+        if is_near and not self.warned:
+            side = "left" if found.predicted_load_transfer_ratio > 0.0 else "right"
+            self.get_logger().warning(f"at {time:.2f} s: the {side} wheels lift in {left:.2f} s")
+        self.warned = is_near
+        return is_near
+
+
+def roll_of(q) -> float:
+    """Roll angle (rad) of an attitude as a quaternion."""
+    return math.atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x**2 + q.y**2))
+
+
+def main() -> None:
+    run(RolloverWarning)
+
+
+if __name__ == "__main__":
+    main()
