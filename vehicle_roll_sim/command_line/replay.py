@@ -7,13 +7,14 @@ from pathlib import Path
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     chosen_simulation,
 )
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.simulation.description import MACHINE, VERSION, described, difference
-from vehicle_roll_sim.simulation.simulation import Simulation, compile_model
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.summary import line
 
 DESCRIPTION = "Simulate the runs in a bag again, on the commands that were applied, and compare."
@@ -33,8 +34,9 @@ def replay_command(words: list[str], program: str) -> int:
 
     told = _told(arguments)
     runs = recorded_runs(folder, arguments.namespace)
-    with ending.at_once():
-        compile_model()
+    if told is None:
+        with ending.at_once():
+            compile_model()
     if not any(run.begins_at_a_reset for run in runs):
         allowed = "a recording of at least one run from its reset on, time 0"
         raise InputError("BAG", str(folder), allowed, f"{folder}: it begins under way")

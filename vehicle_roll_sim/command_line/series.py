@@ -14,6 +14,7 @@ from vehicle_roll_sim.arguments import (
     named_file,
 )
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
     chosen_options,
@@ -23,7 +24,6 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.series import SERIES, series_named
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_writable, replaced_file
-from vehicle_roll_sim.simulation.simulation import compile_model
 from vehicle_roll_sim.simulation.summary import line
 
 DESCRIPTION = "Drive the test series of a standard and print its table and verdict."

@@ -6,6 +6,7 @@ import math
 
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.simulation.options import Options
@@ -16,7 +17,6 @@ from vehicle_roll_sim.simulation.simulation import (
     LONGEST_STEP,
     SHORTEST_STEP,
     Simulation,
-    compile_model,
 )
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import load_tire
