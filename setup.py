@@ -12,12 +12,18 @@ setup(
     version="0.1.0",
     description="Real-time vehicle roll simulation with 14 degrees of freedom, for ROS 2",
     license="Apache-2.0",
+    author="The vehicle_roll_sim authors",
+    maintainer="The vehicle_roll_sim maintainers",
+    maintainer_email="vehicle-roll-sim@example.org",
+    url="https://example.org/vehicle_roll_sim",
+    classifiers=[f"Programming Language :: Python :: 3.{minor}" for minor in (11, 12, 13, 14)],
     python_requires=">=3.11",
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
     package_data={f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir"]},
     data_files=[
         ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
-        (SHARE, ["package.xml"]),
+        (SHARE, ["package.xml", "README.md", "LICENSE", "CHANGELOG.rst"]),
+        (f"{SHARE}/docs", sorted(glob("docs/*.*"))),
         (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
         (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
         (f"{SHARE}/launch", sorted(glob(f"{NAME}/launch/*.launch.py"))),
@@ -38,7 +44,7 @@ setup(
         "control": ["control>=0.10"],
         "validation": ["mujoco>=3.2"],
         "test": [
-            "pytest>=7,<9",
+            "pytest>=7",
             "pytest-xdist>=3.5",
             "hypothesis>=6",
             "mujoco>=3.2",
@@ -49,6 +55,7 @@ setup(
     entry_points={
         "console_scripts": [
             f"vehicle_roll_sim = {NAME}.command_line.main:main",
+            f"offline = {NAME}.command_line.main:main",  # short after `ros2 run vehicle_roll_sim`
             f"simulator = {NAME}.ros.executables:simulator",
             f"manoeuvre = {NAME}.ros.executables:manoeuvre",
             f"recorder = {NAME}.ros.executables:recorder",

@@ -7,6 +7,8 @@ import launch_files
 import pytest
 from peers import Peer, Process
 
+RECORDING = ("recorder", "demo")
+"""Programs that write bags."""
 LARGEST_DOMAIN = 100
 """Above it, ports may meet those that the system hands out."""
 WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
@@ -40,6 +42,8 @@ def start(domain):
     processes = []
 
     def start_process(*arguments, **options):
+        if arguments[0] in RECORDING:
+            pytest.importorskip("rosbags", reason="the recorder needs the library rosbags")
         processes.append(Process(domain, *arguments, **options))
         return processes[-1]
 
