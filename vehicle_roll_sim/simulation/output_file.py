@@ -169,7 +169,8 @@ def _existing(path: Path) -> Path:
 
 def _resolved(path: Path) -> Path:
     """Where a path leads; raises OSError also for links that lead in a circle."""
-    try:
-        return path.resolve()
-    except RuntimeError:
-        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP)) from None
+    with contextlib.suppress(RuntimeError):  # of a circle, up to Python 3.12
+        resolved = path.resolve()
+        if not any(each.is_symlink() for each in (resolved, *resolved.parents)):
+            return resolved
+    raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
