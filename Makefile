@@ -8,10 +8,13 @@ BIN := $(VENV)/bin
 PYTEST_OPTIONS := --numprocesses 3 --dist loadfile --no-loadscope-reorder
 # Done once, and not by each of them at the same time.
 COMPILE := 'from vehicle_roll_sim.simulation.compilation import compile_model; compile_model()'
+OLDEST := test/vehicle test/model/test_reference_conditions.py test/analysis/test_linear_model.py \
+	$(patsubst %,test/command_line/test_%.py,version run_results run_refusals plot_command \
+	replay_command linearize without_numba)
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
-.PHONY: setup run test coverage audit bench soak mutations controllers lint format build clean
+.PHONY: setup run test coverage oldest audit bench soak mutations controllers lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -39,6 +42,15 @@ endif
 
 coverage:
 	$(MAKE) test COVERAGE=yes
+
+# Files, simulation and command line with the oldest versions that setup.py allows, without ROS. The
+# compiled model is kept apart: caches of two versions of numba would replace each other.
+oldest:
+	$(PYTHON) -m venv .venv-oldest
+	.venv-oldest/bin/pip install --quiet --requirement requirements/oldest.txt
+	PYTHONWARNINGS=ignore .venv-oldest/bin/pip install --quiet --no-deps --no-build-isolation --editable .
+	.venv-oldest/bin/pip check
+	XDG_CACHE_HOME=$(CURDIR)/.venv-oldest/cache .venv-oldest/bin/python -m pytest -q --disable-warnings $(OLDEST)
 
 # Published vulnerabilities of what comes from the package index, with what that needs in turn; fails
 # also if one could not be looked up. ROS and its messages come from its distribution.

@@ -13,12 +13,18 @@ setup(
     version="0.1.0",
     description="Real-time vehicle roll simulation with 14 degrees of freedom, for ROS 2",
     license="Apache-2.0",
+    author="The vehicle_roll_sim authors",
+    maintainer="The vehicle_roll_sim maintainers",
+    maintainer_email="vehicle-roll-sim@example.org",
+    url="https://example.org/vehicle_roll_sim",
+    classifiers=[f"Programming Language :: Python :: 3.{minor}" for minor in (11, 12, 13, 14)],
     python_requires=">=3.11",
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
     package_data={f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir"]},
     data_files=[
         ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
-        (SHARE, ["package.xml"]),
+        (SHARE, ["package.xml", "README.md", "LICENSE", "CHANGELOG.rst"]),
+        (f"{SHARE}/docs", sorted(glob("docs/*.*"))),
         (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
         (f"{SHARE}/examples", sorted(glob("examples/*"))),
         (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
@@ -29,21 +35,21 @@ setup(
     install_requires=[
         "setuptools",
         "numpy>=1.26,<3",
-        "scipy>=1.11",
+        "scipy>=1.11.1",
         "PyYAML>=6",
         "tqdm>=4.60",
         "matplotlib>=3.6",
     ],
     extras_require={
         "compiled": ["numba>=0.59"],
-        "recorder": ["rosbags>=0.11,<0.12"],
+        "recorder": ["rosbags>=0.11.6,<0.12"],
         "control": ["control>=0.10"],
         "pandas": ["pandas>=2"],
         "validation": ["mujoco>=3.2"],
         "test": [
-            "pytest>=7,<9",
+            "pytest>=7.4",
             "pytest-xdist>=3.5",
-            "hypothesis>=6",
+            "hypothesis>=6.98",
             "mujoco>=3.2",
             "mcap-ros2-support",
         ],
@@ -52,6 +58,7 @@ setup(
     entry_points={
         "console_scripts": [
             f"vehicle_roll_sim = {NAME}.command_line.entry:main",
+            f"offline = {NAME}.command_line.entry:main",  # short after `ros2 run vehicle_roll_sim`
             f"simulator = {NAME}.ros.executables:simulator",
             f"manoeuvre = {NAME}.ros.executables:manoeuvre",
             f"recorder = {NAME}.ros.executables:recorder",

@@ -1,5 +1,6 @@
 """For all tests: the model is compiled before them; profiles of random cases; who is measured."""
 
+import importlib.util
 import os
 import signal
 import subprocess
@@ -9,6 +10,8 @@ from hypothesis import settings
 
 from vehicle_roll_sim.simulation.compilation import compile_model
 
+HAS_ROS = importlib.util.find_spec("rclpy") is not None
+collect_ignore = [] if HAS_ROS else ["ros"]
 MEASURING = "COVERAGE_PROCESS_CONFIG"
 """In the environment where coverage is measured; processes that are started take part by it."""
 
@@ -19,6 +22,11 @@ settings.register_profile(
     "soak", derandomize=False, database=None, deadline=None, max_examples=4000, print_blob=True
 )
 settings.load_profile("suite")
+
+
+def pytest_report_header() -> str | None:
+    """What is left out as a whole."""
+    return None if HAS_ROS else "test/ros is left out: ROS 2 (rclpy) is not installed"
 
 
 def have_children_heed_sigint() -> None:

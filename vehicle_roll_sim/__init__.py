@@ -3,6 +3,7 @@
 import importlib
 
 _HOMES = {
+    "__version__": "version",
     "InputError": "declaration",
     "Condition": "model.events",
     **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),

@@ -4,15 +4,13 @@ import itertools
 from pathlib import Path
 
 import pytest
-from recorded import record
-from rosbags.rosbag2 import Reader, StoragePlugin, Writer
-
-from vehicle_roll_sim.bags.encoding import TYPES
 
 
 @pytest.fixture(scope="session")
 def j_turn(tmp_path_factory) -> Path:
     """The bag of the J-turn, 85 degrees after 2.965 s."""
+    from recorded import record  # in here: the tests are skipped where its libraries are missing
+
     folder = tmp_path_factory.mktemp("bags") / "j_turn"
     record(folder)
     return folder
@@ -24,6 +22,10 @@ def changed(tmp_path):
 
     It gives a list of such triples for each message. Topics of the copy are those that come.
     """
+    from rosbags.rosbag2 import Reader, StoragePlugin, Writer
+
+    from vehicle_roll_sim.bags.encoding import TYPES
+
     numbers = itertools.count()
 
     def copy(bag: Path, change) -> Path:

@@ -2,6 +2,11 @@
 
 from pathlib import Path
 
+import pytest
+
+pytest.importorskip("rosbags", reason="bags need the library rosbags")
+pytest.importorskip("mcap_ros2", reason="mcap-ros2-support, which reads bags, is not installed")
+
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 

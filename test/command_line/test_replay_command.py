@@ -4,6 +4,8 @@ import shutil
 
 import pytest
 
+pytest.importorskip("rosbags", reason="bags need the library rosbags")
+
 from vehicle_roll_sim.bags.reading import RecordedRun
 from vehicle_roll_sim.bags.replay import Replay
 from vehicle_roll_sim.command_line import replay as replay_module

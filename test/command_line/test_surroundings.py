@@ -66,6 +66,9 @@ def test_what_the_terminal_cannot_show_is_escaped(tmp_path, encoding):
 
 @pytest.mark.parametrize("option", ["--csv", "--bag"])
 def test_a_result_that_is_refused_while_it_is_written_is_no_wrong_input(tmp_path, option):
+    if option == "--bag":
+        pytest.importorskip("rosbags", reason="bags need the library rosbags")
+
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
 
@@ -77,6 +80,7 @@ def test_a_result_that_is_refused_while_it_is_written_is_no_wrong_input(tmp_path
 
 
 def test_a_run_that_is_terminated_leaves_nothing_half_written(started, tmp_path):
+    pytest.importorskip("rosbags", reason="bags need the library rosbags")
     words = ("step_steer", "--amplitude", "0", "--duration", "80000", "--bag", "bag")
     process = started([*COMMAND, "run", *words], cwd=tmp_path)
     while not list(tmp_path.iterdir()):

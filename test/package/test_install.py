@@ -1,6 +1,7 @@
 """What `colcon build` installs: where `ros2 run` looks, and complete enough to run."""
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -12,10 +13,12 @@ CONTROLLERS = (
     *("active_roll_bar", "rear_steering", "roll_braking", "rollover_warning", "yaw_control"),
 )
 EXECUTABLES = (
-    *("simulator", "manoeuvre", "recorder", "demo", "vehicle_roll_sim", "compare"),
+    *("simulator", "manoeuvre", "recorder", "demo", "vehicle_roll_sim", "offline", "compare"),
     *CONTROLLERS,
 )
 PACKAGE = "vehicle_roll_sim"
+LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
+"""In Markdown, without the heading in a page."""
 
 
 @pytest.fixture
@@ -81,6 +84,24 @@ def test_launch_files_and_layouts_lie_where_ros2_launch_and_the_documentation_sa
     assert len(there) >= 3
 
 
+def test_every_link_of_what_is_there_to_read_leads_somewhere(installed):
+    share = installed / "share" / PACKAGE
+    pages = sorted(share.rglob("*.md"))
+    assert {"README.md", "docs/interfaces.md", "msg_examples/README.md"} <= {
+        page.relative_to(share).as_posix() for page in pages
+    }
+    links = [
+        (page, link)
+        for page in pages
+        for link in LINK.findall(page.read_text(encoding="utf-8"))
+        if "://" not in link
+    ]
+    assert len(links) > 30
+    for page, link in links:
+        assert (page.parent / link).exists(), (page.name, link)
+    assert (share / "LICENSE").is_file()
+
+
 def test_every_module_of_the_checkout_is_installed(site_packages, sources):
     installed = {
         ".".join(path.relative_to(site_packages).with_suffix("").parts).removesuffix(".__init__")
@@ -109,12 +130,13 @@ def run_installed(installed, site_packages, environment, tmp_path):
     return call
 
 
+@pytest.mark.parametrize("name", [PACKAGE, "offline"])
 def test_the_installed_command_runs_a_manoeuvre_like_the_one_of_the_checkout(
-    run_installed, installed, capsys
+    run_installed, installed, capsys, name
 ):
     words = ["run", "step_steer", "--start", "0", "--duration", "0.2"]
     assert main(words) == 0
-    result = run_installed(installed / "lib" / PACKAGE / PACKAGE, *words)
+    result = run_installed(installed / "lib" / PACKAGE / name, *words)
     assert (result.returncode, result.stderr) == (0, "")
     assert result.stdout == capsys.readouterr().out
     assert "0.200 s, complete" in result.stdout
@@ -132,11 +154,11 @@ def test_the_installed_package_reads_its_own_presets(run_installed, installed):
         "import vehicle_roll_sim, importlib.resources as r;"
         "print(vehicle_roll_sim.__file__);"
         "print(r.files('vehicle_roll_sim.vehicle') / 'presets');"
-        "print(vehicle_roll_sim.preset('reference').sprung_mass)"
+        "print(vehicle_roll_sim.preset('reference').sprung_mass, vehicle_roll_sim.__version__)"
     )
     result = run_installed("python", "-c", program)
     assert result.returncode == 0, result.stderr
-    module, presets, mass = result.stdout.splitlines()
+    module, presets, values = result.stdout.splitlines()
     assert Path(module).is_relative_to(installed)
     assert Path(presets).is_relative_to(installed)
-    assert float(mass) == 1440.0
+    assert values == "1440.0 0.1.0"

@@ -24,7 +24,13 @@ ROSDEP_KEYS = {
     "yaml": "python3-yaml",
     "tqdm": "python3-tqdm",
     "matplotlib": "python3-matplotlib",
+    "numba": "python3-numba",
 }
+HAVE_NUMBA, HAVE_NOT = ("lyrical", "rolling"), ("jazzy", "kilted", "")
+"""Distributions of ROS whose Ubuntu has a package of it, or not; "" where none is set up."""
+NOBODYS = (".invalid", ".example", ".test", ".localhost")
+"""Ends of names that no machine can ever have."""
+REQUIREMENT = re.compile(r"([A-Za-z-]+)>=([\d.]+)")
 
 
 @pytest.fixture(scope="module")
@@ -73,10 +79,41 @@ def test_name_version_and_license_are_those_of_setup(manifest, root):
     assert "Apache License" in (root / "LICENSE").read_text()
 
 
-def test_there_is_a_maintainer_with_an_address(manifest):
-    (maintainer,) = manifest.findall("maintainer")
-    assert maintainer.text.strip()
-    assert "@" in maintainer.get("email")
+def test_author_maintainer_and_addresses_are_those_of_setup_and_have_a_valid_form(manifest, root):
+    (author,), (maintainer,) = manifest.findall("author"), manifest.findall("maintainer")
+    urls = {node.get("type"): node.text for node in manifest.findall("url")}
+    found = [author.text, maintainer.text, maintainer.get("email"), urls["website"]]
+    assert found == setup_says(root, "--author", "--maintainer", "--maintainer-email", "--url")
+    assert set(urls) == {"website", "repository", "bugtracker"}
+    for url in urls.values():
+        assert re.fullmatch(r"https://[\w.-]+\.[a-z]{2,}(/[\w.-]+)+", url)
+    assert re.fullmatch(r"[\w.-]+@[\w.-]+\.[a-z]{2,}", maintainer.get("email"))
+    hosts = [maintainer.get("email"), *(url.split("/")[2] for url in urls.values())]
+    assert not [host for host in hosts if host.endswith(NOBODYS)]
+
+
+@pytest.mark.parametrize("distribution", [*HAVE_NUMBA, *HAVE_NOT])
+def test_numba_is_wanted_of_rosdep_where_there_is_a_package_of_it(root, distribution):
+    """Elsewhere its key would end `rosdep install` with an error."""
+    reading = pytest.importorskip("catkin_pkg.package", reason="catkin_pkg is not installed")
+    package = reading.parse_package(root / "package.xml")
+    package.evaluate_conditions({"ROS_DISTRO": distribution} if distribution else {})
+    wanted = {each.name for each in package.exec_depends if each.evaluated_condition}
+    assert ("python3-numba" in wanted) == (distribution in HAVE_NUMBA)
+    assert "python3-numpy" in wanted
+
+
+def test_the_oldest_versions_that_are_tested_are_those_that_setup_allows(root):
+    pinned = dict(
+        line.split("==")
+        for line in (root / "requirements" / "oldest.txt").read_text().splitlines()
+        if not line.startswith("#")
+    )
+    allowed = dict(REQUIREMENT.findall((root / "setup.py").read_text(encoding="utf-8")))
+    assert {"numpy", "scipy", "matplotlib", "numba", "rosbags"} <= pinned.keys() & allowed.keys()
+    for name, version in pinned.items():
+        if name in allowed:
+            assert re.fullmatch(rf"{re.escape(allowed[name])}(\.0)*", version), name
 
 
 def test_every_package_of_ros_that_is_imported_is_depended_on_and_no_other(manifest, imported):

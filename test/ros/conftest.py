@@ -6,6 +6,9 @@ from peers import Peer, Process
 
 from vehicle_roll_sim.ros.domains import own_domain
 
+RECORDING = ("recorder", "demo")
+"""Programs that write bags."""
+
 
 @pytest.fixture(autouse=True)
 def local_discovery(monkeypatch, tmp_path):
@@ -26,6 +29,8 @@ def start(domain):
     processes = []
 
     def start_process(*arguments, **options):
+        if arguments[0] in RECORDING:
+            pytest.importorskip("rosbags", reason="the recorder needs the library rosbags")
         processes.append(Process(domain, *arguments, **options))
         return processes[-1]
 

@@ -2,15 +2,14 @@
 
 from pathlib import Path
 
-from mcap.reader import make_reader
-from mcap_ros2.decoder import DecoderFactory
-from rosbags.rosbag2 import ReaderError
-
-from vehicle_roll_sim.bags.unindexed import BagReader
+import pytest
 
 
 def read_bag(folder: Path) -> dict[str, list]:
     """The decoded messages of a bag by topic."""
+    reason = "mcap-ros2-support, which reads bags, is not installed"
+    make_reader = pytest.importorskip("mcap.reader", reason=reason).make_reader
+    DecoderFactory = pytest.importorskip("mcap_ros2.decoder", reason=reason).DecoderFactory
     messages = {}
     with next(folder.glob("*.mcap")).open("rb") as file:
         reader = make_reader(file, decoder_factories=[DecoderFactory()])
@@ -24,6 +23,10 @@ def heard_so_far(folder: Path) -> set[str]:
 
     Middlewares can take seconds until a late recorder hears a topic that is known to everybody.
     """
+    from rosbags.rosbag2 import ReaderError  # there is none without the recorder's library
+
+    from vehicle_roll_sim.bags.unindexed import BagReader
+
     try:
         with BagReader(folder) as reader:
             return {connection.topic for connection, _, _ in reader.messages()}

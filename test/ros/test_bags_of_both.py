@@ -4,6 +4,9 @@ import signal
 
 import pytest
 from recordings import heard_so_far
+
+pytest.importorskip("rosbags", reason="bags need the library rosbags")
+
 from rosbags.rosbag2 import Reader
 
 from vehicle_roll_sim.bags.encoding import TYPES, decode

@@ -8,6 +8,8 @@ import pytest
 from recordings import heard_so_far, read_bag
 from std_srvs.srv import Trigger
 
+pytest.importorskip("rosbags", reason="bags need the library rosbags")
+
 from vehicle_roll_sim.bags.reading import recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.bags.unindexed import BagReader

@@ -158,6 +158,7 @@ def test_nobody_elses_network_is_joined_unless_the_environment_says_so(launching
 def test_controller_recording_and_manoeuvre_in_lockstep_end_with_the_manoeuvre(
     launching, domain, tmp_path
 ):
+    pytest.importorskip("rosbags", reason="the recorder needs the library rosbags")
     bag = tmp_path / "bag"
     results = launch_files.run("controller", domain, lockstep="true", bag=str(bag))
     assert set(results) == {"simulator", "recorder", "active_roll_bar", "manoeuvre"}

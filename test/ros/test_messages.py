@@ -8,7 +8,6 @@ from rclpy.serialization import deserialize_message
 from scipy.spatial.transform import Rotation
 
 from vehicle_roll_sim import LF, LR, RF, RR, WHEELS, Command, Options, Simulation, preset
-from vehicle_roll_sim.bags import encoding
 from vehicle_roll_sim.messages.covariances import (
     Covariances,
     ImuCovariances,
@@ -26,6 +25,15 @@ from vehicle_roll_sim.simulation.session import Session
 OF_FOUR = ("wheel_torque", "brake_torque", "normal_force")
 ROUNDING = 1e-12
 """Of a few operations in double precision on numbers of order 1."""
+
+
+@pytest.fixture
+def encoding():
+    """The encoding of bags, whose library is optional."""
+    pytest.importorskip("rosbags", reason="bags need the library rosbags")
+    from vehicle_roll_sim.bags import encoding
+
+    return encoding
 
 
 @pytest.fixture
@@ -211,7 +219,7 @@ def test_covariances_have_the_diagonals_that_were_given_and_0_beside_them(sessio
     assert (pose.pose, twist.twist) == (plain.odom().pose.pose, plain.odom().twist.twist)
 
 
-def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session):
+def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session, encoding):
     messages = Messages(session.simulation, "car/", encoding.encode)
     messages.set_time(12_345_678_901)
     footprint, body = encoding.decode(messages.tf(), TRANSFORMS.type).transforms
@@ -234,14 +242,14 @@ def test_the_footprint_is_below_the_body_and_turned_by_yaw_only(session):
     assert attitude == pytest.approx([state.yaw, state.pitch, state.roll], abs=ROUNDING)
 
 
-def test_without_heave_there_is_no_transform_to_the_body():
+def test_without_heave_there_is_no_transform_to_the_body(encoding):
     messages = Messages(Simulation(preset(), Options(model="8dof")), "", encoding.encode)
     found = encoding.decode(messages.tf(), TRANSFORMS.type).transforms
     assert [transform.child_frame_id for transform in found] == ["base_footprint"]
 
 
 @pytest.mark.parametrize("model", ["1", "8dof"])
-def test_ros_and_the_library_of_bags_encode_every_message_alike(model):
+def test_ros_and_the_library_of_bags_encode_every_message_alike(model, encoding):
     simulation = Simulation(preset(), Options(model=model))
     encoders = (encode, encoding.encode)
     both = [Messages(simulation, "car/", code) for code in encoders]

@@ -170,6 +170,7 @@ def test_rviz_looks_at_frames_that_are_there():
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory) -> dict[str, list]:
     """A J-turn in lockstep that ends in a rollover: decoded messages by topic."""
+    pytest.importorskip("rosbags", reason="the recorder needs the library rosbags")
     folder = tmp_path_factory.mktemp("recorded")
     with pytest.MonkeyPatch.context() as patch, launch_files.stand_in(patch, folder / "install"):
         patch.setenv("ROS_LOG_DIR", str(folder / "log"))

@@ -8,7 +8,12 @@ import pytest
 from written import NEW, OLD, contents, refused
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.simulation.output_file import check_folder, filled_folder
+from vehicle_roll_sim.simulation.output_file import (
+    check_folder,
+    check_new_folder,
+    check_writable,
+    filled_folder,
+)
 
 
 def everything() -> dict[str, str | None]:
@@ -120,8 +125,9 @@ def test_neither_is_one_that_may_not_be_written(path, name):
     assert "Permission denied" in refused(Path(name), check_folder)
 
 
-def test_neither_is_a_name_that_is_too_long(path):
-    refused(Path("long" * 100), check_folder)
+@pytest.mark.parametrize("check", [check_folder, check_new_folder, check_writable])
+def test_neither_is_a_name_that_is_too_long(path, check):
+    refused(Path("long" * 100), check)
 
 
 @pytest.mark.parametrize("target", ["nowhere", "link"], ids=["dangling", "loop"])

@@ -2,8 +2,8 @@
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.model import jit
-from vehicle_roll_sim.simulation.compilation import compile_model
 
 DESCRIPTION = "Compile the model now, once for this version, so that no first start waits for it."
 

@@ -6,6 +6,7 @@ import math
 
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
     as_option,
@@ -15,7 +16,6 @@ from vehicle_roll_sim.command_line.vehicle_options import (
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.manoeuvre import STEEPEST
 from vehicle_roll_sim.model.records import ROLL, WHEELS
-from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_writable
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED

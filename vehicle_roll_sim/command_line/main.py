@@ -19,6 +19,7 @@ from vehicle_roll_sim.command_line import (
 from vehicle_roll_sim.command_line.ending import PROGRAM
 from vehicle_roll_sim.declaration import unknown_name
 from vehicle_roll_sim.vehicle.plausibility import unwarned
+from vehicle_roll_sim.version import __version__
 
 COMMANDS = {
     "run": (run.run_command, run.DESCRIPTION),
@@ -59,6 +60,7 @@ def _dispatch(words: list[str]) -> int:
         epilog=f"commands, each with its own --help:\n{table}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
+    parser.add_argument("--version", action="version", version=f"{PROGRAM} {__version__}")
     parser.add_argument("command", metavar="COMMAND")
     command = parser.parse_args(words[:1]).command
     if command not in COMMANDS:

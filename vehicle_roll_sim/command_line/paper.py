@@ -17,7 +17,7 @@ from vehicle_roll_sim.analysis.paper.report import (
 from vehicle_roll_sim.analysis.paper.study import Study
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.command_line import ending
-from vehicle_roll_sim.simulation.compilation import compile_model
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.simulation.output_file import check_folder, filled_folder
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 

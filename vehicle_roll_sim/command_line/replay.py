@@ -6,12 +6,12 @@ import math
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     chosen_simulation,
 )
 from vehicle_roll_sim.offline.replaying import replays
-from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.description import MACHINE, VERSION, Described
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.summary import line
@@ -30,8 +30,9 @@ def replay_command(words: list[str], program: str) -> int:
     need_library("BAG")
     ending.import_at_once("bags.reading", "bags.replay")
     told = _told(arguments)
-    with ending.at_once():
-        compile_model()
+    if told is None:
+        with ending.at_once():
+            compile_model()
     results = []
     for number, run in enumerate(replays(folder, arguments.namespace, told), 1):
         verdict = f"under way already at {run.begin:.3f} s: not replayed"

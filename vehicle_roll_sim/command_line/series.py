@@ -12,6 +12,7 @@ from vehicle_roll_sim.arguments import (
     named_file,
 )
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
     as_option,
@@ -23,7 +24,6 @@ from vehicle_roll_sim.manoeuvres.series import SEARCHES, SERIES, series_named
 from vehicle_roll_sim.manoeuvres.series_of_runs import Series
 from vehicle_roll_sim.manoeuvres.speed_search import RANGE, SpeedSearch
 from vehicle_roll_sim.offline.series import SeriesResult, drive_series
-from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.output_file import check_writable
 from vehicle_roll_sim.simulation.summary import line

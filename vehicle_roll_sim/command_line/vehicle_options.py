@@ -6,9 +6,9 @@ import math
 
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.plausible import add_strict, heed
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
-from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import (

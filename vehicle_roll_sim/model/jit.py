@@ -15,10 +15,15 @@ import numpy as np
 try:
     import numba
     import numba.extending
-except ImportError:
+except ImportError as error:
     numba = None
+    is_missing = isinstance(error, ModuleNotFoundError) and error.name == "numba"
+    reason = str(error).partition("\n")[0]  # such as a numpy that is too new for it
+    NOT_USED = "is not installed" if is_missing else f"cannot be imported ({reason})"
 
 COMPILED = numba is not None and not numba.config.DISABLE_JIT
+SLOWER = "the model runs in plain Python, some 700 times slower"
+REMEDY = "install python3-numba, or numba with pip in a virtual environment"
 
 
 def _quiet(function):
@@ -164,12 +169,17 @@ def note_complete() -> None:
         (CACHE / code_cache.COMPLETE).touch()
 
 
+def why_slow() -> str:
+    """One line on why nothing is compiled, with the remedy; empty where the model is compiled."""
+    if numba is None:
+        return f"numba {NOT_USED}: {SLOWER}; {REMEDY}"
+    return "" if COMPILED else f"NUMBA_DISABLE_JIT is set: {SLOWER}; unset it"
+
+
 def describe() -> str:
     """One line on how the model runs here, for start-up messages."""
-    if numba is None:
-        return "numba is not installed: the model runs in plain Python, some 700 times slower"
     if not COMPILED:
-        return "NUMBA_DISABLE_JIT is set: the model runs in plain Python, some 700 times slower"
+        return why_slow()
     if CACHE is None:
         return "no folder for compiled code can be written: the model is compiled at every start"
     return f"compiled model, cached in {CACHE}"

@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
+from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.ros import ending
 from vehicle_roll_sim.simulation.compilation import compile_model
@@ -46,6 +47,7 @@ def stop(process: subprocess.Popen) -> int:
 
 def demonstrate(folder: Path) -> int:
     """Simulator, recorder and manoeuvre side by side until the manoeuvre is over; exit status."""
+    need_library("recorder")
     bag, plot = folder / "bag", folder / "j_turn.png"
     try:
         folder.mkdir(parents=True)

@@ -7,7 +7,7 @@ import importlib
 import signal
 import sys
 
-from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros import ending, missing
 
 
 def simulator() -> int:
@@ -33,7 +33,13 @@ def compare() -> int:
 def _run(name: str, interrupted: int = 0) -> int:
     """The main function of a module beside this one; its status after a signal before that."""
     ending.at_once(interrupted)
-    return importlib.import_module(f"vehicle_roll_sim.ros.{name}").main()
+    if not missing.is_ros_installed():
+        return missing.end_without_ros(name)
+    try:
+        module = importlib.import_module(f"vehicle_roll_sim.ros.{name}")
+    except ImportError as error:
+        return missing.end_without_ros(name, error)
+    return module.main()
 
 
 if __name__ == "__main__":

@@ -60,7 +60,8 @@ class Simulator(Node):
         )
         self.lock = threading.Lock()
         self.session = _session(declared)
-        self.get_logger().info(jit.describe())
+        logger = self.get_logger()
+        (logger.info if jit.COMPILED else logger.warning)(jit.describe())
         self.driver = _driver(self.settings, self.session.period_ns)
         self._publications = Publications(self, self.session, self.settings, declared.covariances)
         self._has_begun = False

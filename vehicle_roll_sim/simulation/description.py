@@ -1,7 +1,6 @@
 """What a simulation is, as one text from which it can be built again: it travels with results."""
 
 import dataclasses
-import importlib.metadata
 import json
 import math
 import platform
@@ -13,19 +12,11 @@ from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import DEFAULTS, Tire
+from vehicle_roll_sim.version import __version__
 
 PACKAGE = "vehicle_roll_sim"
 FIELD = "simulation description"
-
-
-def _version() -> str:
-    try:
-        return importlib.metadata.version(PACKAGE)
-    except importlib.metadata.PackageNotFoundError:  # from a source tree that is not installed
-        return "unknown"
-
-
-VERSION, MACHINE = _version(), f"{platform.system()} {platform.machine()}"
+VERSION, MACHINE = __version__, f"{platform.system()} {platform.machine()}"
 """What results depend on to the last bit, beside what is simulated."""
 
 

@@ -26,9 +26,9 @@ def check_writable(path: Path, field: str) -> None:
 
 def _check_target(path: Path, field: str) -> None:
     folder = _resolved(path).parent
-    if path.exists() and not path.is_file():
+    if _exists(path) and not path.is_file():
         raise InputError(field, str(path), "an ordinary file, no folder, pipe or device")
-    if path.exists() and not os.access(path, os.W_OK):
+    if _exists(path) and not os.access(path, os.W_OK):
         raise InputError(field, str(path), "a file that may be written")
     if not folder.is_dir():
         raise InputError(field, str(path), f"a file in a folder that exists, {folder} does not")
@@ -91,9 +91,15 @@ def _hidden(folder: Path, suffix: str = "") -> Path:
 
 def check_folder(path: Path, field: str) -> None:
     """Raise InputError naming `field` if there can be no folder of results at `path`."""
+    with _refusing_folder(path, field), _partial_folder(path):
+        pass
+
+
+@contextlib.contextmanager
+def _refusing_folder(path: Path, field: str) -> Iterator[None]:
+    """Within, an OSError is an InputError that names `field`."""
     try:
-        with _partial_folder(path):
-            pass
+        yield
     except OSError as error:
         wanted = "a folder that can be written to, or made"
         raise InputError(field, str(path), wanted, f"{path}: {error.strerror}") from None
@@ -112,7 +118,9 @@ def check_distinct(paths: dict[str, Path | None]) -> None:
 
 def check_new_folder(path: Path, field: str) -> None:
     """Raise InputError naming `field` if no new folder can be made at `path`."""
-    if path.is_symlink() or _resolved(path).exists():
+    with _refusing_folder(path, field):
+        is_there = path.is_symlink() or _exists(_resolved(path))
+    if is_there:
         raise InputError(field, str(path), "a folder that does not exist yet")
     check_folder(path, field)
 
@@ -162,14 +170,27 @@ def filled_folder(path: Path) -> Iterator[Path]:
 def _existing(path: Path) -> Path:
     """The folder itself, or the nearest above it that exists."""
     path = _resolved(path)
-    while not path.exists():
+    while not _exists(path):
         path = path.parent
     return path
 
 
+def _exists(path: Path) -> bool:
+    """Whether there is something; raises OSError for a name that nothing can have.
+
+    From Python 3.14 on `Path.exists` does not tell of that.
+    """
+    try:
+        path.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    return True
+
+
 def _resolved(path: Path) -> Path:
     """Where a path leads; raises OSError also for links that lead in a circle."""
-    try:
-        return path.resolve()
-    except RuntimeError:
-        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP)) from None
+    with contextlib.suppress(RuntimeError):  # of a circle, up to Python 3.12
+        resolved = path.resolve()
+        if not any(each.is_symlink() for each in (resolved, *resolved.parents)):
+            return resolved
+    raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
