@@ -14,7 +14,13 @@ import vehicle_roll_sim.ros
 
 PACKAGE = Path(__file__).parents[2] / "vehicle_roll_sim"
 LAUNCHING = "vehicle_roll_sim.ros.launching"
+PICTURES = "vehicle_roll_sim.ros.launch_pictures"
 NAMES = tuple(sorted(f.name.removesuffix(".launch.py") for f in PACKAGE.glob("launch/*.py")))
+
+
+def program_in(folder: Path, package: str) -> Path:
+    """The executable in an install space that has the name of its package."""
+    return folder / "lib" / package / package
 
 
 def share_in(folder: Path) -> str:
@@ -26,6 +32,11 @@ def share_in(folder: Path) -> str:
     share.mkdir()
     (share / "config").symlink_to(PACKAGE / "config")
     (share / "msg_examples").symlink_to(PACKAGE.parent / "msg_examples")
+    for package in ("robot_state_publisher", "rviz2"):
+        (marker.parent / package).touch()
+        program = program_in(folder, package)
+        program.parent.mkdir(parents=True)
+        program.touch(0o755)
     return str(folder)
 
 
@@ -35,9 +46,16 @@ def stand_in(monkeypatch, folder: Path) -> Iterator[ModuleType]:
     for name, module in launch_stand_in.modules().items():
         monkeypatch.setitem(sys.modules, name, module)
     monkeypatch.setenv("AMENT_PREFIX_PATH", share_in(folder))
-    sys.modules.pop(LAUNCHING, None)
+    _forget()
     yield importlib.import_module(LAUNCHING)
-    del sys.modules[LAUNCHING], vehicle_roll_sim.ros.launching
+    _forget()
+
+
+def _forget() -> None:
+    """The modules that have imported the stand-in are imported anew."""
+    for name in (LAUNCHING, PICTURES):
+        if sys.modules.pop(name, None):
+            delattr(vehicle_roll_sim.ros, name.rpartition(".")[2])
 
 
 def load(name: str):

@@ -122,9 +122,9 @@ def actions_of(description: LaunchDescription, **given: str) -> list:
     """What a launch file does with these arguments, but for declaring them."""
     declared = {a.name: a for a in description.entities if isinstance(a, DeclareLaunchArgument)}
     values = {name: a.default_value for name, a in declared.items()} | given
-    for name, value in values.items():
-        if declared[name].choices is not None and value not in declared[name].choices:
-            raise RuntimeError(f"{name}: {value!r} is not one of {declared[name].choices}")
+    for name, argument in declared.items():
+        if argument.choices is not None and values[name] not in argument.choices:
+            raise RuntimeError(f"{name}: {values[name]!r} is not one of {argument.choices}")
     context = SimpleNamespace(launch_configurations=values)
     functions = [e.function for e in description.entities if isinstance(e, OpaqueFunction)]
     return [action for function in functions for action in function(context)]

@@ -34,19 +34,10 @@ def folder(tmp_path, monkeypatch) -> Path:
 
 
 @pytest.fixture
-def start():
+def start(started):
     """start(): the command `compile`, which ends with the test."""
-    processes = []
-
-    def start_command():
-        pipe = subprocess.PIPE
-        processes.append(subprocess.Popen(COMMAND, stdout=pipe, stderr=pipe, text=True))
-        return processes[-1]
-
-    yield start_command
-    for process in processes:
-        process.kill()
-        process.communicate()
+    pipe = subprocess.PIPE
+    return lambda: started(COMMAND, stdout=pipe, stderr=pipe, text=True)
 
 
 def wait_for(done) -> None:

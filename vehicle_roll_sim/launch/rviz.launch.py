@@ -1,12 +1,17 @@
-"""A simulator, robot_state_publisher and RViz, until RViz is closed; drive it from elsewhere."""
+"""A simulator, robot_state_publisher and RViz, until one of them ends; drive it from elsewhere."""
 
+from vehicle_roll_sim.ros import launch_pictures
 from vehicle_roll_sim.ros import launching as start
 
 
 def processes(given):
-    return [start.simulator(given), *start.pictures(given)]
+    return [start.simulator(given), *launch_pictures.pictures(given)]
 
 
 def generate_launch_description():
-    arguments = [*start.picture_arguments(), *start.simulator_arguments()]
+    arguments = [
+        *launch_pictures.picture_arguments(),
+        *start.simulator_arguments(),
+        *start.name_arguments(),
+    ]
     return start.launch_description(arguments, processes)

@@ -9,7 +9,6 @@ import time
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
-from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
 from launch.actions import (
     DeclareLaunchArgument,
@@ -20,15 +19,11 @@ from launch.actions import (
 )
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
-from launch_ros.parameter_descriptions import ParameterValue
 
-from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
-from vehicle_roll_sim.messages.urdf import urdf
+from vehicle_roll_sim.ros.launch_values import NO, YES, log_words, ros_words, understood
 from vehicle_roll_sim.ros.script_texts import assigned, commanded_by, scripts_of
 from vehicle_roll_sim.ros.settings import PUBLISHED_IN_SETS
-from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
 PACKAGE = "vehicle_roll_sim"
 DISCOVERY = "ROS_AUTOMATIC_DISCOVERY_RANGE"
@@ -39,7 +34,6 @@ NUMBERS = ("publish_rate", "initial_speed", "real_time_factor")
 """Arguments that are parameters of the simulator."""
 TIME_TO_END = "10"
 """Seconds that a process may take to end after SIGINT: a recorder has a bag to close."""
-YES, NO = "true", "false"
 
 
 def argument(name: str, description: str, default: str = "", choices: Iterable[str] = ()):
@@ -49,15 +43,21 @@ def argument(name: str, description: str, default: str = "", choices: Iterable[s
 
 
 def simulator_arguments() -> list:
-    own = "; empty: the simulator's default"
+    own = "; none: the simulator's default"
     return [
-        argument("vehicle_file", "vehicle file (YAML); empty: the reference vehicle"),
+        argument("vehicle_file", "vehicle file (YAML); none: the reference vehicle"),
         argument("model", "model of the vehicle, as in `vehicle_roll_sim run --model`" + own),
         argument("initial_speed", "speed after a reset, m/s" + own),
         argument("publish_rate", "sets published a second, Hz" + own),
         argument("real_time_factor", "simulated over real time, 0: as fast as possible" + own),
         argument("params_file", "parameter file (YAML) of the simulator; the other arguments win"),
-        argument("lockstep", "run a period for every answer, not by the clock", NO, (YES, NO)),
+        argument("lockstep", "a period for every answer, not by the clock: true or false", NO),
+        argument("log_level", "of all nodes: debug, info, warn, error or fatal"),
+        argument(
+            "use_sim_time",
+            "true: the simulator publishes /clock and the other nodes go by it; false: they do "
+            "not; none: those that show the vehicle go by a /clock that is there anyway",
+        ),
         argument(
             "discovery_range",
             f"who is discovered: {DISCOVERY} of all nodes, unless set already {NEARBY}",
@@ -80,7 +80,7 @@ def manoeuvre_arguments() -> list:
 
 
 def recording_arguments(default: str = "") -> list:
-    return [argument("bag", "folder of the bag, which must not exist; empty: none", default)]
+    return [argument("bag", "folder of the bag, which must not exist; none: no bag", default)]
 
 
 def controller_arguments() -> list:
@@ -93,13 +93,9 @@ def controller_arguments() -> list:
         argument("parameters", "of the controllers, such as 'share:=0.7 smoothing:=0.1'"),
         argument(
             "answers",
-            "topics they command, for lockstep; empty: what the scripts declare as `said`",
+            "topics they command, for lockstep; none: what the scripts declare as `said`",
         ),
     ]
-
-
-def picture_arguments() -> list:
-    return [argument("rviz", "whether RViz is started", YES, (YES, NO))]
 
 
 def new_bag() -> str:
@@ -113,6 +109,7 @@ def launch_description(
 
     def start(context) -> list:
         given = {a.name: LaunchConfiguration(a.name).perform(context) for a in arguments}
+        given = understood(given, context.launch_configurations)
         return [SetEnvironmentVariable(DISCOVERY, given["discovery_range"]), *processes(given)]
 
     return LaunchDescription([*arguments, OpaqueFunction(function=start)])
@@ -135,9 +132,11 @@ def simulator(given: Mapping[str, str], answers: Iterable[str] = ()) -> Node:
             "lockstep_topics": f"[{', '.join(topics)}]",
             "lockstep_wait": f"[{', '.join(listened)}]",
         }
+    if given["use_sim_time"] == YES:
+        values["publish_clock"] = YES
     for name, value in values.items():
         words += ["-p", f"{name}:={value}"]
-    return _node("simulator", given, ros_arguments=words)
+    return _node("simulator", given, ros_arguments=log_words(given) + words)
 
 
 def _commanded_by_manoeuvre(given: Mapping[str, str]) -> tuple[str, ...]:
@@ -162,12 +161,13 @@ def _node(executable: str, given: Mapping[str, str], **more) -> Node:
 
 def manoeuvre(given: Mapping[str, str]) -> Node:
     """What drives the vehicle."""
-    return _node("manoeuvre", given, arguments=[given["manoeuvre"], *shlex.split(given["options"])])
+    words = [given["manoeuvre"], *shlex.split(given["options"])]
+    return _node("manoeuvre", given, arguments=words, ros_arguments=ros_words(given))
 
 
 def controllers(given: Mapping[str, str]) -> list[ExecuteProcess]:
     """Scripts that this Python runs, those first that others need."""
-    words = ["--ros-args", "-r", f"__ns:=/{given['namespace'].strip('/')}"]
+    words = ["--ros-args", "-r", f"__ns:=/{given['namespace'].strip('/')}", *ros_words(given)]
     values = assigned(shlex.split(given["parameters"]), _scripts(given), "controller")
     return [
         ExecuteProcess(
@@ -196,40 +196,8 @@ def recording(given: Mapping[str, str]) -> list[ExecuteProcess]:
     if not given["bag"]:
         return []
     if shutil.which("ros2") is None or importlib.util.find_spec("ros2bag") is None:
-        return [_node("recorder", given, arguments=["--output", given["bag"]])]
+        words = ["--output", given["bag"]]
+        return [_node("recorder", given, arguments=words, ros_arguments=ros_words(given))]
     command = ["ros2", "bag", "record", "--all", "--storage", "mcap", "--output", given["bag"]]
     ending = {"sigterm_timeout": TIME_TO_END, "on_exit": ends_all("ros2 bag record")}
     return [ExecuteProcess(cmd=command, output="screen", **ending)]
-
-
-def _real_time_factor(given: Mapping[str, str]) -> float:
-    text = given["real_time_factor"] or "1"
-    try:
-        return number_in(text)
-    except ValueError:
-        raise InputError("real_time_factor", text, "a number") from None
-
-
-def pictures(given: Mapping[str, str]) -> list[Node]:
-    """robot_state_publisher, which moves the wheels, and RViz if it is wanted."""
-    vehicle = load_vehicle(given["vehicle_file"]) if given["vehicle_file"] else preset()
-    options = Options(model=given["model"] or Options().model)
-    clock = {"use_sim_time": given["lockstep"] == YES or _real_time_factor(given) != 1.0}
-    text = urdf(vehicle, not options.has_eight_dof)
-    wheels = Node(
-        package="robot_state_publisher",
-        executable="robot_state_publisher",
-        parameters=[{"robot_description": ParameterValue(text, value_type=str)} | clock],
-        remappings=[("robot_description", "robot_state_publisher/robot_description")],
-    )
-    if given["rviz"] != YES:
-        return [wheels]
-    shown = Path(get_package_share_directory(PACKAGE)) / "config" / "vehicle.rviz"
-    rviz = Node(
-        package="rviz2",
-        executable="rviz2",
-        arguments=["-d", str(shown)],
-        parameters=[clock],
-        on_exit=ends_all("RViz"),
-    )
-    return [wheels, rviz]
