@@ -43,14 +43,13 @@ endif
 coverage:
 	$(MAKE) test COVERAGE=yes
 
-# Files, simulation and command line with the oldest versions that setup.py allows, without ROS. The
-# compiled model is kept apart: caches of two versions of numba would replace each other.
+# Files, simulation and command line with the oldest versions that setup.py allows, without ROS.
 oldest:
 	$(PYTHON) -m venv .venv-oldest
 	.venv-oldest/bin/pip install --quiet --requirement requirements/oldest.txt
 	PYTHONWARNINGS=ignore .venv-oldest/bin/pip install --quiet --no-deps --no-build-isolation --editable .
 	.venv-oldest/bin/pip check
-	XDG_CACHE_HOME=$(CURDIR)/.venv-oldest/cache .venv-oldest/bin/python -m pytest -q --disable-warnings $(OLDEST)
+	.venv-oldest/bin/python -m pytest -q --disable-warnings $(OLDEST)
 
 # Published vulnerabilities of what comes from the package index, with what that needs in turn; fails
 # also if one could not be looked up. ROS and its messages come from its distribution.

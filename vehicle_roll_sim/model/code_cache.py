@@ -25,12 +25,12 @@ WRONG_CODE = (OSError, ValueError, RuntimeError, pickle.PickleError)
 
 
 def source_fingerprint(folder: Path) -> str:
-    """Hash of every source file of the model and of where they lie.
+    """Hash of every source file of the model, of where they lie and of the version of numba.
 
     numba renews its cache when the file of a function changes, but not when a function that it
     calls, in another file, does; a folder named after all of the sources does both.
     """
-    digest = hashlib.sha256(str(folder).encode())
+    digest = hashlib.sha256(f"{numba.__version__} {folder}".encode())
     for source in sorted(folder.glob("*.py")):
         digest.update(source.read_bytes())
     return digest.hexdigest()[:16]
