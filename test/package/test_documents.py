@@ -7,7 +7,8 @@ import pytest
 from vehicle_roll_sim.command_line.main import COMMANDS
 
 PACKAGE = "vehicle_roll_sim"
-RUN = re.compile(rf"ros2 run {PACKAGE} (\w+)(?: (\w+))?")
+RUN = re.compile(rf"ros2 run {PACKAGE} (?!NAME)(\w+)(?: (\w+))?")
+"""NAME stands for any of a table."""
 LAUNCH = re.compile(rf"ros2 launch {PACKAGE} ([a-z_]+)\.launch\.py")
 BLOCK = re.compile(r"^```\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMANDS_IN_THE_CHECKLIST = 20
@@ -28,7 +29,9 @@ def pages(root) -> dict[str, str]:
 @pytest.fixture(scope="module")
 def executables(root) -> set[str]:
     """The names that setup.py installs."""
-    return set(re.findall(r"f\"(\w+) = \{NAME\}", (root / "setup.py").read_text(encoding="utf-8")))
+    text = (root / "setup.py").read_text(encoding="utf-8")
+    examples = re.search(r"^EXAMPLES = \((.*?)\)", text, re.MULTILINE | re.DOTALL).group(1)
+    return {*re.findall(r"f\"(\w+) = \{NAME\}", text), *re.findall(r"\w+", examples)}
 
 
 def test_every_executable_that_is_named_is_installed(pages, executables):
