@@ -12,6 +12,7 @@ import numpy as np
 from benchmarks.random_session import BrokenPromiseError, Driven, Found
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.vehicle.plausibility import unwarned
 
 PROGRAM = "soak"
 PERIODS_OF_A_SESSION = 500
@@ -68,7 +69,8 @@ def main(words: list[str] | None = None) -> int:
 
     def command() -> int:
         arguments = parser.parse_args(words)
-        found = soak(_whole(arguments.messages, "--messages"), _whole(arguments.seed, "--seed"))
+        with unwarned():  # commands beyond what is plausible are wanted here
+            found = soak(_whole(arguments.messages, "--messages"), _whole(arguments.seed, "--seed"))
         print(as_text(found))
         return 0
 

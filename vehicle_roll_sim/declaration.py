@@ -108,10 +108,10 @@ class Parameter:
         return value
 
     def _validate_number(self, value, field: str) -> float:
-        value = number_of(value, field, self.allowed)
-        if not self.minimum <= value <= self.maximum or math.isinf(value):
+        number = number_of(value, field, self.allowed)
+        if not self.minimum <= number <= self.maximum or math.isinf(number):
             raise InputError(field, value, self.allowed)
-        return value
+        return number
 
     def _validate_numbers(self, value, field: str) -> tuple[float, ...]:
         if not isinstance(value, (list, tuple, array.array)) or len(value) != self.size:

@@ -126,7 +126,7 @@ def test_a_folder_that_vanishes_is_made_again(folder):
 
 def test_without_room_for_all_of_it_nothing_is_begun_and_one_line_says_so(tmp_path):
     def limit() -> None:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
+        resource.setrlimit(resource.RLIMIT_FSIZE, (20_000_000, 20_000_000))
 
     shown = subprocess.run(
         [sys.executable, "-c", SHOW_CACHE],

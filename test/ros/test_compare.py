@@ -49,12 +49,12 @@ def script(tmp_path):
 
 
 @pytest.fixture
-def begin(tmp_path, domain):
-    """begin(*words): `compare` as a process in a folder of its own, ended with the test."""
+def begin(started, tmp_path, domain):
+    """begin(*words): `compare` as a process in a folder of its own, which ends its nodes."""
     begun = []
 
     def begin_one(*words: str) -> subprocess.Popen:
-        process = subprocess.Popen(
+        process = started(
             [*COMPARE, *words, "--domain", str(domain)],
             cwd=tmp_path,
             stdout=subprocess.PIPE,
@@ -161,7 +161,7 @@ def test_ctrl_c_ends_every_node_that_it_started(begin, script, peer, domain):
         (("yaw_control", "--plot", "a.png", "--size", "9x9"), "--size: '9x9' is not allowed: WID"),
         (("yaw_control", "--size", "170x200"), "--size: '170x200' is not allowed: together with"),
         (("yaw_control", "--csv", "a", "a"), "another place than that of"),
-        (("yaw_control", "--domain", "101"), "--domain: '101' is not allowed: a whole number"),
+        (("yaw_control", "--domain", "233"), "--domain: '233' is not allowed: a whole number"),
     ],
 )
 def test_wrong_words_are_refused_in_one_line_before_anything_is_started(capsys, words, line):

@@ -43,8 +43,8 @@ from vehicle_roll_sim.simulation.output_file import (
 from vehicle_roll_sim.simulation.summary import line
 
 DESCRIPTION = "Drive a manoeuvre in lockstep without controllers and with them, and compare."
-LARGEST_DOMAIN = 101
-"""Those whose ports never meet the ones that a system hands out."""
+LARGEST_DOMAIN = 232
+"""Of all that there are."""
 SET_HERE = ("mode", "lockstep_topics")
 """Parameters of the simulator."""
 

@@ -78,7 +78,10 @@ class Driver(Node):
         """Set the speed, connect, reset; raises NoAnswerError, or InputError if it cannot drive."""
         self._simulator = simulator
         names = ["rollover_angle", "steady_state_slip", "mode", "lockstep_topics"]
-        self.rollover_angle, steady, mode, awaited = simulator.get(names)
+        values = simulator.get(names)
+        if not values:
+            raise NoAnswerError(f"`{simulator.name}` is no simulator: it has no {names[0]}")
+        self.rollover_angle, steady, mode, awaited = values
         self.road = Road(*simulator.get(list(parameters_of(Road))))
         self._slowest = MINIMUM_SPEED if steady else -math.inf
         self._awaited = awaited if mode == LOCKSTEP else []

@@ -73,9 +73,7 @@ def _of_wheels(field: str, value) -> tuple[float, ...]:
     is_sequence = (isinstance(value, Sequence) and not is_text) or getattr(value, "ndim", None) == 1
     if not is_sequence or len(value) != len(WHEELS):
         raise InputError(field, value, "four numbers, of lf, rf, lr and rr")
-    return tuple(
-        _number(f"{field} {wheel}", each) for wheel, each in zip(WHEELS, value, strict=True)
-    )
+    return tuple(_number(field, each) for each in value)
 
 
 Programme = Callable[[np.ndarray], np.ndarray]
