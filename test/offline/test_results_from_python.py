@@ -8,7 +8,17 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
-from vehicle_roll_sim import InputError, Options, Simulation, linearize, preset, replay, run, series
+from vehicle_roll_sim import (
+    Command,
+    InputError,
+    Options,
+    Simulation,
+    linearize,
+    preset,
+    replay,
+    run,
+    series,
+)
 from vehicle_roll_sim.command_line.main import main
 
 SHORT = {"duration": 0.3, "start": 0.1}
@@ -54,6 +64,35 @@ def test_a_run_is_drawn(short, folder):
     assert min(imread("figure.png").shape[:2]) > 500
     with pytest.raises(InputError, match=r"\.png, \.svg, \.pdf"):
         short.plot("figure.jpg")
+
+
+def test_a_figure_has_the_size_in_mm_of_a_paper(short, folder):
+    short.plot("figure.png", size="170x200")
+    height, width = imread("figure.png").shape[:2]
+    assert height / width == pytest.approx(200 / 170, abs=2 / width)  # whole pixels
+
+
+@pytest.mark.parametrize(
+    ("field", "value"), [("size", 170), ("size", (170, 200)), ("size", "170"), ("title", 5)]
+)
+def test_a_figure_that_cannot_be_drawn_is_refused_by_name(short, folder, field, value):
+    with pytest.raises(InputError, match=f"^{field}: .* is not allowed: "):
+        short.plot("figure.png", **{field: value})
+    assert not list(folder.iterdir())
+
+
+def test_stamped_messages_need_a_bag():
+    with pytest.raises(InputError, match=r"^stamped: there is no bag: together with bag$"):
+        run("j_turn", stamped=True, **SHORT)
+
+
+def test_the_commands_of_a_held_command_are_in_every_row(folder):
+    result = run(Command(rear_steering=0.01, wheel_torque=(0, 0, 50, 60)), duration=0.1)
+    result.write_csv("run.csv", with_commands=True)
+    table = np.genfromtxt("run.csv", delimiter=",", names=True)
+    assert len(table) == len(result) == 11
+    for name, value in (("rear_steering", 0.01), ("wheel_torque_lr", 50), ("wheel_torque_rr", 60)):
+        assert set(table[name]) == {value}
 
 
 def test_a_bag_of_a_run_replays_to_the_bit(folder):

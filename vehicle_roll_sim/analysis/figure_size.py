@@ -33,7 +33,7 @@ def named_size(text: str | None, field: str, has_figure: object = True) -> Size 
         return None
     if not has_figure:
         raise InputError(field, text, "together with --plot")
-    found = SIZE.fullmatch(text)
+    found = SIZE.fullmatch(text) if isinstance(text, str) else None
     width, height = map(float, found.groups()) if found else (0.0, 0.0)
     if not (NARROWEST <= width <= LARGEST and LOWEST <= height <= LARGEST):
         limits = f"from {NARROWEST:g}x{LOWEST:g} to {LARGEST:g}x{LARGEST:g}"

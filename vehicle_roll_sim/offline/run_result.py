@@ -8,6 +8,7 @@ import numpy as np
 
 from vehicle_roll_sim.analysis.figure_size import Size, named_size
 from vehicle_roll_sim.analysis.metrics import load_transfer_ratio, peak
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.events import TIME, VALUE, Condition
 from vehicle_roll_sim.model.records import WHEELS
@@ -93,12 +94,14 @@ class RunResult:
         self.history.write_csv(path_of(path, "path"), with_commands)
 
     def plot(self, path: str | Path, title: str = "", size: Size | str | None = None) -> None:
-        """Draw the standard figure (PNG, SVG or PDF); raises InputError for another format.
+        """Draw the standard figure (PNG, SVG or PDF); raises InputError for what it cannot be.
 
         size: of the figure, a Size or a text such as "170x200" (mm); that of the screen if there is
         none.
         """
-        size = named_size(size, "size") if isinstance(size, str) else size
+        if not isinstance(title, str):
+            raise InputError("title", title, "a text")
+        size = size if isinstance(size, Size) else named_size(size, "size")
         path = path_of(path, "path")
         check_figure_format(path, "path")
         from vehicle_roll_sim.analysis import plots  # matplotlib: half a second

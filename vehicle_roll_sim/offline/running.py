@@ -5,6 +5,7 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 
 from vehicle_roll_sim.bags import need_library
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.offline.asked_for import manoeuvre_of
@@ -49,8 +50,8 @@ def run(
     reference if there is none. step, sample, command_period, rollover_angle: s and rad, as in
     Simulation and simulation.run. bag: folder for what the node would have published; commands are
     then held, for 10 ms unless `command_period` says otherwise. stamped: in the bag, also what
-    has no header, with one. progress: is told the simulated
-    time (s) of every stretch. Raises InputError.
+    has no header, with one. progress: is told the simulated time (s) of every stretch. Raises
+    InputError.
     """
     vehicle = preset() if vehicle is None else vehicle
     simulation = Simulation(vehicle, options, step=step, rollover_angle=rollover_angle, road=road)
@@ -78,6 +79,8 @@ def drive(
 ) -> RunResult:
     """Reset a simulation and drive a manoeuvre, as `run` does."""
     _check_multiples(manoeuvre, sample, command_period, simulation.step_ns)
+    if stamped and bag is None:
+        raise InputError("stamped", "", "together with bag", "there is no bag")
     if bag is not None:
         bag = path_of(bag, "bag")
         need_library("bag")
