@@ -16,6 +16,7 @@ READS_WHOLE_FILES = {"read_text", "read_bytes", "read", "readlines", "loadtxt", 
 MAY_READ = {
     "vehicle_roll_sim/vehicle/text_file.py": "which has the limit",
     "vehicle_roll_sim/model/code_cache.py": "its own sources, and what it has compiled",
+    "vehicle_roll_sim/vehicle/template.py": "the reference tire that is installed",
     "vehicle_roll_sim/ros/launch_pictures.py": "the configuration of RViz that is installed",
     "vehicle_roll_sim/bags/unindexed.py": "pieces of a bag, of any size by nature",
     "vehicle_roll_sim/ros/script_texts.py": "a script that is run",
@@ -38,7 +39,7 @@ def calls(root) -> list[tuple[str, str, ast.Call]]:
 
 
 MAY_UNPICKLE = {
-    "vehicle_roll_sim/model/code_cache.py": "what this user's own processes compiled, as numba does",
+    "vehicle_roll_sim/model/code_cache.py": "what this user has compiled, as numba does"
 }
 
 

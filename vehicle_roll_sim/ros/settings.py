@@ -27,7 +27,7 @@ from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DE
 REAL_TIME, LOCKSTEP = "real_time", "lockstep"
 COMMANDED = tuple(topic.name for topic in COMMANDS)
 NAMES_OF_STAMPED = tuple(topic.name for topic in STAMPED)
-PUBLISHED_IN_SETS = (*(topic.name for topic in STATE_SET), *NAMES_OF_STAMPED)
+PUBLISHED_IN_SETS = tuple(topic.name for topic in STATE_SET)
 MOST_STEPS = 100_000
 """In a period: half a second of computing (model 1), in which no signal is heeded."""
 
@@ -106,7 +106,7 @@ class Settings:
     )
     lockstep_wait: tuple = parameter(
         "topics that must have a listener before lockstep begins",
-        choices=PUBLISHED_IN_SETS,
+        choices=(*PUBLISHED_IN_SETS, *NAMES_OF_STAMPED),
         default=("state",),
     )
     lockstep_timeout: float = parameter(
