@@ -38,9 +38,7 @@ def calls(root) -> list[tuple[str, str, ast.Call]]:
     return found
 
 
-MAY_UNPICKLE = {
-    "vehicle_roll_sim/model/code_cache.py": "what this user has compiled, as numba does"
-}
+MAY_UNPICKLE = {"vehicle_roll_sim/model/code_cache.py": "what this user has compiled, as numba has"}
 
 
 def argument(call: ast.Call, name: str):
