@@ -38,8 +38,8 @@ def test_every_parameter_stands_there_with_unit_range_and_meaning(name):
     assert f"# {declared.unit or '-'}, {low_to_high}: {declared.description}" in line
 
 
-def test_what_may_be_left_out_stands_below_the_line_that_says_so(tmp_path):
-    must, _, may = vehicle_template().partition("# These may be left out")
+def test_optional_parameters_stand_below_the_line_that_says_so(tmp_path):
+    must, _, may = vehicle_template().partition("# These are optional")
     for name in ("drag_area", "minimum_relaxation_length", "rolling_resistance_coefficient"):
         assert f"\n{name}: " in may
     shortened = must + "tire: reference\n"

@@ -8,7 +8,7 @@ from vehicle_roll_sim.simulation import compilation
 
 
 def compile_model() -> None:
-    """Have the model compiled; where numba is not to be had, says so once on stderr.
+    """Have the model compiled; where numba is not installed, say so once on stderr.
 
     NUMBA_DISABLE_JIT is its user's own wish and no news.
     """

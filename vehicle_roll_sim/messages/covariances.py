@@ -1,4 +1,4 @@
-"""Covariances that `imu` and `odom` tell of, by their diagonals: what a filter makes of the data.
+"""Covariances of `imu` and `odom`, given by their diagonals, for filters that use these messages.
 
 The data themselves are exact, whatever is told. All 0 is "unknown" to who reads sensor_msgs/Imu.
 """

@@ -1,4 +1,4 @@
-"""What has no header, with one: the topics `…_stamped`, whose numbers bear their names."""
+"""The topics `…_stamped`: messages that have no header, with a header and named values."""
 
 from collections.abc import Callable
 

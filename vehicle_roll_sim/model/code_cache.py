@@ -51,7 +51,7 @@ def writable_folder(fingerprint: str) -> Path | None:
                 os.posix_fallocate(file.fileno(), 0, ROOM)
         return folder
     except OSError as error:
-        what = "the model is compiled at every start, in up to 20 s"
+        what = "the model is compiled at every start, which takes up to 30 s"
         say(f"{folder} cannot keep compiled code ({error.strerror}): {what}")
         return None
 
@@ -135,5 +135,5 @@ class CheckedCache(FunctionCache):
     def save_overload(self, signature, data):
         try:
             super().save_overload(signature, data)
-        except OSError as error:  # the folder itself has gone or fills up
+        except OSError as error:  # the folder itself was removed, or is full
             say(f"compiled code cannot be kept in {self._cache_path}: {error.strerror}")

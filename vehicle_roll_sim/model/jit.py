@@ -67,8 +67,8 @@ def kernel(function, **options):
     numba.config.CACHE_DIR = str(CACHE)
     try:
         dispatcher._cache = code_cache.CheckedCache(function)
-    except RuntimeError:  # numba finds no folder: since this process began, it has gone
-        code_cache.say(f"{CACHE} has gone: the model is compiled in memory")
+    except RuntimeError:  # the folder was removed after this process started
+        code_cache.say(f"{CACHE} was removed: the model is compiled in memory")
     finally:
         numba.config.CACHE_DIR = users_choice
     return dispatcher

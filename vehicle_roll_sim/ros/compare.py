@@ -1,4 +1,4 @@
-"""The executable `compare`: a manoeuvre without a controller and with one's own, side by side."""
+"""The executable `compare`: a manoeuvre without a controller and with your own, side by side."""
 
 import argparse
 import dataclasses

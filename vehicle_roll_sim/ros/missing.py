@@ -1,6 +1,6 @@
 """What a program says where ROS 2, or a part of it, is not installed.
 
-It imports little by itself: every program comes by here before it sees to its signals.
+It imports little: every program runs it before its signal handlers are installed.
 """
 
 import importlib.util

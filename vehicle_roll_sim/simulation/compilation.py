@@ -1,7 +1,7 @@
 """The model is compiled once, by a process of its own that whoever waits for it may abandon.
 
 Several programs that start together on a fresh machine wait for the same compilation, and one that
-is interrupted loses nothing of it: the compiling process goes on to its end (some 20 s).
+is interrupted loses nothing of it: the compiling process goes on to its end (15 to 30 s).
 """
 
 import subprocess
@@ -12,7 +12,7 @@ from vehicle_roll_sim.model import jit
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
-COMPILING = "compiling the model, once for this version: up to 20 s"
+COMPILING = "compiling the model, once for this version: up to 30 s"
 LOCK = "lock"
 """The file that a compiling process locks; the system unlocks it when the process ends."""
 LOOK = 0.05

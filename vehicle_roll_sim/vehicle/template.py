@@ -14,7 +14,7 @@ ABOUT_THE_VEHICLE = """\
 # A line is NAME: VALUE. Behind it: unit, allowed range, meaning, symbol in the source (Shim and
 # Ghike, 2007). `vehicle_roll_sim parameters --vehicle FILE` shows what a file says.
 """
-ABOUT_OPTIONAL = "# These may be left out; then they have the values that stand here.\n"
+ABOUT_OPTIONAL = "# These are optional; the values shown are the defaults.\n"
 ABOUT_THE_TIRE = f"""\
 # A tire file (.tir) with its path from here, or {SHIPPED_TIRE}: the tire that is shipped.
 # `vehicle_roll_sim template --tire` writes one to start from.
@@ -23,8 +23,8 @@ tire: {SHIPPED_TIRE}
 ABOUT_COEFFICIENTS = """\
 $ A tire file of vehicle_roll_sim, Magic Formula 5.2: the reference tire, to be changed.
 $ What must be given is marked 'required'. Without the others scaling factors are 1, coefficients 0,
-$ ranges endless and units those of SI. What is marked 'not used' is read past. Fx and Fy: forces
-$ along and across the wheel. Numbers have no unit but where one stands in brackets.
+$ ranges unlimited and units SI. Keys marked 'not used' are ignored. Fx and Fy: forces along and
+$ across the wheel. Values have no unit unless one is given in brackets.
 """
 COMMENT_AT = 45
 """Column of a line at which its comment begins."""
