@@ -13,8 +13,6 @@ from vehicle_roll_sim.command_line.main import main
 from vehicle_roll_sim.ros import compare
 from vehicle_roll_sim.simulation.history import History
 
-pytestmark = pytest.mark.unmeasured
-
 COMPARE = [sys.executable, "-m", "vehicle_roll_sim.ros.executables", "compare"]
 SHORT = ("--duration", "1.6")
 MINE = """

@@ -14,7 +14,6 @@ from vehicle_roll_sim.ros.simulator_client import PATIENCE
 from vehicle_roll_sim.simulation.compilation import LOCK
 
 pytestmark = [
-    pytest.mark.unmeasured,
     pytest.mark.skipif(CACHE is None, reason="only compiled code is cached"),
 ]
 SHORT = ("step_steer", "--duration", "0.5")

@@ -16,7 +16,6 @@ from vehicle_roll_sim.model.jit import CACHE
 from vehicle_roll_sim.simulation.compilation import COMPILING, LOCK
 
 pytestmark = [
-    pytest.mark.unmeasured,
     pytest.mark.skipif(CACHE is None, reason="only compiled code is cached"),
 ]
 COMMAND = [sys.executable, "-m", "vehicle_roll_sim", "compile"]
