@@ -44,9 +44,9 @@ def run(
     A programme is evaluated at every stage of the integration or, with `command_period` (s), at
     the beginning of each period and then held, as a node does. What it has in `steps_at` is
     integrated as a step, at times that are multiples of the step of integration; the row of that
-    time shows the commands before. Feedback always is, and so is
-    whatever a witness sees, every 10 ms unless told otherwise. `progress` is told the simulated
-    time (s) of every stretch. Raises InputError for times that are no multiples of the step.
+    time shows the commands before. Feedback is always held, and so is whatever a witness sees, for
+    10 ms unless told otherwise. `progress` is told the simulated time (s) of every stretch.
+    Raises InputError for times that are no multiples of the step.
     """
     step_ns = simulation.step_ns
     every = whole_steps(sample, step_ns, "sample") * step_ns
