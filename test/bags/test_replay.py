@@ -217,5 +217,5 @@ def test_times_that_do_not_fit_the_publish_period_are_not_compared(j_turn, chang
     bag = changed(j_turn, timed(1e6, "/state", "/applied_command"))
     assert main(["replay", str(bag), "--strict"]) == 1
     verdict = capsys.readouterr().out
-    assert "nothing was compared; messages are missing from 0.000 s" in verdict
+    assert "nothing to compare; messages are missing from 0.000 s" in verdict
     assert "reproduced" not in verdict

@@ -23,14 +23,14 @@ def bag(command):
 def test_a_bag_is_replayed_to_the_bit(command, bag):
     result = command("replay", bag, "--strict")
     assert (result.status, result.err) == (0, "")
-    assert result.value["run 1"] == "1.200 s, every state reproduced to the bit"
+    assert result.value["run 1"] == "1.200 s, every state reproduced bit for bit"
 
 
 def test_the_options_of_the_run_are_in_the_bag(command):
     words = ("--set", "cg_height=0.7", "--model", "1b", "--grade", "0.1", "--step", "0.002")
     command(*SHORT, *words, "--command-period", "0.02", "--bag", "other")
-    assert "to the bit" in command("replay", "other").value["run 1"]
-    assert "to the bit" in command("replay", "other", *words).value["run 1"]
+    assert "bit for bit" in command("replay", "other").value["run 1"]
+    assert "bit for bit" in command("replay", "other", *words).value["run 1"]
 
 
 def test_commands_are_held_for_the_period_of_the_node_with_and_without_rows(rows):

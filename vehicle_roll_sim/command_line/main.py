@@ -35,7 +35,7 @@ COMMANDS = {
 
 
 def main(words: list[str] | None = None) -> int:
-    """Run the command with `words` (default: those of the process); returns the exit status."""
+    """Run the command with `words` (default: `sys.argv[1:]`); return the exit status."""
     if words is not None:
         return exit_status(lambda: _command(words), PROGRAM)
 
@@ -47,7 +47,7 @@ def main(words: list[str] | None = None) -> int:
 
 
 def _command(words: list[str]) -> int:
-    with unwarned():  # commands say it in a line of their own
+    with unwarned():  # commands print plausibility warnings themselves
         return _dispatch(words)
 
 
@@ -56,8 +56,8 @@ def _dispatch(words: list[str]) -> int:
     parser = OneLineParser(
         prog=PROGRAM,
         usage=f"{PROGRAM} COMMAND [options]",
-        description="Vehicle roll dynamics: the model without a running node.",
-        epilog=f"commands, each with its own --help:\n{table}",
+        description="Simulate vehicle roll dynamics offline, without a running node.",
+        epilog=f"commands (each has its own --help):\n{table}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"{PROGRAM} {__version__}")
