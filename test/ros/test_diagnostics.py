@@ -79,7 +79,7 @@ def test_two_simulators_of_the_same_topics_are_warned_of_by_both(start, peer, se
     peer.listen("/diagnostics")
     more = len(STATE_SET) - 3
     warnings = [
-        f"TWO SIMULATORS: /{name} publishes state, applied_command, odom and {more} more topics too"
+        f"TWO SIMULATORS: /{name} also publishes state, applied_command, odom and {more} more"
         for name in ("simulator", second)
     ]
 

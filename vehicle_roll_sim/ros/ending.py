@@ -1,9 +1,9 @@
-"""How SIGINT and SIGTERM end a node: status 0 and no traceback, from its first moment to its last.
+"""How SIGINT and SIGTERM end a node: exit status 0 and no traceback, at any time.
 
-rclpy's own handlers come late, with `rclpy.init`; SIGINT then raises KeyboardInterrupt wherever the
-main thread is, also half-way through writing a message or destroying a node, and a handler that
-runs while an executor is made reads a list that is just being replaced, which has crashed. Here a
-signal shuts the context down, and a node ends when it notices.
+rclpy installs its own handlers late, in `rclpy.init`. SIGINT then raises KeyboardInterrupt wherever
+the main thread happens to be, even while it writes a message or destroys a node. And a handler that
+runs while an executor is being constructed reads a list that is being replaced; this has crashed.
+Here, a signal only shuts the context down, and the node ends when it notices.
 """
 
 import contextlib
@@ -16,15 +16,15 @@ SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
 def at_once(status: int = 0) -> None:
-    """From now on a signal ends the process as it is, for as long as there is nothing to lose.
+    """From now on, a signal ends the process immediately: only while there is nothing to lose.
 
-    A node (status 0) is ended by SIGINT even where it was started to ignore it, as in the
-    background of a script: that is how launch ends nodes. A command goes on ignoring it.
+    SIGINT ends a node (status 0) even if it was started with SIGINT ignored, as a background job
+    of a script is: launch ends nodes by SIGINT. A command (other status) goes on ignoring it.
     """
 
     def end(signum, _) -> None:
         if status and signum == signal.SIGINT:
-            with contextlib.suppress(OSError):  # not by sys.stderr, which may be writing just now
+            with contextlib.suppress(OSError):  # not through sys.stderr, which may be mid-write
                 os.write(2, b"interrupted\n")
         os._exit(status)
 
@@ -32,14 +32,14 @@ def at_once(status: int = 0) -> None:
 
 
 def heeded(signals: Iterable[int] = SIGNALS) -> list[int]:
-    """Those of `signals` that this process was not started to ignore."""
+    """Those of `signals` that this process was not started with as ignored."""
     return [each for each in signals if signal.getsignal(each) is not signal.SIG_IGN]
 
 
 def shutting_down(shut_down: Callable[[], None]) -> None:
-    """From now on a signal has a thread call `shut_down`, whatever the main thread waits for.
+    """From now on, a signal makes a thread call `shut_down`, whatever the main thread is doing.
 
-    The last one that was told is called.
+    Only the most recently registered callback is called.
     """
     noted, waker = os.pipe()
     os.set_blocking(waker, False)
@@ -54,13 +54,13 @@ def shutting_down(shut_down: Callable[[], None]) -> None:
 
 
 def over() -> None:
-    """From now on signals change nothing: Python itself ends, without its handlers."""
+    """From now on, signals are ignored, so that interpreter exit is not interrupted."""
     _handle(signal.SIG_IGN)
 
 
 @contextlib.contextmanager
 def interruptible() -> Iterator[None]:
-    """Within, a signal also raises KeyboardInterrupt: for long computations, which see nothing."""
+    """Within the block, a signal raises KeyboardInterrupt, to interrupt long computations."""
     before = {signum: signal.signal(signum, signal.default_int_handler) for signum in SIGNALS}
     try:
         yield
@@ -75,4 +75,4 @@ def _handle(handler: Callable | signal.Handlers, signals: Iterable[int] = SIGNAL
 
 
 def _nothing(*_) -> None:
-    """The wake-up that Python gives its file is enough."""
+    """Do nothing: Python has already written to the wake-up file descriptor."""

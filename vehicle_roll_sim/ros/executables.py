@@ -1,6 +1,6 @@
-"""The entry points of the executables: signals are seen to before anything large is imported.
+"""The entry points of the executables: signal handlers are installed before any large import.
 
-Also `python -m vehicle_roll_sim.ros.executables NAME`.
+`python -m vehicle_roll_sim.ros.executables NAME` runs one as well.
 """
 
 import importlib
@@ -23,7 +23,7 @@ def recorder() -> int:
 
 
 def demo() -> int:
-    return _run("demo", 128 + signal.SIGINT)  # as shells have it
+    return _run("demo", 128 + signal.SIGINT)  # the shells' convention
 
 
 def compare() -> int:
@@ -31,7 +31,10 @@ def compare() -> int:
 
 
 def _run(name: str, interrupted: int = 0) -> int:
-    """The main function of a module beside this one; its status after a signal before that."""
+    """Run the main function of a module in this folder; return the exit status.
+
+    interrupted: exit status after a signal during the imports.
+    """
     ending.at_once(interrupted)
     if not missing.is_ros_installed():
         return missing.end_without_ros(name)
