@@ -100,9 +100,9 @@ def test_a_node_that_publishes_one_topic_of_the_set_is_named_with_it(start, peer
     start("simulator", "--ros-args", "-r", "__ns:=/car")
     peer.listen("/diagnostics")
     peer.node.create_publisher(JointState, "/car/joint_states", 1)
-    status = wait_for_status(peer, lambda s: "/peer publishes" in s.message, "it to be seen")
+    status = wait_for_status(peer, lambda s: "/peer also publishes" in s.message, "it to be seen")
     assert status.level == DiagnosticStatus.WARN
-    assert "/peer publishes joint_states too" in status.message
+    assert "/peer also publishes joint_states" in status.message
     assert "SIMULATORS" not in status.message
 
 

@@ -106,7 +106,7 @@ def test_what_lockstep_does_not_wait_for_is_refused_in_one_line_that_says_what_t
     status, out, err = start("manoeuvre", "step_steer").finish()
     assert (status, out) == (2, "")
     assert len(err.splitlines()) == 1
-    assert f"lockstep_topics: without {missing}" in err
+    assert f"lockstep_topics: {missing}" in err
     assert "-p lockstep_topics:=[" in err
 
 

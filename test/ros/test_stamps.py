@@ -120,7 +120,7 @@ def test_a_clock_that_is_set_is_told_of_and_a_stopped_model_keeps_its_stamp(
     monkeypatch.setattr(peer.node, "get_logger", lambda: logger)
     clocks.wall_ns += 60 * SECOND
     publications.publish_set()
-    logger.warning.assert_called_once_with("the clock was set 60.000 s ahead: stamps follow")
+    logger.warning.assert_called_once_with("the clock was set 60.000 s ahead: stamps follow it")
     assert publications._messages.stamp == divmod(clocks.wall_ns, SECOND)
     assert publications.clock_trouble() == ""
     clocks.wall_ns -= 3600 * SECOND

@@ -196,7 +196,11 @@ def _number_type(field: str) -> type:
 
 
 def run(kind: type[Controller]) -> None:
-    """Run a controller of this class until SIGINT or SIGTERM, which end it with status 0."""
+    """Run a controller of this class until SIGINT or SIGTERM, which end it with status 0.
+
+    The first line of its module's docstring is its description in --help.
+    """
+    about = (sys.modules[kind.__module__].__doc__ or "").partition("\n")[0]
 
     def body(_) -> int:
         controller = kind()
@@ -205,4 +209,5 @@ def run(kind: type[Controller]) -> None:
             controller.run()
         return 0
 
-    sys.exit(node_main(OneLineParser(), body, sys.argv))
+    usage = "%(prog)s [-h] [--ros-args -p NAME:=VALUE ...]"
+    sys.exit(node_main(OneLineParser(description=about, usage=usage), body, sys.argv))
