@@ -147,7 +147,7 @@ def test_what_is_not_a_state_of_a_simulator_is_refused(j_turn, changed):
             data = bytes(TYPES.serialize_cdr(message, ARRAY))
         return [(topic, sent, data)]
 
-    with pytest.raises(InputError, match="a state that is none"):
+    with pytest.raises(InputError, match="a message on state that is not a simulator's"):
         recorded_runs(changed(j_turn, without_labels))
 
 
@@ -209,7 +209,7 @@ def timed(factor, *topics):
 
 
 def test_a_command_of_no_time_is_refused(j_turn, changed):
-    with pytest.raises(InputError, match="applied_command that is none"):
+    with pytest.raises(InputError, match="applied_command that is not a simulator's"):
         recorded_runs(changed(j_turn, timed(np.nan, "/applied_command")))
 
 

@@ -95,8 +95,8 @@ def test_a_bag_of_another_vehicle_than_the_options_say_is_refused(refused, bag):
 def test_a_truncated_bag_is_refused(refused, folder, bag, length):
     file = folder / bag / "bag_0.mcap"
     file.write_bytes(file.read_bytes()[:length])
-    refused(["replay", bag], "BAG", "a whole bag")
-    refused(["plot", bag], "BAG", "a whole bag")
+    refused(["replay", bag], "BAG", "a complete bag")
+    refused(["plot", bag], "BAG", "a complete bag")
 
 
 def test_what_is_no_bag_is_refused(refused, folder, bag):
@@ -107,4 +107,4 @@ def test_what_is_no_bag_is_refused(refused, folder, bag):
     shutil.rmtree(folder / bag)
     (folder / bag).mkdir()
     (folder / bag / "metadata.yaml").write_text("rosbag2_bagfile_information: 3\n")
-    refused(["replay", bag], "BAG", "a whole bag")
+    refused(["replay", bag], "BAG", "a complete bag")
