@@ -26,6 +26,6 @@ def yaw_control() -> None:
 
 
 def _run(name: str) -> None:
-    """The main function of a module beside this one, which ends the program."""
+    """Run the main function of a module in this folder, which ends the program."""
     ending.at_once()
     importlib.import_module(f"vehicle_roll_sim.examples.{name}").main()
