@@ -27,7 +27,11 @@ def main(words: list[str] | None = None) -> int:
         "--json", metavar="FILE", default="bench.json", help="file for the numbers (%(default)s)"
     )
     parser.add_argument(
-        "--only", metavar="NAME", nargs="+", default=BENCHMARKS, help=", ".join(BENCHMARKS)
+        "--only",
+        metavar="NAME",
+        nargs="+",
+        default=BENCHMARKS,
+        help="benchmarks to run: " + ", ".join(BENCHMARKS),
     )
     parser.add_argument("--quick", action="store_true", help="shorter runs, rougher numbers")
     signal.signal(signal.SIGTERM, signal.default_int_handler)

@@ -30,7 +30,7 @@ FAULTS = (
         "model/contact.py",
         "return support if support > 0.0 else 0.0",
         "return support",
-        RATES + "test_loads_are_never_negative_and_nought_exactly_off_the_ground",
+        RATES + "test_loads_are_never_negative_and_zero_exactly_off_the_ground",
     ),
     Fault(
         "wrong sign: the longitudinal force of a steered tire acts to the other side",

@@ -108,7 +108,8 @@ def row(fault: Fault, result: Result) -> str:
 
 
 def main(words: list[str] | None = None) -> int:
-    parser = OneLineParser(prog=PROGRAM, description=__doc__.partition(": ")[2])
+    about = "Insert deliberate faults into a copy of the package; check that tests catch them."
+    parser = OneLineParser(prog=PROGRAM, description=about)
     parser.add_argument(
         "--only", metavar="TEXT", default="", help="only faults in files whose path contains this"
     )

@@ -63,7 +63,8 @@ def as_text(found: Found) -> str:
 
 
 def main(words: list[str] | None = None) -> int:
-    parser = OneLineParser(prog=PROGRAM, description=__doc__.partition(": ")[2])
+    about = "Send random messages to simulated sessions and check what must always hold."
+    parser = OneLineParser(prog=PROGRAM, description=about)
     parser.add_argument(
         "--messages", metavar="COUNT", default="1000000", help="messages to send (%(default)s)"
     )

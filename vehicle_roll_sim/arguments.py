@@ -95,7 +95,8 @@ def add_declared(
 
     An option that the parser has already is left as it is. without: names that get none.
     """
-    group = parser.add_argument_group(title)
+    groups = {group.title: group for group in parser._action_groups}
+    group = groups.get(title) or parser.add_argument_group(title)
     for parameter in parameters_of(declaring).values():
         is_there = any(action.dest == parameter.name for action in parser._actions)
         if is_there or parameter.name in without:

@@ -67,8 +67,12 @@ def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
 def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
     """Add all options that `chosen_vehicle` reads."""
     group = parser.add_argument_group("vehicle")
-    group.add_argument("--vehicle", metavar="FILE.yaml", help="vehicle file (default: built-in)")
-    group.add_argument("--tire", metavar="FILE.tir", help="tire file, overrides the vehicle's own")
+    group.add_argument(
+        "--vehicle", metavar="FILE.yaml", help="vehicle file (default: the reference vehicle)"
+    )
+    group.add_argument(
+        "--tire", metavar="FILE.tir", help="tire file to use instead of the vehicle's own"
+    )
     group.add_argument(
         "--set",
         metavar="NAME=VALUE",

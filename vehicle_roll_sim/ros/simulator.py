@@ -222,7 +222,8 @@ def main() -> int:
         prog="simulator",
         description="Simulate a vehicle's roll dynamics on ROS 2, in real time or in lockstep.",
         usage="simulator [--ros-args -p NAME:=VALUE -r __ns:=/NAMESPACE ...]",
-        epilog="parameters: " + ", ".join(parameters.PARAMETERS),
+        epilog="parameters (`ros2 param describe /simulator NAME` explains one): "
+        + ", ".join(parameters.PARAMETERS),
     )
 
     def body(_) -> int:
