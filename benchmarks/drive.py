@@ -5,8 +5,8 @@ import time
 import numpy as np
 
 from vehicle_roll_sim import Options, Simulation, preset
-from vehicle_roll_sim.model.derivatives import derivatives
-from vehicle_roll_sim.model.jit import kernel, kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel, kernel_argument
+from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.records import COMMAND
 
 SPEED = 20.0

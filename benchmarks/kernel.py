@@ -5,7 +5,7 @@ import numpy as np
 from benchmarks.drive import SLIPS, evaluate, plant, repeated, slalom, slalom_start
 from benchmarks.report import MICRO, NANO, median
 from vehicle_roll_sim import Command, Options
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
 
 TITLE = "The model"

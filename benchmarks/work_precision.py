@@ -9,8 +9,8 @@ from scipy.integrate import solve_ivp
 from benchmarks.drive import SLIPS, SPEED, evaluate, plant, repeated, slalom, slalom_start
 from benchmarks.report import MILLI, median
 from vehicle_roll_sim import Condition, Options
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
 
 TITLE = "Work and precision"

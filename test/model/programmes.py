@@ -5,9 +5,9 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim import Condition, Options, Simulation, Tire, Vehicle
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.derivatives import derivatives
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
 from vehicle_roll_sim.simulation.command import Programme
 from vehicle_roll_sim.simulation.road import Road

@@ -8,7 +8,7 @@ from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, line_of, refuse
 
 from vehicle_roll_sim import Vehicle, load_tire, load_vehicle, preset
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.vehicle.text_file import LARGEST_FILE
+from vehicle_roll_sim.files.text_file import LARGEST_FILE
 
 SOURCE = {
     "sprung_mass": 1440.0,

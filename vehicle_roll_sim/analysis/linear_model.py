@@ -12,12 +12,12 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.analysis.trim import INPUT_NAMES, Plant, Trim, typical
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.records import STATE_NAMES, WHEELS, element_names
-from vehicle_roll_sim.simulation.output_file import replaced_file
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 
 OUTPUT_NAMES = (
     *("roll", "roll_rate", "yaw_rate", "lateral_acceleration", "sideslip_angle"),

@@ -13,10 +13,10 @@ import numpy as np
 from scipy import optimize
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.derivatives import derivatives
+from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.equilibrium import equilibrium
-from vehicle_roll_sim.model.events import MINIMUM_SPEED
-from vehicle_roll_sim.model.jit import kernel_argument, silently
+from vehicle_roll_sim.model.integration.derivatives import derivatives
+from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
@@ -28,7 +28,7 @@ from vehicle_roll_sim.model.records import (
     U,
     element_names,
 )
-from vehicle_roll_sim.model.transient_slip import LOW_SPEED
+from vehicle_roll_sim.model.tire.transient_slip import LOW_SPEED
 from vehicle_roll_sim.model.wheel import note_turning
 from vehicle_roll_sim.simulation.options import MODELS, Options
 from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED

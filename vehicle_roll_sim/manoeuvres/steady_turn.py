@@ -9,8 +9,8 @@ import numpy as np
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.base import LONGEST, Manoeuvre
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import TOO_LITTLE, band_of_the_fit
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 

@@ -5,21 +5,21 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, given, number_of
-from vehicle_roll_sim.model.advance import NANOSECONDS, advance
+from vehicle_roll_sim.model.compiled.jit import (
+    interruptible,
+    kernel_argument,
+    silently,
+)
 from vehicle_roll_sim.model.equilibrium import equilibrium
-from vehicle_roll_sim.model.events import (
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS, advance
+from vehicle_roll_sim.model.integration.events import (
     LIMITS,
     MINIMUM_SPEED,
     Condition,
     no_events,
     plausible_magnitudes,
 )
-from vehicle_roll_sim.model.integrator import KEPT, STAGE_VECTORS
-from vehicle_roll_sim.model.jit import (
-    interruptible,
-    kernel_argument,
-    silently,
-)
+from vehicle_roll_sim.model.integration.integrator import KEPT, STAGE_VECTORS
 from vehicle_roll_sim.model.records import (
     MODEL_STATE,
     OUTPUTS,
@@ -81,7 +81,7 @@ class Simulation(Restorable):
     - `state`: a STATE record: `.roll`, `.u`, `.wheel_speed[LF]`, ... (model.records)
     - `outputs`: an OUTPUTS record: `.normal_force`, `.slip_angle`, `.acceleration`, ...
     - `model_state`, `state_names`: the states of the chosen model and their names
-    - `events`: an EVENTS record: lift-off and rollover times, peaks (model.events)
+    - `events`: an EVENTS record: lift-off and rollover times, peaks (model.integration.events)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
     The records are views of memory that the next step changes: copy what is to be kept, or take a

@@ -12,10 +12,10 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.advance import advance
-from vehicle_roll_sim.model.events import LIMITS, Condition, no_events
-from vehicle_roll_sim.model.integrator import K1, STAGE_VECTORS
-from vehicle_roll_sim.model.jit import kernel_argument, silently
+from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
+from vehicle_roll_sim.model.integration.advance import advance
+from vehicle_roll_sim.model.integration.events import LIMITS, Condition, no_events
+from vehicle_roll_sim.model.integration.integrator import K1, STAGE_VECTORS
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_NAMES, STATE_SIZE, U
 from vehicle_roll_sim.simulation.command import NO_FORCE, Command
 

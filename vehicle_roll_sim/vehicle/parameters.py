@@ -20,7 +20,7 @@ from vehicle_roll_sim.model.equilibrium import (
     static_suspension_compression,
     static_tire_compression,
 )
-from vehicle_roll_sim.model.events import plausible_magnitudes
+from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.model.records import VEHICLE
 from vehicle_roll_sim.vehicle.plausibility import AXLES, plausibility, warn
 from vehicle_roll_sim.vehicle.tire_file import Tire
