@@ -85,6 +85,17 @@ def test_no_part_is_allowed_to_import_one_that_may_import_it():
             del left[part]
 
 
+def test_modules_import_each_other_in_no_circle(own_imports):
+    imported = {}
+    for importing, module in own_imports:
+        if importing != module:
+            imported.setdefault(importing, set()).add(module)
+    while leaves := {each for below in imported.values() for each in below} - imported.keys():
+        imported = {name: below - leaves for name, below in imported.items()}
+        imported = {name: below for name, below in imported.items() if below}
+    assert not imported
+
+
 def test_rooms_of_the_ros_part_import_only_those_below_them(own_imports):
     for rank, room in enumerate(ROOMS_OF_ROS):
         for importing, imported in own_imports:
