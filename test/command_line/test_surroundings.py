@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from vehicle_roll_sim.model.jit import CACHE, COMPILED, interruptible
+from vehicle_roll_sim.model.compiled.jit import CACHE, COMPILED, interruptible
 
 pytestmark = pytest.mark.unmeasured
 

@@ -13,8 +13,8 @@ import launch_stand_in
 import vehicle_roll_sim.ros
 
 PACKAGE = Path(__file__).parents[2] / "vehicle_roll_sim"
-LAUNCHING = "vehicle_roll_sim.ros.launching"
-PICTURES = "vehicle_roll_sim.ros.launch_pictures"
+LAUNCHING = "vehicle_roll_sim.ros.launching.processes"
+PICTURES = "vehicle_roll_sim.ros.launching.pictures"
 NAMES = tuple(sorted(f.name.removesuffix(".launch.py") for f in PACKAGE.glob("launch/*.py")))
 
 

@@ -16,7 +16,8 @@ from rclpy.exceptions import NotInitializedException
 from recordings import heard_so_far, read_bag
 from std_srvs.srv import Trigger
 
-from vehicle_roll_sim.ros import demo, ending
+from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros.orchestration import demo
 from vehicle_roll_sim.ros.process import NodeExecutor
 
 pytestmark = pytest.mark.unmeasured

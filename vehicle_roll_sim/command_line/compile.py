@@ -3,7 +3,7 @@
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.compiling import compile_model
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 
 DESCRIPTION = "Compile the model now, once for this version, so that no first start waits for it."
 

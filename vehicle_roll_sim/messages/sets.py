@@ -6,14 +6,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.encoded import MARK, STAMP_MARK, Encode, Encoded
 from vehicle_roll_sim.messages.topics import CLOCK, STATE_SET, TRANSFORMS, WRENCH
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import Simulation
 

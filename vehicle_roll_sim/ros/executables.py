@@ -9,6 +9,15 @@ import sys
 
 from vehicle_roll_sim.ros import ending, missing
 
+MODULES = {
+    "simulator": "simulator.node",
+    "manoeuvre": "clients.manoeuvre",
+    "recorder": "clients.recorder",
+    "demo": "orchestration.demo",
+    "compare": "orchestration.compare",
+}
+"""Where the main function of each executable is."""
+
 
 def simulator() -> int:
     return _run("simulator")
@@ -31,12 +40,12 @@ def compare() -> int:
 
 
 def _run(name: str, interrupted: int = 0) -> int:
-    """The main function of a module beside this one; its status after a signal before that."""
+    """The main function of an executable; its status after a signal before that."""
     ending.at_once(interrupted)
     if not missing.is_ros_installed():
         return missing.end_without_ros(name)
     try:
-        module = importlib.import_module(f"vehicle_roll_sim.ros.{name}")
+        module = importlib.import_module(f"vehicle_roll_sim.ros.{MODULES[name]}")
     except ImportError as error:
         return missing.end_without_ros(name, error)
     return module.main()
