@@ -10,7 +10,6 @@ from types import ModuleType
 
 import launch_stand_in
 
-
 PACKAGE = Path(__file__).parents[2] / "vehicle_roll_sim"
 LAUNCHING = "vehicle_roll_sim.ros.launching.processes"
 PICTURES = "vehicle_roll_sim.ros.launching.pictures"
