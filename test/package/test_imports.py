@@ -17,7 +17,7 @@ MAY_IMPORT = {
     "controller": {"controller", "ros", "messages"},
     "examples": {"examples", "controller", "ros", *LAYERS},
 }
-EVERYONE_MAY_IMPORT = {"declaration", "version"}
+EVERYONE_MAY_IMPORT = {"declaration", "early_signals", "version"}
 MODEL_MAY_USE = {"numpy", "numba"}
 OF_ROS = {"rclpy", "launch", "launch_ros", "ament_index_python"}
 """Beside the packages of messages, services and interfaces."""
