@@ -5,9 +5,9 @@ From this import on SIGINT and SIGTERM end the script with status 0, also while 
 from `vehicle_roll_sim.ros.clients.controller`.
 """
 
-from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim import early_signals
 
-ending.at_once()
+early_signals.end_node_at_once()
 
 from vehicle_roll_sim.messages.collected import by_name
 from vehicle_roll_sim.messages.topics import Topic

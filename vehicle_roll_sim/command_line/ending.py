@@ -6,15 +6,11 @@ background of a script, stays ignored.
 
 import contextlib
 import importlib
-import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
 
-PROGRAM = "vehicle_roll_sim"
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
-SHELLS_SIGNAL = 128
-"""Added to a signal's number it is an exit status, as shells have it."""
+from vehicle_roll_sim.early_signals import PROGRAM, SHELLS_SIGNAL, SIGNALS, end_command
 
 
 @contextlib.contextmanager
@@ -23,7 +19,7 @@ def whole_process() -> Iterator[None]:
 
     Not even in the end may Python's own handler of SIGINT, with its traceback, be reached.
     """
-    _handle(_end)
+    _handle(end_command)
     try:
         yield
     finally:
@@ -37,7 +33,7 @@ def at_once() -> Iterator[None]:
     The compiler reads and makes code with callbacks that lose an exception, and then breaks; so
     do some of the large libraries while they are imported.
     """
-    with _handled_by(_end):
+    with _handled_by(end_command):
         yield
 
 
@@ -75,10 +71,3 @@ def _raise(signum, frame) -> None:
     if signum == signal.SIGINT:
         raise KeyboardInterrupt
     sys.exit(SHELLS_SIGNAL + signum)
-
-
-def _end(signum, frame) -> None:
-    if signum == signal.SIGINT:
-        with contextlib.suppress(OSError):  # not by sys.stderr, which may be writing just now
-            os.write(2, f"{PROGRAM}: interrupted\n".encode())
-    os._exit(SHELLS_SIGNAL + signum)

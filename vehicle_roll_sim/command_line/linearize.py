@@ -6,6 +6,7 @@ import math
 
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
@@ -22,7 +23,6 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-DESCRIPTION = "Linearise the model about steady driving: A, B, C, D and the poles."
 HARDEST = 30.0
 """m/s^2: no tire holds a turn as hard."""
 HEADER = f"{'real':>10}{'imaginary':>12}{'frequency':>11}{'damping':>9}{'time const.':>13}  states"
@@ -81,7 +81,7 @@ def _linear_model(vehicle: Vehicle, options: Options, given: dict):
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["linearize"])
     add_declared(parser, SteadyDriving, "steady driving")
     add_declared(parser, Options, "model")
     add_vehicle_options(parser)

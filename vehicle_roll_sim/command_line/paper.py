@@ -7,6 +7,7 @@ from tqdm import tqdm
 
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.files.output_file import check_folder, filled_folder
 from vehicle_roll_sim.paper.claim import HOLDS, Finding
@@ -21,7 +22,6 @@ from vehicle_roll_sim.paper.report import (
 from vehicle_roll_sim.paper.study import Study
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
-DESCRIPTION = "Rerun Shim and Ghike (2007): figures, data, and a verdict on every claim."
 DEFAULT_FOLDER = "paper"
 CLAIM_FAILED = 1
 """Exit status with --strict."""
@@ -29,7 +29,7 @@ CLAIM_FAILED = 1
 
 def paper_command(words: list[str], program: str) -> int:
     """The command, given the words behind its name; returns the exit status."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["paper"])
     parser.add_argument(
         "--out",
         metavar="DIR",

@@ -1,16 +1,16 @@
 """`vehicle_roll_sim parameters`: the vehicle's parameters as a table."""
 
 from vehicle_roll_sim.arguments import OneLineParser
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.vehicle.parameters import AXLES, Vehicle
 
-DESCRIPTION = "Print every parameter of a vehicle in Markdown: value, unit, range, meaning."
 HEADER = ("name", "symbol", "value", "unit", "allowed", "meaning")
 
 
 def parameters_command(words: list[str], program: str) -> int:
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["parameters"])
     add_vehicle_options(parser)
     print(parameter_table(chosen_vehicle(parser.parse_args(words))))
     return 0

@@ -6,6 +6,7 @@ import math
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
@@ -16,7 +17,6 @@ from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.description import MACHINE, VERSION, Described
 from vehicle_roll_sim.simulation.simulation import Simulation
 
-DESCRIPTION = "Simulate the runs in a bag again, on the commands that were applied, and compare."
 INEXACT = 1
 """Exit status with --strict when a run was not wholly reproduced to the bit."""
 NOT_OF_SIMULATION = ("bag", "namespace", "strict")
@@ -48,7 +48,7 @@ def replay_command(words: list[str], program: str) -> int:
 def _parser(program: str) -> argparse.ArgumentParser:
     parser = OneLineParser(
         prog=program,
-        description=DESCRIPTION,
+        description=COMMANDS["replay"],
         epilog="A bag says itself what was simulated. Options that say it too must agree with it.",
     )
     parser.add_argument("bag", metavar="BAG", help="of `run --bag`, recorder or ros2 bag record")

@@ -15,6 +15,7 @@ from vehicle_roll_sim.arguments import (
 )
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.plausible import heed
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
@@ -40,7 +41,6 @@ from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.simulation import SHORTEST_STEP, Simulation
 
-DESCRIPTION = "Simulate a manoeuvre offline and print what happened."
 HELD_BY_BAG = (
     f"held for {HELD_PERIOD:g} s each, as a node does; "
     f"a run without --bag is the same with --command-period {HELD_PERIOD:g}"
@@ -107,7 +107,7 @@ def run_command(words: list[str], program: str) -> int:
 
 def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParser:
     """The parser with the options of `manoeuvre` and its defaults, or with those of all."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["run"])
     parser.add_argument(
         "manoeuvre",
         metavar="MANOEUVRE",

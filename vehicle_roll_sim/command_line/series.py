@@ -12,6 +12,7 @@ from vehicle_roll_sim.arguments import (
     named_file,
 )
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
@@ -28,8 +29,6 @@ from vehicle_roll_sim.offline.series import SeriesResult, drive_series
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-
-DESCRIPTION = "Drive a standard's test series, or a range of speeds: a table and its verdict."
 
 
 def series_command(words: list[str], program: str) -> int:
@@ -91,7 +90,7 @@ def _class_of(declaring) -> type:
 
 def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLineParser:
     """The parser with the options that these classes or instances declare, under their titles."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["series"])
     parser.add_argument(
         "manoeuvre",
         metavar="MANOEUVRE",

@@ -12,23 +12,7 @@ import signal
 import threading
 from collections.abc import Callable, Iterable, Iterator
 
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
-
-
-def at_once(status: int = 0) -> None:
-    """From now on a signal ends the process as it is, for as long as there is nothing to lose.
-
-    A node (status 0) is ended by SIGINT even where it was started to ignore it, as in the
-    background of a script: that is how launch ends nodes. A command goes on ignoring it.
-    """
-
-    def end(signum, _) -> None:
-        if status and signum == signal.SIGINT:
-            with contextlib.suppress(OSError):  # not by sys.stderr, which may be writing just now
-                os.write(2, b"interrupted\n")
-        os._exit(status)
-
-    _handle(end, heeded() if status else SIGNALS)
+from vehicle_roll_sim.early_signals import SIGNALS
 
 
 def heeded(signals: Iterable[int] = SIGNALS) -> list[int]:
@@ -69,8 +53,8 @@ def interruptible() -> Iterator[None]:
             signal.signal(signum, handler)
 
 
-def _handle(handler: Callable | signal.Handlers, signals: Iterable[int] = SIGNALS) -> None:
-    for signum in signals:
+def _handle(handler: Callable | signal.Handlers) -> None:
+    for signum in SIGNALS:
         signal.signal(signum, handler)
 
 

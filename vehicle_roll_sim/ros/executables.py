@@ -3,11 +3,12 @@
 Also `python -m vehicle_roll_sim.ros.executables NAME`.
 """
 
-import importlib
-import signal
 import sys
 
-from vehicle_roll_sim.ros import ending, missing
+from vehicle_roll_sim import early_signals
+
+INTERRUPTED = 130
+"""Exit status of a command after Ctrl-C, as shells have it."""
 
 MODULES = {
     "simulator": "simulator.node",
@@ -32,16 +33,20 @@ def recorder() -> int:
 
 
 def demo() -> int:
-    return _run("demo", 128 + signal.SIGINT)  # as shells have it
+    return _run("demo", INTERRUPTED)
 
 
 def compare() -> int:
-    return _run("compare", 128 + signal.SIGINT)
+    return _run("compare", INTERRUPTED)
 
 
 def _run(name: str, interrupted: int = 0) -> int:
     """The main function of an executable; its status after a signal before that."""
-    ending.at_once(interrupted)
+    early_signals.end_node_at_once(interrupted, even_ignored=not interrupted)
+    import importlib
+
+    from vehicle_roll_sim.ros import missing
+
     if not missing.is_ros_installed():
         return missing.end_without_ros(name)
     try:

@@ -21,6 +21,7 @@ from rclpy.utilities import remove_ros_args, try_shutdown
 
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError, unknown_name
+from vehicle_roll_sim.early_signals import end_node_at_once
 from vehicle_roll_sim.ros import ending, qos_overrides
 from vehicle_roll_sim.ros.parameter_files import warn_of_files_for_others
 from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
@@ -47,7 +48,7 @@ def node_main(
     """
 
     def command() -> int:
-        ending.at_once()
+        end_node_at_once()
         arguments = parser.parse_args(_without_ros_arguments(words))
         try:
             _find_log_folder(parser.prog)
