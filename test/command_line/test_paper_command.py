@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE
 from studies import Rerun, reference_study
 from tqdm import tqdm
 
@@ -45,8 +46,6 @@ QUICK_RESULTS = {
     *TABLES,
 }
 """Of a command that draws only this one of the figures with curves over time."""
-PATIENCE = 120
-"""s: it takes 16."""
 FALSE = {"1a": "1c-i"}
 """A case taken for another, so that claims fail."""
 

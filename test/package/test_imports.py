@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+from patience import PATIENCE
 
 PACKAGE = "vehicle_roll_sim"
 SIMULATED = ("model", "files", "vehicle", "simulation", "runs")
@@ -149,7 +150,7 @@ def test_library_and_command_run_where_there_is_neither_ros_nor_the_multibody_en
     )
     words = [sys.executable, "-c", program]
     result = subprocess.run(
-        words, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False
+        words, cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE, check=False
     )
     assert (result.returncode, result.stderr) == (0, "")
     assert "0.100 s, complete" in result.stdout

@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import pytest
+from patience import PATIENCE
 
 NODES = ("simulator", "manoeuvre", "recorder", "demo")
 HIDING = """
@@ -38,7 +39,7 @@ def ends(tmp_path):
     def call(program: str, *words: str) -> str:
         start = [sys.executable, *words] if words else [sys.executable, "-c", program]
         result = subprocess.run(
-            start, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False
+            start, cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE, check=False
         )
         assert (result.returncode, result.stdout) == (2, ""), result.stderr
         (line,) = result.stderr.splitlines()

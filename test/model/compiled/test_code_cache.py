@@ -7,13 +7,12 @@ import subprocess
 import sys
 
 import pytest
+from patience import PATIENCE
 
 from vehicle_roll_sim.model.compiled import jit
 
 pytestmark = pytest.mark.skipif(not jit.COMPILED, reason="only compiled code is cached")
 SHOW_CACHE = "from vehicle_roll_sim.model import jit; print(jit.CACHE)"
-PATIENCE = 60
-"""s"""
 
 
 def doubled(x):

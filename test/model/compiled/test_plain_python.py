@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from patience import PATIENCE
 from plain_run import OPTIONS, run, run_variants
 from programmes import largest_difference
 
@@ -36,7 +37,7 @@ def in_another_process(folder: Path, steps: int, *arguments: str, **environment:
     paths = os.pathsep.join(map(str, (ROOT, HERE)))
     environment = os.environ | {"PYTHONPATH": paths} | environment
     command = [sys.executable, str(HERE / "plain_run.py"), str(steps), str(result), *arguments]
-    subprocess.run(command, env=environment, check=True, timeout=120)
+    subprocess.run(command, env=environment, check=True, timeout=PATIENCE)
     return np.load(result)
 
 
@@ -124,6 +125,10 @@ def test_plain_python_finds_a_run_that_diverges_instead_of_raising(tmp_path):
     )
     environment = os.environ | {"PYTHONPATH": str(ROOT), "NUMBA_DISABLE_JIT": "1"}
     done = subprocess.run(
-        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", script],
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
     )
     assert done.stdout.startswith("DIVERGED"), done.stderr

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from patience import PATIENCE
 from std_msgs.msg import Bool, Float64, Float64MultiArray
 
 from vehicle_roll_sim import InputError
@@ -191,7 +192,7 @@ def test_importing_the_base_leaves_signals_alone():
             [sys.executable, "-c", program.format(module)],
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=PATIENCE,
             check=True,
         ).stdout
         for module in ("ros.clients.controller", "controller")

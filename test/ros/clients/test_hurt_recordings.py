@@ -5,6 +5,7 @@ import signal
 import time
 
 import pytest
+from patience import PATIENCE
 from recordings import heard_so_far, read_bag
 from std_srvs.srv import Trigger
 
@@ -86,7 +87,7 @@ def test_a_recorder_that_nobody_reads_records(start, peer, bag):
     start("simulator")
     peer.wait(lambda: "/state" in heard_so_far(bag), "the recorder to hear")
     recorder.process.send_signal(signal.SIGTERM)
-    assert recorder.process.wait(60) == 0
+    assert recorder.process.wait(PATIENCE) == 0
     assert read_bag(bag)["/state"]
 
 
