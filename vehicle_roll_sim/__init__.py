@@ -1,11 +1,9 @@
 """Vehicle roll dynamics in real time: the 14 degree-of-freedom model of Shim and Ghike (2007)."""
 
-import importlib
-
 _HOMES = {
     "__version__": "version",
     "InputError": "declaration",
-    "Condition": "model.events",
+    "Condition": "model.integration.events",
     **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),
     "RollPlane": "model.roll_plane",
     "linearize": "offline.linearizing",
@@ -29,6 +27,8 @@ __all__ = sorted(_HOMES)
 def __getattr__(name: str):
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    import importlib  # a millisecond that no entry point waits for
+
     value = globals()[name] = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
     return value
 

@@ -2,15 +2,14 @@
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
-from vehicle_roll_sim.model import jit
-
-DESCRIPTION = "Compile the model ahead of time, once per version, so that no run has to wait."
+from vehicle_roll_sim.model.compiled import jit
 
 
 def compile_command(words: list[str], program: str) -> int:
     """Run the command with the arguments after its name; return the exit status."""
-    OneLineParser(prog=program, description=DESCRIPTION).parse_args(words)
+    OneLineParser(prog=program, description=COMMANDS["compile"]).parse_args(words)
     with ending.at_once():
         compile_model()
     print(jit.describe())

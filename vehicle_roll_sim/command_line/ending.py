@@ -6,15 +6,11 @@ SIGINT for background jobs of a script.
 
 import contextlib
 import importlib
-import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
 
-PROGRAM = "vehicle_roll_sim"
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
-SHELLS_SIGNAL = 128
-"""Added to a signal's number, this gives the exit status that shells use."""
+from vehicle_roll_sim.early_signals import PROGRAM, SHELLS_SIGNAL, SIGNALS, end_command
 
 
 @contextlib.contextmanager
@@ -23,7 +19,7 @@ def whole_process() -> Iterator[None]:
 
     So Python's own SIGINT handler, with its traceback, is never reached, not even at exit.
     """
-    _handle(_end)
+    _handle(end_command)
     try:
         yield
     finally:
@@ -37,7 +33,7 @@ def at_once() -> Iterator[None]:
     An exception raised inside a callback of the compiler gets lost and leaves it broken. The same
     is true of some large libraries while they are being imported.
     """
-    with _handled_by(_end):
+    with _handled_by(end_command):
         yield
 
 
@@ -78,10 +74,3 @@ def _raise(signum, frame) -> None:
     if signum == signal.SIGINT:
         raise KeyboardInterrupt
     sys.exit(SHELLS_SIGNAL + signum)
-
-
-def _end(signum, frame) -> None:
-    if signum == signal.SIGINT:
-        with contextlib.suppress(OSError):  # not through sys.stderr, which may be mid-write
-            os.write(2, f"{PROGRAM}: interrupted\n".encode())
-    os._exit(SHELLS_SIGNAL + signum)

@@ -6,6 +6,7 @@ import math
 
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
@@ -14,15 +15,14 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_vehicle,
 )
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.manoeuvres.manoeuvre import STEEPEST
+from vehicle_roll_sim.files.output_file import check_writable
+from vehicle_roll_sim.manoeuvres.catalogue import STEEPEST
 from vehicle_roll_sim.model.records import ROLL, WHEELS
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_writable
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED
-from vehicle_roll_sim.simulation.summary import line
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-DESCRIPTION = "Linearise the model about steady driving: trim state, A, B, C, D and poles."
 HARDEST = 30.0
 """m/s^2: no tire can hold a turn this hard."""
 HEADER = f"{'real':>10}{'imaginary':>12}{'frequency':>11}{'damping':>9}{'time const.':>13}  states"
@@ -89,7 +89,7 @@ def _linear_model(vehicle: Vehicle, options: Options, given: dict):
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["linearize"])
     add_declared(parser, SteadyDriving, "steady driving")
     add_declared(parser, Options, "model")
     add_vehicle_options(parser)

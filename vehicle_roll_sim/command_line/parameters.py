@@ -1,18 +1,17 @@
 """`vehicle_roll_sim parameters`: the vehicle's parameters as a Markdown table."""
 
 from vehicle_roll_sim.arguments import OneLineParser
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.plausibility import AXLES
+from vehicle_roll_sim.vehicle.parameters import AXLES, Vehicle
 
-DESCRIPTION = "Print a Markdown table of all vehicle parameters: value, unit, range and meaning."
 HEADER = ("name", "symbol", "value", "unit", "allowed", "meaning")
 
 
 def parameters_command(words: list[str], program: str) -> int:
     """Run the command with the arguments after its name; return the exit status."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["parameters"])
     add_vehicle_options(parser)
     print(parameter_table(chosen_vehicle(parser.parse_args(words))))
     return 0

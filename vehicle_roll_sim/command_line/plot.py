@@ -7,17 +7,17 @@ import os
 from pathlib import Path
 
 from vehicle_roll_sim.analysis import figure_size
-from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.files.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.sampled_events import events_of
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
-from vehicle_roll_sim.simulation.summary import line
 
-DESCRIPTION = "Plot recorded runs in the standard figure."
 LATEST = 1e10
 """s: later than any time, including times counted from 1970."""
 
@@ -85,7 +85,7 @@ def part_of(history: History, begin: float, end: float, path: Path) -> History:
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["plot"])
     parser.add_argument(
         "files",
         metavar="FILE",

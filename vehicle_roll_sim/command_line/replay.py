@@ -6,17 +6,17 @@ import math
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     chosen_simulation,
 )
 from vehicle_roll_sim.offline.replaying import replays
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.description import MACHINE, VERSION, Described
 from vehicle_roll_sim.simulation.simulation import Simulation
-from vehicle_roll_sim.simulation.summary import line
 
-DESCRIPTION = "Simulate the runs in a bag again from their applied commands, and compare."
 INEXACT = 1
 """Exit status with --strict when a run was not reproduced completely and bit for bit."""
 NOT_OF_SIMULATION = ("bag", "namespace", "strict")
@@ -48,7 +48,7 @@ def replay_command(words: list[str], program: str) -> int:
 def _parser(program: str) -> argparse.ArgumentParser:
     parser = OneLineParser(
         prog=program,
-        description=DESCRIPTION,
+        description=COMMANDS["replay"],
         epilog="The bag normally describes the simulation. Options are needed only if it does not; "
         "otherwise they must agree with it.",
     )

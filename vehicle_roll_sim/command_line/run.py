@@ -15,6 +15,7 @@ from vehicle_roll_sim.arguments import (
 )
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.plausible import heed
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
@@ -22,25 +23,24 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_simulation,
 )
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
-from vehicle_roll_sim.manoeuvres.base import OpenLoop
-from vehicle_roll_sim.manoeuvres.command_file import load_commands
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
-from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.offline.asked_for import manoeuvre_of
-from vehicle_roll_sim.offline.run_result import RunResult
-from vehicle_roll_sim.offline.running import drive
-from vehicle_roll_sim.simulation.history import WITH_COMMANDS, check_with_commands
-from vehicle_roll_sim.simulation.output_file import (
+from vehicle_roll_sim.files.output_file import (
     check_distinct,
     check_figure_format,
     check_new_folder,
     check_writable,
 )
-from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD
+from vehicle_roll_sim.manoeuvres.base import OpenLoop
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.manoeuvres.command_file import load_commands
+from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.offline.asked_for import manoeuvre_of
+from vehicle_roll_sim.offline.run_result import RunResult
+from vehicle_roll_sim.offline.running import drive
+from vehicle_roll_sim.runs.history import WITH_COMMANDS, check_with_commands
+from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.simulation import SHORTEST_STEP, Simulation
-from vehicle_roll_sim.simulation.summary import line
 
-DESCRIPTION = "Simulate a manoeuvre offline and print a summary."
 HELD_BY_BAG = (
     f"held for {HELD_PERIOD:g} s each, as in a node; "
     f"without --bag, --command-period {HELD_PERIOD:g} gives the same run"
@@ -107,7 +107,7 @@ def run_command(words: list[str], program: str) -> int:
 
 def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParser:
     """The parser with the options and defaults of `manoeuvre`, or with the options of all."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["run"])
     parser.add_argument(
         "manoeuvre",
         metavar="MANOEUVRE",

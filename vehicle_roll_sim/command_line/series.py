@@ -12,6 +12,7 @@ from vehicle_roll_sim.arguments import (
     named_file,
 )
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
@@ -20,16 +21,14 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_vehicle,
 )
 from vehicle_roll_sim.declaration import InputError, parameters_of
-from vehicle_roll_sim.manoeuvres.series import SEARCHES, SERIES, series_named
-from vehicle_roll_sim.manoeuvres.series_of_runs import Series
-from vehicle_roll_sim.manoeuvres.speed_search import RANGE, SpeedSearch
+from vehicle_roll_sim.files.output_file import check_writable
+from vehicle_roll_sim.manoeuvres.series.base import Series
+from vehicle_roll_sim.manoeuvres.series.catalogue import SEARCHES, SERIES, series_named
+from vehicle_roll_sim.manoeuvres.series.speed_search import RANGE, SpeedSearch
 from vehicle_roll_sim.offline.series import SeriesResult, drive_series
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_writable
-from vehicle_roll_sim.simulation.summary import line
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-
-DESCRIPTION = "Run the test series of a standard, or a search over entry speeds: table and verdict."
 
 
 def series_command(words: list[str], program: str) -> int:
@@ -91,7 +90,7 @@ def _class_of(declaring) -> type:
 
 def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLineParser:
     """The parser with the options of these classes or instances, grouped under their titles."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["series"])
     parser.add_argument(
         "manoeuvre",
         metavar="MANOEUVRE",

@@ -3,13 +3,12 @@
 import argparse
 
 from vehicle_roll_sim.arguments import OneLineParser, named_file
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import check_writable, replaced_file
 from vehicle_roll_sim.manoeuvres.command_file import EXAMPLE
-from vehicle_roll_sim.simulation.output_file import check_writable, replaced_file
-from vehicle_roll_sim.simulation.summary import line
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.vehicle.template import tire_template, vehicle_template
-
-DESCRIPTION = "Write a commented vehicle, tire or command file to start from."
 
 
 def template_command(words: list[str], program: str) -> int:
@@ -35,7 +34,7 @@ def template_command(words: list[str], program: str) -> int:
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["template"])
     parser.add_argument(
         "file", metavar="FILE", nargs="?", help="file to write (default: standard output)"
     )

@@ -3,6 +3,9 @@
 import sys
 
 if sys.argv[:1] == ["-m"]:  # while `python -m vehicle_roll_sim.ros.NODE` looks for the module
+    from vehicle_roll_sim import early_signals
+
+    early_signals.end_node_at_once(even_ignored=False)
     from vehicle_roll_sim.ros import missing
 
     if not missing.is_ros_installed():

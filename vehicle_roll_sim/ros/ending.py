@@ -12,23 +12,7 @@ import signal
 import threading
 from collections.abc import Callable, Iterable, Iterator
 
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
-
-
-def at_once(status: int = 0) -> None:
-    """From now on, a signal ends the process immediately: only while there is nothing to lose.
-
-    SIGINT ends a node (status 0) even if it was started with SIGINT ignored, as a background job
-    of a script is: launch ends nodes by SIGINT. A command (other status) goes on ignoring it.
-    """
-
-    def end(signum, _) -> None:
-        if status and signum == signal.SIGINT:
-            with contextlib.suppress(OSError):  # not through sys.stderr, which may be mid-write
-                os.write(2, b"interrupted\n")
-        os._exit(status)
-
-    _handle(end, heeded() if status else SIGNALS)
+from vehicle_roll_sim.early_signals import SIGNALS
 
 
 def heeded(signals: Iterable[int] = SIGNALS) -> list[int]:
@@ -69,8 +53,8 @@ def interruptible() -> Iterator[None]:
             signal.signal(signum, handler)
 
 
-def _handle(handler: Callable | signal.Handlers, signals: Iterable[int] = SIGNALS) -> None:
-    for signum in signals:
+def _handle(handler: Callable | signal.Handlers) -> None:
+    for signum in SIGNALS:
         signal.signal(signum, handler)
 
 

@@ -5,6 +5,7 @@ import contextlib
 import os
 import sys
 import tempfile
+import threading
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from rclpy.utilities import remove_ros_args, try_shutdown
 
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError, unknown_name
+from vehicle_roll_sim.early_signals import end_node_at_once
 from vehicle_roll_sim.ros import ending, qos_overrides
 from vehicle_roll_sim.ros.parameter_files import warn_of_files_for_others
 from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
@@ -33,6 +35,9 @@ NOT_MADE = "Failed to create"
 """Part of rclpy's message if topics of two types are remapped to the same name."""
 OF_EVERY_NODE = ("use_sim_time", "start_type_description_service")
 """Parameters that rclpy itself declares or reads."""
+_being_made = threading.Lock()
+"""Held while an executor is constructed. If the context were shut down half-way through, rclpy's
+destructors would miss attributes and print a traceback."""
 
 
 def node_main(
@@ -47,7 +52,7 @@ def node_main(
     """
 
     def command() -> int:
-        ending.at_once()
+        end_node_at_once()
         arguments = parser.parse_args(_without_ros_arguments(words))
         try:
             _find_log_folder(parser.prog)
@@ -77,10 +82,7 @@ def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
 
 
 class NodeExecutor(SingleThreadedExecutor):
-    """An executor whose construction a signal may interrupt.
-
-    Without this default, rclpy's destructor then misses the attribute and prints a traceback.
-    """
+    """An executor whose destructor prints no traceback if its context has been shut down before."""
 
     _sigint_gc = None
 
@@ -90,8 +92,9 @@ def lifetime(node: Node) -> Iterator[Executor]:
     """An executor for a node; at the end, the node is destroyed and the executor shut down."""
     refuse_malformed(node)
     warn_of_files_for_others(node)
-    executor = NodeExecutor(context=node.context)
-    executor.add_node(node)
+    with _being_made:
+        executor = NodeExecutor(context=node.context)
+        executor.add_node(node)
     try:
         yield executor
     finally:
@@ -113,7 +116,7 @@ def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespac
 
 
 def _shut_down() -> None:
-    with contextlib.suppress(RuntimeError):  # already being shut down
+    with _being_made, contextlib.suppress(RuntimeError):  # already being shut down
         try_shutdown()  # `rclpy.try_shutdown` would also remove the signal handlers
 
 
