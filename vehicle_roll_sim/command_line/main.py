@@ -24,7 +24,7 @@ def main(words: list[str] | None = None) -> int:
         from vehicle_roll_sim.vehicle.plausibility import unwarned  # with what it has imported
 
         interrupted = ending.by_exceptions() if words is None else contextlib.nullcontext()
-        with interrupted, unwarned():  # commands give warnings in a line of their own
+        with interrupted, unwarned():  # commands print plausibility warnings themselves
             return function(given[1:], f"{PROGRAM} {name}")
 
     return exit_status(command, PROGRAM)
@@ -59,7 +59,7 @@ class _ShowVersion(argparse.Action):
     """show program's version number and exit"""
 
     def __call__(self, parser, *_) -> None:
-        from vehicle_roll_sim.version import __version__  # looked up only where it is wanted
+        from vehicle_roll_sim.version import __version__  # looked up only if needed
 
         print(f"{PROGRAM} {__version__}")
         parser.exit()

@@ -8,7 +8,7 @@ import sys
 from vehicle_roll_sim import early_signals
 
 INTERRUPTED = 130
-"""Exit status of a command after Ctrl-C, as shells have it."""
+"""Exit status of a command after Ctrl-C (the convention of shells)."""
 
 MODULES = {
     "simulator": "simulator.node",

@@ -1,1 +1,1 @@
-"""Nodes beside a running simulator: manoeuvre, recorder, the base of controllers."""
+"""Nodes that use a running simulator: manoeuvre, recorder and the base class of controllers."""
