@@ -41,10 +41,10 @@ class SteadyDriving:
         default=DEFAULT_SPEED,
     )
     steering: float = parameter(
-        "front road-wheel angle, positive to the left", "deg", -STEEPEST, STEEPEST, default=0.0
+        "front road-wheel angle, left positive", "deg", -STEEPEST, STEEPEST, default=0.0
     )
     lateral_acceleration: float = parameter(
-        "solve for the steering that gives this steady lateral acceleration, positive to the left",
+        "solve for the steering that gives this steady lateral acceleration, left positive",
         "m/s^2",
         -HARDEST,
         HARDEST,
