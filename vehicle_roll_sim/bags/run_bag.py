@@ -83,7 +83,7 @@ class RunBag:
         self._write(ROBOT_DESCRIPTION.name, {"data": robot_description(simulation)})
 
     def sees_set(self) -> None:
-        """Write the current set, and a rollover if it has just happened."""
+        """Write the current set, and `rollover` at first and when it changes."""
         self._messages.set_time(self._simulation.time_ns)
         for name, build in self._set:
             self._bag.write(self._connections[name], self._simulation.time_ns, build())
