@@ -1,4 +1,4 @@
-"""The entry point of the command: signal handlers are installed before anything is imported."""
+"""The entry point of the command: installs signal handlers before any import."""
 
 from vehicle_roll_sim import early_signals
 

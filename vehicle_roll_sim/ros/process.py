@@ -35,9 +35,9 @@ NOT_MADE = "Failed to create"
 """Part of rclpy's message if topics of two types are remapped to the same name."""
 OF_EVERY_NODE = ("use_sim_time", "start_type_description_service")
 """Parameters that rclpy itself declares or reads."""
-_being_made = threading.Lock()
-"""Held while an executor is constructed. If the context were shut down half-way through, rclpy's
-destructors would miss attributes and print a traceback."""
+_executor_lock = threading.Lock()
+"""Held while an executor is created. If the context were shut down in between, destructors of rclpy
+would use attributes that are not there yet, and print a traceback."""
 
 
 def node_main(
@@ -82,7 +82,7 @@ def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
 
 
 class NodeExecutor(SingleThreadedExecutor):
-    """An executor whose destructor prints no traceback if its context has been shut down before."""
+    """An executor whose destructor prints no traceback if its context was shut down first."""
 
     _sigint_gc = None
 
@@ -92,7 +92,7 @@ def lifetime(node: Node) -> Iterator[Executor]:
     """An executor for a node; at the end, the node is destroyed and the executor shut down."""
     refuse_malformed(node)
     warn_of_files_for_others(node)
-    with _being_made:
+    with _executor_lock:
         executor = NodeExecutor(context=node.context)
         executor.add_node(node)
     try:
@@ -116,7 +116,7 @@ def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespac
 
 
 def _shut_down() -> None:
-    with _being_made, contextlib.suppress(RuntimeError):  # already being shut down
+    with _executor_lock, contextlib.suppress(RuntimeError):  # already being shut down
         try_shutdown()  # `rclpy.try_shutdown` would also remove the signal handlers
 
 
