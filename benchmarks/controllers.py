@@ -9,8 +9,15 @@ import os
 import sys
 from pathlib import Path
 
-from vehicle_roll_sim.ros.comparison import Chain, Outcome, Scenario, distance, drive, ros_words
-from vehicle_roll_sim.ros.domains import own_domain
+from vehicle_roll_sim.ros.orchestration.comparison import (
+    Chain,
+    Outcome,
+    Scenario,
+    distance,
+    drive,
+    ros_words,
+)
+from vehicle_roll_sim.ros.orchestration.domains import own_domain
 from vehicle_roll_sim.ros.script_texts import EXAMPLES
 from vehicle_roll_sim.simulation.compilation import compile_model
 

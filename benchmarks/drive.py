@@ -5,8 +5,8 @@ import time
 import numpy as np
 
 from vehicle_roll_sim import Options, Simulation, preset
-from vehicle_roll_sim.model.derivatives import derivatives
-from vehicle_roll_sim.model.jit import kernel, kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel
+from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.records import COMMAND
 
 SPEED = 20.0
@@ -31,13 +31,6 @@ def slalom_start(options: Options, step: float = 1e-3) -> Simulation:
     simulation = Simulation(preset(), options, step=step, check_step=False)
     simulation.reset(SPEED)
     return simulation
-
-
-def plant(options: Options) -> tuple:
-    """Vehicle, tire and options as the equations take them."""
-    vehicle = preset()
-    parts = (vehicle.record(), vehicle.tire.record(), options.record())
-    return tuple(kernel_argument(part) for part in parts)
 
 
 @kernel

@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from benchmarks.drive import SLIPS, evaluate, plant, repeated, slalom, slalom_start
+from benchmarks.drive import SLIPS, evaluate, repeated, slalom, slalom_start
 from benchmarks.report import MICRO, NANO, median
-from vehicle_roll_sim import Command, Options
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim import Command, Options, preset
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
+from vehicle_roll_sim.simulation.plant import Plant
 
 TITLE = "The model"
 ABOUT = (
@@ -73,7 +74,13 @@ def derivative_times(options: Options, repetitions: int) -> np.ndarray:
         row[:] = simulation.state_vector
     outputs[0] = simulation.outputs
     commands = driven_slalom(STEP * np.arange(1, STATES + 1))
-    arguments = (states, commands, plant(options), kernel_argument(outputs), np.empty(STATE_SIZE))
+    arguments = (
+        states,
+        commands,
+        Plant.of(preset(), options).arguments(),
+        kernel_argument(outputs),
+        np.empty(STATE_SIZE),
+    )
     evaluate(*arguments)  # compiles
     return repeated(lambda: evaluate(*arguments), repetitions) / STATES
 

@@ -12,8 +12,8 @@ from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.ros.domains import own_domain
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.ros.orchestration.domains import own_domain
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class, offered_qos
 
 PATIENCE = 120.0

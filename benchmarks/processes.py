@@ -9,9 +9,9 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from vehicle_roll_sim.ros.demo import LOCAL, stop
+from vehicle_roll_sim.ros.orchestration.demo import LOCAL, stop
 
-SIMULATOR = "vehicle_roll_sim.ros.simulator"
+SIMULATOR = "vehicle_roll_sim.ros.simulator.node"
 ENDING = (signal.SIGINT, signal.SIGTERM)
 """What ends the benchmarks, and with them their processes."""
 TICKS = os.sysconf("SC_CLK_TCK")

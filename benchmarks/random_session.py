@@ -11,13 +11,13 @@ import numpy as np
 from vehicle_roll_sim import WHEELS, Simulation, preset
 from vehicle_roll_sim.bags.encoding import decode, encode
 from vehicle_roll_sim.declaration import parameters_of
+from vehicle_roll_sim.live.command_inbox import CENTRE, HOLD, CommandInbox
+from vehicle_roll_sim.live.command_limits import CommandLimits
+from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.messages.topics import COMMANDS, STATE_SET, TRANSFORMS
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.simulation.command_inbox import CENTRE, HOLD, CommandInbox
-from vehicle_roll_sim.simulation.command_limits import CommandLimits
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.simulation.options import MODELS, Options
-from vehicle_roll_sim.simulation.session import Session
 
 STEP_NS = 1_000_000
 PERIODS = (1, 2, 5, 10, 20, 50)

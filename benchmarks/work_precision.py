@@ -6,12 +6,13 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from benchmarks.drive import SLIPS, SPEED, evaluate, plant, repeated, slalom, slalom_start
+from benchmarks.drive import SLIPS, SPEED, evaluate, repeated, slalom, slalom_start
 from benchmarks.report import MILLI, median
-from vehicle_roll_sim import Condition, Options
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim import Condition, Options, preset
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
+from vehicle_roll_sim.simulation.plant import Plant
 
 TITLE = "Work and precision"
 ABOUT = (
@@ -68,7 +69,7 @@ def reference_positions(options: Options, tolerance: float) -> np.ndarray:
     """x and y of the c.g. (m) at both times, by another integrator."""
     start = slalom_start(options).state_vector.copy()
     known = np.isfinite(start)
-    parts, outputs = plant(options), kernel_argument(np.zeros(1, OUTPUTS))
+    parts, outputs = Plant.of(preset(), options).arguments(), kernel_argument(np.zeros(1, OUTPUTS))
     state, rates = start[None, :].copy(), np.empty(STATE_SIZE)
 
     def derivative(time: float, values: np.ndarray) -> np.ndarray:

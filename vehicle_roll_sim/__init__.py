@@ -3,7 +3,7 @@
 _HOMES = {
     "__version__": "version",
     "InputError": "declaration",
-    "Condition": "model.events",
+    "Condition": "model.integration.events",
     **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),
     "RollPlane": "model.roll_plane",
     "linearize": "offline.linearizing",

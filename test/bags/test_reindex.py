@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+from patience import PATIENCE
 from recorded import PERIOD, PERIOD_NS
 
 from vehicle_roll_sim import Simulation, preset
@@ -15,9 +16,9 @@ from vehicle_roll_sim.bags.reading import last_history, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.bags.run_bag import RunBag
 from vehicle_roll_sim.bags.writing import Bag
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.description import described
-from vehicle_roll_sim.simulation.run import run
 
 OF_A_BAG = re.compile(r".+_(\d+)\.mcap")
 """The names by which rosbag2's reindexer finds the files of a bag; it passes over all others."""
@@ -45,7 +46,9 @@ def information(folder: Path) -> dict:
 def reindex(folder: Path) -> None:
     """`ros2 bag reindex`, or what it does where it is not installed."""
     if shutil.which("ros2"):
-        subprocess.run(["ros2", "bag", "reindex", "-s", "mcap", folder], check=True, timeout=120)
+        subprocess.run(
+            ["ros2", "bag", "reindex", "-s", "mcap", folder], check=True, timeout=PATIENCE
+        )
         return
     numbered = {int(m[1]): m[0] for f in folder.iterdir() if (m := OF_A_BAG.fullmatch(f.name))}
     assert numbered, "No storage files found for reindexing. Abort"

@@ -8,11 +8,10 @@ import time
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE
 
 pytestmark = pytest.mark.unmeasured
 
-PATIENCE = 120
-"""s"""
 INTERRUPTED = (130, "vehicle_roll_sim: interrupted\n")
 COMMAND = (sys.executable, "-m", "vehicle_roll_sim")
 SCRIPT = (

@@ -5,6 +5,7 @@ import sys
 
 import numpy as np
 import pytest
+from patience import PATIENCE
 
 from vehicle_roll_sim import Options, preset
 from vehicle_roll_sim.analysis.linear_model import linearize
@@ -169,5 +170,5 @@ def test_the_other_commands_do_not_wait_for_the_root_finder():
         "print('scipy.optimize' in sys.modules, 'linearize' in main.COMMANDS)"
     )
     words = [sys.executable, "-c", program]
-    result = subprocess.run(words, capture_output=True, text=True, timeout=60, check=True)
+    result = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE, check=True)
     assert result.stdout.split() == ["False", "True"]

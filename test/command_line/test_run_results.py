@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 
 import pytest
 from matplotlib.image import imread
+from patience import PATIENCE
 
 pytestmark = pytest.mark.unmeasured
 
@@ -102,14 +103,14 @@ def test_a_process_of_its_own_prints_and_writes_the_same(command, folder):
     result = command(*SHORT, "--csv", "rows.csv")
     here = (folder / "rows.csv").read_bytes()
     words = [sys.executable, "-m", "vehicle_roll_sim", *SHORT, "--csv", "rows.csv"]
-    there = subprocess.run(words, capture_output=True, text=True, timeout=60, check=False)
+    there = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE, check=False)
     assert (there.returncode, there.stdout, there.stderr) == (0, result.out, "")
     assert (folder / "rows.csv").read_bytes() == here
 
 
 def test_a_process_of_its_own_exits_with_the_status_of_a_refusal(folder):
     words = [sys.executable, "-m", "vehicle_roll_sim", "run", "step_steer", "--speed", "-1"]
-    there = subprocess.run(words, capture_output=True, text=True, timeout=60, check=False)
+    there = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE, check=False)
     assert (there.returncode, there.stdout, there.stderr.count("\n")) == (2, "", 1)
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from vehicle_roll_sim.manoeuvres.manoeuvre import SOURCE, STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import SOURCE, STANDARD
 
 OF_STANDARDS = [name for name in STANDARD if name not in SOURCE]
 CENTRES = ("--set", "front_roll_centre_height=0.1", "--set", "rear_roll_centre_height=0.15")

@@ -7,8 +7,9 @@ import subprocess
 import sys
 
 import pytest
+from patience import PATIENCE
 
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 
 TOO_NEW = "Numba needs NumPy 2.4 or less. Got NumPy 2.5.\nSee its documentation."
 SHORT = ("--start", "0", "--duration", "0.02")
@@ -100,7 +101,7 @@ def test_wrong_usage_is_refused_in_one_line_all_the_same(refused):
 def test_where_it_is_missing_or_does_not_fit_numpy_the_run_comes_to_its_end(tmp_path, how, reason):
     words = [sys.executable, "-c", RUN.format(how, SHORT)]
     result = subprocess.run(
-        words, cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False
+        words, cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE, check=False
     )
     assert result.returncode == 0
     assert "0.020 s, complete" in result.stdout

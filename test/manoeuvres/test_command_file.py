@@ -7,7 +7,7 @@ import pytest
 
 from vehicle_roll_sim import WHEELS, Command, InputError, Simulation, preset
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
-from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.runs.run import run
 
 FIELDS_OF_FOUR = ("wheel_torque", "brake_torque", "normal_force")
 OF_FOUR = [f"{name}_{wheel}" for name in FIELDS_OF_FOUR for wheel in WHEELS]

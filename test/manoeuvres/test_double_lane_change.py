@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.options import MODELS
-from vehicle_roll_sim.simulation.run import run
 
 pytestmark = pytest.mark.unmeasured
 

@@ -18,7 +18,7 @@ from vehicle_roll_sim import (
     run,
 )
 from vehicle_roll_sim.command_line.main import main
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.model.records import COMMAND
 
 SHORT = {"duration": 0.3, "start": 0.1}

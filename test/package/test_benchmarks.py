@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import pytest
+from patience import PATIENCE
 
 MACHINE = ("CPU", "kernel", "Python", "numba", "numpy", "ROS", "vehicle_roll_sim")
 
@@ -17,7 +18,12 @@ def benchmarks(root, tmp_path):
     def call(*words: str) -> subprocess.CompletedProcess:
         command = [sys.executable, "-m", "benchmarks", "--json", str(tmp_path / "numbers.json")]
         return subprocess.run(
-            [*command, *words], cwd=root, capture_output=True, text=True, timeout=120, check=False
+            [*command, *words],
+            cwd=root,
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE,
+            check=False,
         )
 
     return call

@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE
 
 from vehicle_roll_sim.command_line.main import main
 
@@ -123,7 +124,7 @@ def run_installed(installed, site_packages, environment, tmp_path):
             env=environment | ours,
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=PATIENCE,
             check=False,
         )
 

@@ -7,6 +7,7 @@ import sys
 from xml.etree import ElementTree
 
 import pytest
+from patience import PATIENCE
 
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
 
@@ -58,7 +59,7 @@ def imported(sources) -> set[str]:
 def setup_says(root, *options: str) -> list[str]:
     words = [sys.executable, "setup.py", "--quiet", *options]
     return subprocess.run(
-        words, cwd=root, capture_output=True, text=True, timeout=60, check=True
+        words, cwd=root, capture_output=True, text=True, timeout=PATIENCE, check=True
     ).stdout.split("\n")[: len(options)]
 
 

@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from patience import PATIENCE
+
 HELPERS = {"conftest.py", "peers.py", "launch_stand_in.py"}
 """Of which a fixture, or the helper itself, ends what they start."""
 
@@ -23,6 +25,7 @@ def test_a_test_leaves_the_end_of_its_processes_to_a_fixture(root):
 def test_a_fixture_ends_a_process_of_a_test_that_fails(root, tmp_path):
     text = """
 import os, sys
+
 def test_that_fails(started):
     process = started([sys.executable, "-c", "input()"], stdin=-1)
     print("pid", process.pid)
@@ -31,7 +34,7 @@ def test_that_fails(started):
     (tmp_path / "test_it.py").write_text(text)
     (tmp_path / "conftest.py").write_text((root / "test" / "conftest.py").read_text())
     words = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "test_it.py"]
-    result = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    result = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE)
     assert result.returncode == 1
     (pid,) = (line.split()[1] for line in result.stdout.splitlines() if line.startswith("pid "))
     assert not Path(f"/proc/{pid}").exists()
@@ -48,5 +51,5 @@ def test_processes_of_tests_heed_sigint_where_the_tests_were_started_to_ignore_i
         "subprocess.run([sys.executable, '-c', own], check=True)\n"
     )
     words = [sys.executable, "-c", program]
-    result = subprocess.run(words, cwd=root, capture_output=True, text=True, timeout=120)
+    result = subprocess.run(words, cwd=root, capture_output=True, text=True, timeout=PATIENCE)
     assert (result.returncode, result.stdout, result.stderr) == (0, "False\n", "")

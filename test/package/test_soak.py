@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+from patience import PATIENCE
 
 pytestmark = pytest.mark.unmeasured
 
@@ -21,7 +22,7 @@ def soak(root):
     def call(*words: str) -> subprocess.CompletedProcess:
         command = [sys.executable, "-m", "benchmarks.soak", *words]
         return subprocess.run(
-            command, cwd=root, capture_output=True, text=True, timeout=300, check=False
+            command, cwd=root, capture_output=True, text=True, timeout=PATIENCE, check=False
         )
 
     return call

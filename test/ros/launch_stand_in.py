@@ -9,10 +9,12 @@ import sys
 import time
 from types import ModuleType, SimpleNamespace
 
-PATIENCE = 120.0
-"""Seconds until a launch fails: tenfold what a busy machine needs, compiling included."""
+from patience import PATIENCE
+
 POLL = 0.05
 """s"""
+BUSY = 10
+"""Times slower than a quiet machine that a busy one may be."""
 
 
 class LaunchDescription:
@@ -78,9 +80,10 @@ class Node(ExecuteProcess):
         words = [*(arguments or []), "--ros-args", *(ros_arguments or [])]
         if namespace is not None:
             words += ["-r", f"__ns:=/{namespace.lstrip('/')}"]
-        module = f"{package}.ros.{executable}"
         super().__init__(
-            cmd=[sys.executable, "-m", module, *words], name=name or executable, **more
+            cmd=[sys.executable, "-m", f"{package}.ros.executables", executable, *words],
+            name=name or executable,
+            **more,
         )
 
 
@@ -149,7 +152,7 @@ def run(actions: list, environment: dict[str, str]) -> dict[str, tuple[int, str,
             if process.poll() is None:
                 process.send_signal(signal.SIGINT)
         return {
-            action.name: _ended(processes[action.name], action.sigterm_timeout)
+            action.name: _ended(processes[action.name], BUSY * action.sigterm_timeout)
             for action in described
         }
     finally:

@@ -8,6 +8,7 @@ import time
 from array import array
 
 import rclpy
+from patience import PATIENCE
 from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
@@ -15,8 +16,6 @@ from rclpy.node import Node
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class, recording_qos
 
-PATIENCE = 60.0
-"""Seconds until a wait fails: tenfold what a busy machine needs, compiling included."""
 ASK_AGAIN = 5.0
 """Seconds after which a service is asked again."""
 RACE_FOR_A_PORT = "RTPS_TRANSPORT_SHM Error"

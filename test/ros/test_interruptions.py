@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE
 from std_srvs.srv import Trigger
 
 
@@ -46,10 +47,10 @@ def test_a_manoeuvre_that_is_reset_by_somebody_else_says_so(start, peer):
 def test_a_recorder_without_its_library_says_what_to_install(tmp_path):
     code = (
         "import sys; sys.modules['rosbags'] = None; sys.argv[0] = 'recorder';"
-        "from vehicle_roll_sim.ros.recorder import main; sys.exit(main())"
+        "from vehicle_roll_sim.ros.clients.recorder import main; sys.exit(main())"
     )
     words = [sys.executable, "-c", code, "--output", str(tmp_path / "bag")]
-    result = subprocess.run(words, capture_output=True, text=True, timeout=60)
+    result = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE)
     assert result.returncode == 2
     assert len(result.stderr.splitlines()) == 1
     assert "pip install rosbags" in result.stderr

@@ -7,7 +7,7 @@ import pytest
 from recordings import heard_so_far
 from rosgraph_msgs.msg import Clock
 
-from vehicle_roll_sim.model.jit import CACHE
+from vehicle_roll_sim.model.compiled.jit import CACHE
 
 pytestmark = pytest.mark.unmeasured
 

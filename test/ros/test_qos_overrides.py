@@ -9,10 +9,10 @@ from rclpy.duration import Duration
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.manoeuvres.manoeuvre import manoeuvre_named
-from vehicle_roll_sim.ros.driver import Driver
-from vehicle_roll_sim.ros.recorder import Recorder
-from vehicle_roll_sim.ros.simulator import Simulator
+from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
+from vehicle_roll_sim.ros.clients.driver import Driver
+from vehicle_roll_sim.ros.clients.recorder import Recorder
+from vehicle_roll_sim.ros.simulator.node import Simulator
 from vehicle_roll_sim.ros.topics import COMMANDING, EVERY_ANSWER, NEWEST_ONLY
 
 EXAMPLES = Path(__file__).parents[2] / "msg_examples"

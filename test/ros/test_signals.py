@@ -16,7 +16,8 @@ from rclpy.exceptions import NotInitializedException
 from recordings import heard_so_far, read_bag
 from std_srvs.srv import Trigger
 
-from vehicle_roll_sim.ros import demo, ending
+from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros.orchestration import demo
 from vehicle_roll_sim.ros.process import NodeExecutor
 
 pytestmark = pytest.mark.unmeasured
@@ -27,8 +28,10 @@ EXAMPLES = Path(__file__).parents[2] / "msg_examples"
 CONTROLLERS = ("active_roll_bar", "yaw_control", "rollover_warning", "roll_braking")
 IMPORTING, IMPORTED, JOINING = "multiarray_umath", "rclpy_pybind", "librmw_fastrtps_cpp"
 """Libraries that a node reads in: at first, with rclpy, and when it joins the others."""
-LONGEST_END = 4.0
+LONGEST_END = 10.0
 """s; seen: 0.25 to 0.6 on a quiet machine."""
+TRIES = 3
+"""Of which one must be quick: a busy machine may be slow at any time."""
 GAPS = (0.02, 0.1, 0.2)
 """s between two signals of somebody impatient."""
 
@@ -44,8 +47,8 @@ def wait_for_library(process, name: str) -> None:
 
 def ends_cleanly(begin, signum) -> str:
     """Send a signal to the node that `begin()` starts; what was printed. The end must be quick, in
-    one of two tries on a busy machine, and each with status 0 and no traceback."""
-    for _ in range(2):
+    one of a few tries on a busy machine, and each with status 0 and no traceback."""
+    for _ in range(TRIES):
         node = begin()
         sent = time.monotonic()
         status, out, err = node.finish(signum)
@@ -53,7 +56,7 @@ def ends_cleanly(begin, signum) -> str:
         assert (status, "Traceback" in out + err) == (0, False), err
         if took < LONGEST_END:
             return out
-    raise AssertionError(f"it took {took:.1f} s to end, and as long before")
+    raise AssertionError(f"it took {took:.1f} s to end, and too long before")
 
 
 @pytest.mark.parametrize(

@@ -6,21 +6,19 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE, wait_until
 
-from vehicle_roll_sim.model.code_cache import COMPLETE
-from vehicle_roll_sim.model.jit import CACHE
+from vehicle_roll_sim.model.compiled.code_cache import COMPLETE
+from vehicle_roll_sim.model.compiled.jit import CACHE
 from vehicle_roll_sim.simulation.compilation import COMPILING, LOCK
 
 pytestmark = [
     pytest.mark.skipif(CACHE is None, reason="only compiled code is cached"),
 ]
 COMMAND = [sys.executable, "-m", "vehicle_roll_sim", "compile"]
-PATIENCE = 60
-"""s"""
 
 
 @pytest.fixture
@@ -37,13 +35,6 @@ def start(started):
     """start(): the command `compile`, which ends with the test."""
     pipe = subprocess.PIPE
     return lambda: started(COMMAND, stdout=pipe, stderr=pipe, text=True)
-
-
-def wait_for(done) -> None:
-    until = time.monotonic() + PATIENCE
-    while not done():
-        assert time.monotonic() < until
-        time.sleep(0.02)
 
 
 def compiling_processes(folder: Path) -> list[Path]:
@@ -71,7 +62,7 @@ def test_an_interrupted_command_leaves_the_compiling_to_go_on(folder, start):
     with (folder / LOCK).open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # as one that compiles for long
         first, second = start(), start()
-        wait_for(lambda: len(compiling_processes(folder)) == 2)
+        wait_until(lambda: len(compiling_processes(folder)) == 2, "two that compile")
         first.send_signal(signal.SIGINT)
         _, err = first.communicate(timeout=PATIENCE)
         assert first.returncode == 130
@@ -82,15 +73,14 @@ def test_an_interrupted_command_leaves_the_compiling_to_go_on(folder, start):
     out, _ = second.communicate(timeout=PATIENCE)
     assert second.returncode == 0
     assert "cached in" in out
-    wait_for(lambda: not compiling_processes(folder))
+    wait_until(lambda: not compiling_processes(folder), "the end of the compiling")
 
 
 def test_a_compiling_process_that_dies_keeps_nobody_waiting(folder, start):
     with (folder / LOCK).open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         command = start()
-        wait_for(lambda: compiling_processes(folder))
-        (compiling,) = compiling_processes(folder)
+        (compiling,) = wait_until(lambda: compiling_processes(folder), "one that compiles")
         os.kill(int(compiling.name), signal.SIGKILL)
         out, _ = command.communicate(timeout=PATIENCE)
     assert command.returncode == 0

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import Command, InputError, Options, Simulation, Vehicle, preset
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.simulation.road import Road
 

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from vehicle_roll_sim.analysis.figure_size import Size
-from vehicle_roll_sim.simulation.output_file import replaced_file
+from vehicle_roll_sim.files.output_file import replaced_file
 
 UNDATED = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
 """Metadata without which the same figure would differ from one run to the next."""

@@ -12,12 +12,12 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
-from vehicle_roll_sim.analysis.trim import INPUT_NAMES, Plant, Trim, typical
+from vehicle_roll_sim.analysis.trim import INPUT_NAMES, LevelRoadModel, Trim, typical
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.records import STATE_NAMES, WHEELS, element_names
-from vehicle_roll_sim.simulation.output_file import replaced_file
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 
 OUTPUT_NAMES = (
     *("roll", "roll_rate", "yaw_rate", "lateral_acceleration", "sideslip_angle"),
@@ -61,7 +61,7 @@ class LinearModel:
     @property
     def trim_state(self) -> np.ndarray:
         """The states of the trim, shape (n,)."""
-        return self.trim.state[self.trim.plant.places]
+        return self.trim.state[self.trim.model.places]
 
     @property
     def trim_output(self) -> np.ndarray:
@@ -91,8 +91,8 @@ def linearize(trim: Trim) -> LinearModel:
 
     Raises InputError where it has no slope there, as with a wheel that is about to lift.
     """
-    plant = trim.plant
-    names = (*plant.state_names, *(() if plant.options.has_eight_dof else TIRE_NAMES))
+    model = trim.model
+    names = (*model.state_names, *(() if model.options.has_eight_dof else TIRE_NAMES))
     places = np.array([STATE_NAMES.index(name) for name in names])
     scale = typical((*names, *INPUT_NAMES))
     count = len(names)
@@ -101,8 +101,8 @@ def linearize(trim: Trim) -> LinearModel:
         """Rates and outputs after a change of states and inputs (in typical changes)."""
         state = trim.state.copy()
         state[places] += (scale * change)[:count]
-        rates = plant.rates(state, trim.inputs + (scale * change)[count:])
-        return np.append(rates[places], outputs_of(state, plant.outputs))
+        rates = model.rates(state, trim.inputs + (scale * change)[count:])
+        return np.append(rates[places], outputs_of(state, model.outputs))
 
     slopes, error, kink = _slopes(response, len(scale))
     row, column = np.unravel_index(kink.argmax(), kink.shape)
@@ -113,10 +113,10 @@ def linearize(trim: Trim) -> LinearModel:
     slopes = slopes / scale
     a, b = slopes[:count, :count], slopes[:count, count:]
     c, d = slopes[count:, :count], slopes[count:, count:]
-    if not plant.options.has_eight_dof:
-        a, b, c = _on_flat_road(a, b, c, plant)
+    if not model.options.has_eight_dof:
+        a, b, c = _on_flat_road(a, b, c, model)
     return LinearModel(
-        a, b, c, d, plant.state_names, INPUT_NAMES, OUTPUT_NAMES, trim, float(error.max())
+        a, b, c, d, model.state_names, INPUT_NAMES, OUTPUT_NAMES, trim, float(error.max())
     )
 
 
@@ -151,14 +151,14 @@ def _slopes(response, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return slopes, np.abs(near - far) / largest, np.abs(bend) / largest
 
 
-def _on_flat_road(a, b, c, plant: Plant) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _on_flat_road(a, b, c, model: LevelRoadModel) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """A, B and C without the compressions of the tires, the last four states.
 
     Their rates are some G times those of height, attitude and suspension, which makes them G times
     these. G comes from the rates, so that it is that of any of the models.
     """
-    count = len(plant.state_names)
-    given = [plant.state_names.index(name) for name in element_names(HEIGHT_FIELDS)]
+    count = len(model.state_names)
+    given = [model.state_names.index(name) for name in element_names(HEIGHT_FIELDS)]
     follow, *_ = np.linalg.lstsq(a[given].T, a[count:].T, rcond=None)
     a, c = a.copy(), c.copy()
     a[:, given] += a[:, count:] @ follow.T

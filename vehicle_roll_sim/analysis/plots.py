@@ -19,10 +19,10 @@ from vehicle_roll_sim.analysis.drawing import (
     save_figure,
 )
 from vehicle_roll_sim.analysis.figure_size import Size
+from vehicle_roll_sim.analysis.panels import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.analysis.pens import Pen, pens
-from vehicle_roll_sim.analysis.signals import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.runs.history import History
 
 STYLES_OF_WHEELS = ("-", "--", "-.", ":")
 """Of a command that a wheel has, and perhaps others behind it have, too."""

@@ -13,10 +13,10 @@ import numpy as np
 from scipy import optimize
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.derivatives import derivatives
+from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.equilibrium import equilibrium
-from vehicle_roll_sim.model.events import MINIMUM_SPEED
-from vehicle_roll_sim.model.jit import kernel_argument, silently
+from vehicle_roll_sim.model.integration.derivatives import derivatives
+from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
@@ -28,9 +28,10 @@ from vehicle_roll_sim.model.records import (
     U,
     element_names,
 )
-from vehicle_roll_sim.model.transient_slip import LOW_SPEED
+from vehicle_roll_sim.model.tire.transient_slip import LOW_SPEED
 from vehicle_roll_sim.model.wheel import note_turning
 from vehicle_roll_sim.simulation.options import MODELS, Options
+from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -85,7 +86,7 @@ def typical(names: tuple[str, ...]) -> np.ndarray:
     return np.array([sizes[name] for name in names])
 
 
-class Plant:
+class LevelRoadModel:
     """The rates of a model on a level road at any state, and what its equations need.
 
     state_names: the states on which the motion depends, tire compressions not among them where
@@ -98,9 +99,9 @@ class Plant:
             allowed = "one in which height and attitude say how far the tires are compressed"
             raise InputError("model", options.model, allowed)
         self.vehicle, self.options = vehicle, options
-        self.record = vehicle.record()
-        parts = (self.record, vehicle.tire.record(), options.record())
-        self._parts = tuple(kernel_argument(part)[0] for part in parts)
+        plant = Plant.of(vehicle, options)
+        self.record = plant.vehicle
+        self._plant = tuple(record for (record,) in plant.arguments())
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))
@@ -122,7 +123,7 @@ class Plant:
         outputs = kernel_argument(self._outputs)[0]
         with silently():
             note_turning(state, outputs)
-            derivatives(state, kernel_argument(command)[0], *self._parts, outputs, rates)
+            derivatives(state, kernel_argument(command)[0], *self._plant, outputs, rates)
         return rates
 
     def on_flat_road(self, state: np.ndarray) -> np.ndarray:
@@ -143,7 +144,7 @@ class Trim:
     """A steady state: flat state vector (elements STATE_NAMES; position and heading 0, what the
     model does not have nan), inputs (INPUT_NAMES), and the OUTPUTS record that belongs to them."""
 
-    plant: Plant
+    model: LevelRoadModel
     state: np.ndarray
     inputs: np.ndarray
     outputs: np.record
@@ -168,8 +169,8 @@ def find_trim(
     found instead. Raises InputError where there is no such steady state with four wheels on the
     ground, or where it is too slow for the tires to be smooth.
     """
-    plant = Plant(vehicle, options or Options())
-    slowest = MINIMUM_SPEED if plant.options.steady_state_slip else LOW_SPEED
+    model = LevelRoadModel(vehicle, options or Options())
+    slowest = MINIMUM_SPEED if model.options.steady_state_slip else LOW_SPEED
     if not slowest <= speed <= MAXIMUM_SPEED:
         raise InputError("speed", speed, f"from {slowest:g} to {MAXIMUM_SPEED:g} m/s")
     is_turn_given = lateral_acceleration is not None
@@ -177,14 +178,14 @@ def find_trim(
     wanted = lateral_acceleration if is_turn_given else steering
     if not math.isfinite(wanted):
         raise InputError(field, wanted, "a finite number")
-    standing = equilibrium(plant.record, speed).view(np.float64)
-    trim = _solution(plant, standing, np.zeros(len(INPUT_NAMES)), "steering", 0.0)
+    standing = equilibrium(model.record, speed).view(np.float64)
+    trim = _solution(model, standing, np.zeros(len(INPUT_NAMES)), "steering", 0.0)
     if trim is None:
         raise InputError("speed", speed, "one that the rear wheels can hold straight ahead")
     _check_rolls(trim)
     for target in _targets(wanted, LARGEST_ACCELERATION if is_turn_given else LARGEST_STEERING):
         within = _in_words(trim, field)
-        trim = _solution(plant, trim.state, trim.inputs, field, target)
+        trim = _solution(model, trim.state, trim.inputs, field, target)
         if trim is None:
             beyond = "further on a wheel lifts or slides in every turn"
             raise InputError(field, wanted, f"at most {within}, {beyond}")
@@ -198,7 +199,7 @@ def _targets(wanted: float, largest: float) -> np.ndarray:
 
 
 def _solution(
-    plant: Plant, state: np.ndarray, inputs: np.ndarray, field: str, target: float
+    model: LevelRoadModel, state: np.ndarray, inputs: np.ndarray, field: str, target: float
 ) -> Trim | None:
     """The steady state near a flat state vector, at the speed that this has; None without one.
 
@@ -206,24 +207,24 @@ def _solution(
     field, target: what is given, the steering (rad) or the lateral acceleration (m/s^2).
     """
     state, inputs = state.copy(), inputs.copy()
-    free = plant.places[plant.places != U]
-    states = typical(plant.state_names)
+    free = model.places[model.places != U]
+    states = typical(model.state_names)
     torque, angle = TYPICAL["wheel_torque"], TYPICAL["steering"]
-    scale = np.array([*states[plant.places != U], torque, angle])
+    scale = np.array([*states[model.places != U], torque, angle])
 
     def put(unknowns: np.ndarray) -> np.ndarray:
         """Have state and inputs be these unknowns; returns the rates of all states."""
         *values, inputs[REAR_TORQUES], inputs[STEERING] = unknowns * scale
         state[free] = values
-        if not plant.options.has_eight_dof:
-            state[TIRE_COMPRESSION] = plant.on_flat_road(state)
-        return plant.rates(state, inputs)
+        if not model.options.has_eight_dof:
+            state[TIRE_COMPRESSION] = model.on_flat_road(state)
+        return model.rates(state, inputs)
 
     def residual(unknowns: np.ndarray) -> np.ndarray:
         rates = put(unknowns)
-        given = plant.outputs.acceleration[1] if field == "lateral_acceleration" else None
+        given = model.outputs.acceleration[1] if field == "lateral_acceleration" else None
         off = (inputs[STEERING] - target) / angle if given is None else given - target
-        return np.append(rates[plant.places] / states, off)
+        return np.append(rates[model.places] / states, off)
 
     def slopes(unknowns: np.ndarray) -> np.ndarray:
         changes = STEP * np.eye(len(unknowns))
@@ -234,9 +235,9 @@ def _solution(
     with np.errstate(all="ignore"):
         found = optimize.root(residual, start, jac=slopes, options={"xtol": 1e-13})
         worst = np.abs(residual(found.x)).max()
-    if not worst < STEADY or not plant.outputs.normal_force.all():
+    if not worst < STEADY or not model.outputs.normal_force.all():
         return None
-    return Trim(plant, state, inputs, plant.outputs.copy())
+    return Trim(model, state, inputs, model.outputs.copy())
 
 
 def _in_words(trim: Trim, field: str) -> str:

@@ -20,8 +20,8 @@ from vehicle_roll_sim.messages.collected import (
     is_ours,
 )
 from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.description import described
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.road import Road
 
 A_BAG = "a whole bag of a simulator: metadata.yaml, and the file that it names"

@@ -8,7 +8,7 @@ import numpy as np
 
 from vehicle_roll_sim.bags.reading import RecordedRun
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import Simulation

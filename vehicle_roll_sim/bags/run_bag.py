@@ -6,6 +6,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.bags.encoding import encode
 from vehicle_roll_sim.bags.writing import Bag, whole_bag
+from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
@@ -20,9 +21,8 @@ from vehicle_roll_sim.messages.topics import (
     TRANSFORMS,
 )
 from vehicle_roll_sim.messages.urdf import robot_description
-from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.simulation.command import Command
-from vehicle_roll_sim.simulation.command_inbox import channels
 from vehicle_roll_sim.simulation.description import describe
 from vehicle_roll_sim.simulation.simulation import Simulation
 

@@ -18,8 +18,8 @@ from rosbags.rosbag2 import StoragePlugin, WriterError
 from vehicle_roll_sim.bags.encoding import TYPES
 from vehicle_roll_sim.bags.kept_file import KeptWriter
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import new_folder
 from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
-from vehicle_roll_sim.simulation.output_file import new_folder
 
 BAG_VERSION = 9
 NO_DEADLINE = QosTime(9223372036, 854775807)

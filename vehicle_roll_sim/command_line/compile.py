@@ -4,7 +4,7 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 
 
 def compile_command(words: list[str], program: str) -> int:

@@ -3,7 +3,7 @@
 import sys
 
 from vehicle_roll_sim.command_line.ending import PROGRAM
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.simulation import compilation
 
 

@@ -5,8 +5,13 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from vehicle_roll_sim.analysis.paper.claim import HOLDS, Finding
-from vehicle_roll_sim.analysis.paper.report import (
+from vehicle_roll_sim.arguments import OneLineParser, named_file
+from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
+from vehicle_roll_sim.command_line.compiling import compile_model
+from vehicle_roll_sim.files.output_file import check_folder, filled_folder
+from vehicle_roll_sim.paper.claim import HOLDS, Finding
+from vehicle_roll_sim.paper.report import (
     NO_ENGINE,
     as_markdown,
     as_text,
@@ -14,12 +19,7 @@ from vehicle_roll_sim.analysis.paper.report import (
     numbers_as_markdown,
     numbers_as_text,
 )
-from vehicle_roll_sim.analysis.paper.study import Study
-from vehicle_roll_sim.arguments import OneLineParser, named_file
-from vehicle_roll_sim.command_line import ending
-from vehicle_roll_sim.command_line.commands import COMMANDS
-from vehicle_roll_sim.command_line.compiling import compile_model
-from vehicle_roll_sim.simulation.output_file import check_folder, filled_folder
+from vehicle_roll_sim.paper.study import Study
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 DEFAULT_FOLDER = "paper"
@@ -58,7 +58,7 @@ def paper_command(words: list[str], program: str) -> int:
 def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
     """Make all runs, then write figures, data and tables, all of them or none."""
     with ending.at_once():
-        from vehicle_roll_sim.analysis.paper import figures  # matplotlib: half a second
+        from vehicle_roll_sim.paper import figures  # matplotlib: half a second
 
     bar.reset(len(study.runs) + len(figures.FIGURES))
     for manoeuvre, case in study.runs:

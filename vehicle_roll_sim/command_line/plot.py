@@ -7,16 +7,16 @@ import os
 from pathlib import Path
 
 from vehicle_roll_sim.analysis import figure_size
-from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.files.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.sampled_events import events_of
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
-from vehicle_roll_sim.simulation.summary import line
 
 LATEST = 1e10
 """s: beyond all times, also those that count from 1970."""

@@ -13,9 +13,9 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_simulation,
 )
 from vehicle_roll_sim.offline.replaying import replays
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.description import MACHINE, VERSION, Described
 from vehicle_roll_sim.simulation.simulation import Simulation
-from vehicle_roll_sim.simulation.summary import line
 
 INEXACT = 1
 """Exit status with --strict when a run was not wholly reproduced to the bit."""

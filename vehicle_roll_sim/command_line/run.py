@@ -23,23 +23,23 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_simulation,
 )
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
-from vehicle_roll_sim.manoeuvres.base import OpenLoop
-from vehicle_roll_sim.manoeuvres.command_file import load_commands
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
-from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.offline.asked_for import manoeuvre_of
-from vehicle_roll_sim.offline.run_result import RunResult
-from vehicle_roll_sim.offline.running import drive
-from vehicle_roll_sim.simulation.history import WITH_COMMANDS, check_with_commands
-from vehicle_roll_sim.simulation.output_file import (
+from vehicle_roll_sim.files.output_file import (
     check_distinct,
     check_figure_format,
     check_new_folder,
     check_writable,
 )
-from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD
+from vehicle_roll_sim.manoeuvres.base import OpenLoop
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.manoeuvres.command_file import load_commands
+from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.offline.asked_for import manoeuvre_of
+from vehicle_roll_sim.offline.run_result import RunResult
+from vehicle_roll_sim.offline.running import drive
+from vehicle_roll_sim.runs.history import WITH_COMMANDS, check_with_commands
+from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.simulation import SHORTEST_STEP, Simulation
-from vehicle_roll_sim.simulation.summary import line
 
 HELD_BY_BAG = (
     f"held for {HELD_PERIOD:g} s each, as a node does; "

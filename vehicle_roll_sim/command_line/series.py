@@ -21,13 +21,13 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_vehicle,
 )
 from vehicle_roll_sim.declaration import InputError, parameters_of
-from vehicle_roll_sim.manoeuvres.series import SEARCHES, SERIES, series_named
-from vehicle_roll_sim.manoeuvres.series_of_runs import Series
-from vehicle_roll_sim.manoeuvres.speed_search import RANGE, SpeedSearch
+from vehicle_roll_sim.files.output_file import check_writable
+from vehicle_roll_sim.manoeuvres.series.base import Series
+from vehicle_roll_sim.manoeuvres.series.catalogue import SEARCHES, SERIES, series_named
+from vehicle_roll_sim.manoeuvres.series.speed_search import RANGE, SpeedSearch
 from vehicle_roll_sim.offline.series import SeriesResult, drive_series
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_writable
-from vehicle_roll_sim.simulation.summary import line
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 

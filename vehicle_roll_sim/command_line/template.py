@@ -5,9 +5,9 @@ import argparse
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import check_writable, replaced_file
 from vehicle_roll_sim.manoeuvres.command_file import EXAMPLE
-from vehicle_roll_sim.simulation.output_file import check_writable, replaced_file
-from vehicle_roll_sim.simulation.summary import line
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.vehicle.template import tire_template, vehicle_template
 
 

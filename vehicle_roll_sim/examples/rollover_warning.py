@@ -16,8 +16,8 @@ from vehicle_roll_sim.analysis.rollover_prediction import (
     Prediction,
     RolloverPredictor,
 )
-from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
-from vehicle_roll_sim.ros.simulator_client import SimulatorClient
+from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
+from vehicle_roll_sim.ros.clients.simulator_client import SimulatorClient
 
 FORESIGHT = ("horizon", "interval", "persistence", "smoothing")
 """Its numbers."""

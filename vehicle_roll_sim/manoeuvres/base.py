@@ -9,8 +9,8 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import keep_validated, parameter
 from vehicle_roll_sim.model.records import COMMAND
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle

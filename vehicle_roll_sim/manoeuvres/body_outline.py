@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 TIRE_WIDTH = 0.205

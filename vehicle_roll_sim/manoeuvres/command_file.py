@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_in, unknown_name
+from vehicle_roll_sim.files.table_file import read_table
 from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
-from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.table_file import read_table
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 LARGEST_FILE = 200_000_000

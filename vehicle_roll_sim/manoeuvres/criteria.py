@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.model.records import LF, RF
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.runs.history import History
 
 TWO_INCHES = 0.0508
 """m"""

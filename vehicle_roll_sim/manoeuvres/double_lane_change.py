@@ -10,15 +10,15 @@ from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.base import SIDES
 from vehicle_roll_sim.manoeuvres.body_outline import BodySettings, Outline
 from vehicle_roll_sim.manoeuvres.criteria import ROUNDING, two_wheel_lift_line
+from vehicle_roll_sim.manoeuvres.driver.path_following import PathFollowing
 from vehicle_roll_sim.manoeuvres.handwheel import HOLD
 from vehicle_roll_sim.manoeuvres.lane_change_track import (
     Track,
     double_lane_change_track,
     obstacle_avoidance_track,
 )
-from vehicle_roll_sim.manoeuvres.path_following import PathFollowing
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 

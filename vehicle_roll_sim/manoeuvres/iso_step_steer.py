@@ -12,10 +12,10 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
     LARGEST_HANDWHEEL,
     HandwheelProgramme,
 )
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.run import run
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 

@@ -15,8 +15,8 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
     ramp,
 )
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)

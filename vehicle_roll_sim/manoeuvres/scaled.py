@@ -5,8 +5,8 @@ import dataclasses
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL, HandwheelManoeuvre
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import steering_at_03g
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 

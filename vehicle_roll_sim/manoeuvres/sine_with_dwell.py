@@ -10,8 +10,8 @@ from vehicle_roll_sim.manoeuvres.base import LONGEST
 from vehicle_roll_sim.manoeuvres.criteria import value_at
 from vehicle_roll_sim.manoeuvres.handwheel import HOLD, HandwheelProgramme
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 
 DWELL_AT = 0.75
 """Share of the sine that is steered before the dwell: to its second peak."""

@@ -15,11 +15,11 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
     largest_handwheel,
     ramp,
 )
-from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.run import run
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 

@@ -9,8 +9,9 @@ import numpy as np
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.base import LONGEST, Manoeuvre
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import TOO_LITTLE, band_of_the_fit
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.metrics import roll_gradient, understeer_gradient
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 
@@ -43,11 +44,10 @@ class SteadyTurn(Manoeuvre):
         band = band_of_the_fit(history) if len(history.rows) else None
         if band is None:
             return math.nan, math.nan
-        acceleration = history["lateral_acceleration"][band]
-        needed = self.wheelbase * history["yaw_rate"] / history["u"]
-        angles = (history["steering"] - needed, history["roll"])
-        slopes = [np.polyfit(acceleration, angle[band], 1)[0] for angle in angles]
-        return math.degrees(slopes[0]), math.degrees(slopes[1])
+        names = ("lateral_acceleration", "steering", "yaw_rate", "u", "roll")
+        acceleration, *turn, roll = (history[name][band] for name in names)
+        understeer = understeer_gradient(acceleration, *turn, self.wheelbase)
+        return math.degrees(understeer), math.degrees(roll_gradient(acceleration, roll))
 
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         labels = ("understeer gradient", "roll gradient")

@@ -13,7 +13,7 @@ from vehicle_roll_sim.messages.sets import COMMAND_LABELS
 from vehicle_roll_sim.messages.topics import STATE_SET
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.history import COLUMNS, COMMANDS, History
+from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, History
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import GRAVITY
 

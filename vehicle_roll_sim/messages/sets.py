@@ -6,14 +6,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.encoded import MARK, STAMP_MARK, Encode, Encoded
-from vehicle_roll_sim.messages.topics import CLOCK, STATE_SET, TRANSFORMS, WRENCH
+from vehicle_roll_sim.messages.topics import CLOCK, FLOAT, STATE_SET, TRANSFORMS, WRENCH
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -52,7 +52,6 @@ EMPTY_LIST = 4
 """Bytes of a list without elements: its length."""
 FLAGS_MARK = (250, 251, 252, 253)
 """Flags that no lift-off has."""
-RATIO = "load_transfer_ratio"
 TYPES = {topic.name: topic.type for topic in STATE_SET}
 
 
@@ -81,8 +80,12 @@ class Messages:
         self._loads = self._labelled("tire_normal_forces", WHEELS)
         self._motion = self._labelled("motion", MOTION_LABELS)
         self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
-        self._ratio = Encoded(encode(TYPES[RATIO], {"data": MARK}), 1)
-        self.named[RATIO] = (RATIO,), self._ratio.numbers
+        self._single = {
+            topic.name: Encoded(encode(topic.type, {"data": MARK}), 1)
+            for topic in STATE_SET
+            if topic.type == FLOAT
+        }
+        self.named |= {name: ((name,), each.numbers) for name, each in self._single.items()}
         self._clock = Encoded(encode(CLOCK.type, {"clock": STAMP_MARK}))
         position = {"position": {"x": MARK}}
         odometry = self._in_frame("odom") | {"pose": {"pose": position}}
@@ -209,8 +212,13 @@ class Messages:
 
     def load_transfer_ratio(self) -> bytes:
         loads = self.simulation.outputs["normal_force"]
-        self._ratio.numbers[0] = load_transfer_ratio(loads)
-        return bytes(self._ratio)
+        return self._number("load_transfer_ratio", load_transfer_ratio(loads))
+
+    def _number(self, topic: str, value: float) -> bytes:
+        """The message of a topic of type Float64."""
+        message = self._single[topic]
+        message.numbers[0] = value
+        return bytes(message)
 
     def motion(self) -> bytes:
         state, command = self.simulation.state_vector, self.applied

@@ -2,8 +2,8 @@
 
 import dataclasses
 
+from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.command_inbox import channels
 
 
 @dataclasses.dataclass(frozen=True)

@@ -1,12 +1,12 @@
 """A wheel on the road: load, radius, slip and the forces of the contact patch."""
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.frames import yawed_to_body
-from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
-from vehicle_roll_sim.model.tire import tire_forces
-from vehicle_roll_sim.model.transient_slip import transient_slip
-from vehicle_roll_sim.model.upright_tire import upright_contact
+from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.model.tire.transient_slip import transient_slip
+from vehicle_roll_sim.model.tire.upright import upright_contact
 
 SLOWEST_ROLLING = 1e-9
 """Floor of the speed that slip is divided by (m/s): keeps a wheel that stands across finite."""

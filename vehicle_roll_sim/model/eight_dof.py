@@ -9,11 +9,12 @@ from no acceleration, until they agree.
 """
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.contact import contact_forces, normal_force, steer
-from vehicle_roll_sim.model.frames import ground_to_yawed, heading_of, yawed_to_ground
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.frames import heading_of, yawed_to_ground
 from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import drag
+from vehicle_roll_sim.model.road.slope import slope_gravity_on_yawed_axes
 from vehicle_roll_sim.model.roll_axis import (
     corner_damping,
     corner_stiffness,
@@ -35,7 +36,7 @@ def eight_dof_derivatives(state, command, vehicle, tire, options, outputs, rates
     heading = heading_of(state[at.YAW])
     steer(command, outputs)
     contact_velocities(state, vehicle, outputs)
-    slope_gravity(heading, vehicle, outputs)
+    slope_gravity_on_yawed_axes(heading, vehicle, outputs)
     accelerate(state, command, vehicle, tire, options, outputs)
     rates[at.X], rates[at.Y] = yawed_to_ground(heading, state[at.U], state[at.V])
     rates[at.YAW], rates[at.ROLL] = state[at.YAW_RATE], state[at.ROLL_RATE]
@@ -53,13 +54,6 @@ def contact_velocities(state, vehicle, outputs):
     for i in range(WHEEL_COUNT):
         outputs.contact_u[i] = u - vehicle.y[i] * wz
         outputs.contact_v[i] = v + vehicle.x[i] * wz
-
-
-@kernel
-def slope_gravity(heading, vehicle, outputs):
-    """Gravity along the plane of the road, on grade or bank, in frame 2 (m/s^2)."""
-    slope = outputs.slope_gravity
-    slope[0], slope[1] = ground_to_yawed(heading, vehicle.gravity_along, vehicle.gravity_across)
 
 
 @kernel

@@ -4,6 +4,7 @@ The simplified models are the same stages with other forms of some terms, chosen
 """
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.contact import (
     contact_forces,
     contact_forces_on_body_axes,
@@ -14,23 +15,19 @@ from vehicle_roll_sim.model.frames import (
     attitude_of,
     body_to_yawed,
     euler_rates,
-    ground_to_yawed,
     heading_of,
     small_angle_euler_rates,
-    yawed_to_body,
     yawed_to_ground,
 )
-from vehicle_roll_sim.model.jit import kernel
 from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
-from vehicle_roll_sim.model.suspension import (
+from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
+from vehicle_roll_sim.model.suspension.links import (
     applied_link_forces,
     link_forces,
     link_load_transfer,
-    strut_forces,
-    strut_kinematics,
-    unsprung_rates,
 )
+from vehicle_roll_sim.model.suspension.struts import strut_forces, strut_kinematics, unsprung_rates
 from vehicle_roll_sim.model.wheel import wheel_rates
 
 
@@ -42,7 +39,7 @@ def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, ra
     attitude = (roll, 1.0, pitch, 1.0) if options.small_angles else exact
     steer(command, outputs)
 
-    slope_gravity(vehicle, heading, attitude, outputs)
+    slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
     contact_forces(state, vehicle, tire, options, outputs)
@@ -61,15 +58,6 @@ def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, ra
     compression_rates(state, options, attitude, outputs, rates)
     wheel_rates(state, command, vehicle, options, outputs, rates)
     accelerations(state, vehicle, exact, outputs)
-
-
-@kernel
-def slope_gravity(vehicle, heading, attitude, outputs):
-    """Gravity along the plane of the road, on grade or bank, in frame 1 (m/s^2)."""
-    along, across = ground_to_yawed(heading, vehicle.gravity_along, vehicle.gravity_across)
-    slope = yawed_to_body(attitude, along, across, 0.0)
-    for axis in range(len(slope)):
-        outputs.slope_gravity[axis] = slope[axis]
 
 
 @kernel

@@ -4,7 +4,7 @@ Angles are Rz(yaw) Ry(pitch) Rx(roll), ISO 8855 / REP-103: pitch positive nose d
 left side up. Variables named s_ and c_ are a sine and a cosine.
 """
 
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 
 
 @kernel

@@ -7,7 +7,7 @@ from collections import namedtuple
 
 import numpy as np
 
-from vehicle_roll_sim.model.jit import constants
+from vehicle_roll_sim.model.compiled.jit import constants
 
 WHEELS = ("lf", "rf", "lr", "rr")
 WHEEL_COUNT = len(WHEELS)

@@ -1,7 +1,7 @@
 """The six equations of the sprung mass as one linear system in its accelerations (eqs 29-34)."""
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.jit import kernel, math, term
+from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import (
     DU,
     DV,
@@ -11,7 +11,7 @@ from vehicle_roll_sim.model.records import (
     DWZ,
     WHEEL_COUNT,
 )
-from vehicle_roll_sim.model.suspension import carried_mass
+from vehicle_roll_sim.model.suspension.links import carried_mass
 
 AIR_DENSITY = 1.225
 """kg/m^3, of the standard atmosphere at sea level."""

@@ -1,6 +1,6 @@
 """The body on its roll axis: what equations 77-87 and the roll-plane models have in common."""
 
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 
 

@@ -7,7 +7,7 @@ series, and its weight moves outwards.
 
 import numpy as np
 
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OPTIONS
 from vehicle_roll_sim.model.roll_axis import roll_axis_depth, roll_stiffness
 

@@ -8,7 +8,7 @@ so that J is less than about a fixed axis: Jx + m mu / (m + mu) h^2, with the un
 
 import numpy as np
 
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OPTIONS, WHEEL_COUNT
 from vehicle_roll_sim.model.roll_axis import corner_damping, roll_stiffness, wheel_centre_height
 from vehicle_roll_sim.model.roll_plane import RollPlane

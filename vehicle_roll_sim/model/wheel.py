@@ -6,7 +6,7 @@ have turned round by its brake in the step stops instead.
 """
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 
 

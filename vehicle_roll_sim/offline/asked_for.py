@@ -10,9 +10,9 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, unknown_name, validated
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.manoeuvres.command_file import CommandTable, command_table, load_commands
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
-from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme
 
 FIELD = "manoeuvre"

@@ -7,15 +7,15 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.analysis.figure_size import Size, named_size
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio, peak
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import check_figure_format
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.model.events import TIME, VALUE, Condition
+from vehicle_roll_sim.model.integration.events import TIME, VALUE, Condition
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
-from vehicle_roll_sim.simulation.history import COLUMNS, UNITS, History
-from vehicle_roll_sim.simulation.output_file import check_figure_format
-from vehicle_roll_sim.simulation.summary import line, summary_lines
+from vehicle_roll_sim.runs.history import COLUMNS, UNITS, History
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio, peak
+from vehicle_roll_sim.runs.summary import line, summary_lines
 
 
 @dataclasses.dataclass(frozen=True)

@@ -6,16 +6,16 @@ from pathlib import Path
 
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import check_new_folder
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.offline.asked_for import manoeuvre_of
 from vehicle_roll_sim.offline.run_result import RunResult
 from vehicle_roll_sim.offline.tables import path_of
-from vehicle_roll_sim.simulation import run as stepwise
+from vehicle_roll_sim.runs import run as stepwise
+from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD, Witness
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_new_folder
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD, Witness
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
     DEFAULT_STEP,

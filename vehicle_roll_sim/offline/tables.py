@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.simulation.output_file import replaced_file
+from vehicle_roll_sim.files.output_file import replaced_file
 
 
 def structured(columns: Sequence[str], values: Sequence[np.ndarray]) -> np.ndarray:

@@ -10,6 +10,15 @@ from vehicle_roll_sim import early_signals
 INTERRUPTED = 130
 """Exit status of a command after Ctrl-C, as shells have it."""
 
+MODULES = {
+    "simulator": "simulator.node",
+    "manoeuvre": "clients.manoeuvre",
+    "recorder": "clients.recorder",
+    "demo": "orchestration.demo",
+    "compare": "orchestration.compare",
+}
+"""Where the main function of each executable is."""
+
 
 def simulator() -> int:
     return _run("simulator")
@@ -32,7 +41,7 @@ def compare() -> int:
 
 
 def _run(name: str, interrupted: int = 0) -> int:
-    """The main function of a module beside this one; its status after a signal before that."""
+    """The main function of an executable; its status after a signal before that."""
     early_signals.end_node_at_once(interrupted, even_ignored=not interrupted)
     import importlib
 
@@ -41,7 +50,7 @@ def _run(name: str, interrupted: int = 0) -> int:
     if not missing.is_ros_installed():
         return missing.end_without_ros(name)
     try:
-        module = importlib.import_module(f"vehicle_roll_sim.ros.{name}")
+        module = importlib.import_module(f"vehicle_roll_sim.ros.{MODULES[name]}")
     except ImportError as error:
         return missing.end_without_ros(name, error)
     return module.main()

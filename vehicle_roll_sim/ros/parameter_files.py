@@ -10,7 +10,7 @@ import yaml
 from rclpy.node import Node
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.vehicle.text_file import read_text
+from vehicle_roll_sim.files.text_file import read_text
 
 BEGIN, END, OPTION = "--ros-args", "--", "--params-file"
 """What is for ROS on a command line stands between the first two."""

@@ -5,6 +5,7 @@ import contextlib
 import os
 import sys
 import tempfile
+import threading
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
@@ -34,6 +35,9 @@ NOT_MADE = "Failed to create"
 """In what rclpy says where the same name is given to topics of two types."""
 OF_EVERY_NODE = ("use_sim_time", "start_type_description_service")
 """Parameters that rclpy itself knows."""
+_being_made = threading.Lock()
+"""Held while an executor is made. If the context were shut down half-way through, destructors of
+rclpy would ask for what is not there yet and print a traceback."""
 
 
 def node_main(
@@ -77,10 +81,7 @@ def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
 
 
 class NodeExecutor(SingleThreadedExecutor):
-    """An executor that may be cut short by a signal while it is made.
-
-    rclpy's destructor then asks for what is not there yet, and prints a traceback.
-    """
+    """An executor whose destructor prints no traceback where its context was shut down before."""
 
     _sigint_gc = None
 
@@ -90,8 +91,9 @@ def lifetime(node: Node) -> Iterator[Executor]:
     """An executor for a node; in the end it is shut down, and both are gone."""
     refuse_malformed(node)
     warn_of_files_for_others(node)
-    executor = NodeExecutor(context=node.context)
-    executor.add_node(node)
+    with _being_made:
+        executor = NodeExecutor(context=node.context)
+        executor.add_node(node)
     try:
         yield executor
     finally:
@@ -113,7 +115,7 @@ def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespac
 
 
 def _shut_down() -> None:
-    with contextlib.suppress(RuntimeError):  # it is being shut down just now
+    with _being_made, contextlib.suppress(RuntimeError):  # it is being shut down just now
         try_shutdown()  # that of rclpy itself also takes away the handlers of signals
 
 

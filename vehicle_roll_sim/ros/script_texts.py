@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.ros.settings import COMMANDED
+from vehicle_roll_sim.ros.simulator.settings import COMMANDED
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 NO_CONTROLLERS = ("__init__", "executables")

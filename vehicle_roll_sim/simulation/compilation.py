@@ -8,7 +8,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 

@@ -91,10 +91,9 @@ class Options:
     def record(self) -> np.ndarray:
         """The options as the equations take them: one OPTIONS record in an array."""
         options = np.zeros(1, OPTIONS)
-        for name in MODELS[self.model]:
+        chosen = [name for name, value in dataclasses.asdict(self).items() if value is True]
+        for name in (*MODELS[self.model], *chosen):
             options[name] = True
-        for name in ("no_roll_centre", "tire_normal_to_ground", "euler_terms", "steady_state_slip"):
-            options[name] = getattr(self, name)
         options["asymmetric_link_load_transfer"] = self.link_load_transfer == ASYMMETRIC
         return options
 

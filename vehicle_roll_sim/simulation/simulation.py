@@ -5,21 +5,21 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, given, number_of
-from vehicle_roll_sim.model.advance import NANOSECONDS, advance
+from vehicle_roll_sim.model.compiled.jit import (
+    interruptible,
+    kernel_argument,
+    silently,
+)
 from vehicle_roll_sim.model.equilibrium import equilibrium
-from vehicle_roll_sim.model.events import (
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS, advance
+from vehicle_roll_sim.model.integration.events import (
     LIMITS,
     MINIMUM_SPEED,
     Condition,
     no_events,
     plausible_magnitudes,
 )
-from vehicle_roll_sim.model.integrator import KEPT, STAGE_VECTORS
-from vehicle_roll_sim.model.jit import (
-    interruptible,
-    kernel_argument,
-    silently,
-)
+from vehicle_roll_sim.model.integration.integrator import KEPT, STAGE_VECTORS
 from vehicle_roll_sim.model.records import (
     MODEL_STATE,
     OUTPUTS,
@@ -32,10 +32,11 @@ from vehicle_roll_sim.model.records import (
 from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
 from vehicle_roll_sim.simulation.command import Command, Programme, records_of
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.snapshot import Restorable, identity
 from vehicle_roll_sim.simulation.stability import Modes
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 DEFAULT_STEP, SHORTEST_STEP, LONGEST_STEP = 0.001, 1e-6, 0.1
 """s"""
@@ -81,7 +82,7 @@ class Simulation(Restorable):
     - `state`: a STATE record: `.roll`, `.u`, `.wheel_speed[LF]`, ... (model.records)
     - `outputs`: an OUTPUTS record: `.normal_force`, `.slip_angle`, `.acceleration`, ...
     - `model_state`, `state_names`: the states of the chosen model and their names
-    - `events`: an EVENTS record: lift-off and rollover times, peaks (model.events)
+    - `events`: an EVENTS record: lift-off and rollover times, peaks (model.integration.events)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
     The records are views of memory that the next step changes: copy what is to be kept, or take a
@@ -108,9 +109,8 @@ class Simulation(Restorable):
         step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
         self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
-        self._vehicle = vehicle.record()
-        self._vehicle["gravity"], along, across = self.road.gravity(GRAVITY)
-        self._vehicle["gravity_along"], self._vehicle["gravity_across"] = along, across
+        plant = Plant.of(vehicle, self.options, self.road)
+        self._vehicle = plant.vehicle
         self._limits = np.zeros(1, LIMITS)
         self._limits["rollover_angle"] = self.rollover_angle
         self._slowest = MINIMUM_SPEED if self.options.steady_state_slip else 0.0
@@ -122,9 +122,8 @@ class Simulation(Restorable):
             name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
         ]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
-        parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
-        self._plant = tuple(kernel_argument(part) for part in (*parts, Command().records()))
-        self._identity = identity(type(self).__name__, parts, self.step_ns)
+        self._plant = plant.arguments(self._limits, Command().records())
+        self._identity = identity(type(self).__name__, (*plant, self._limits), self.step_ns)
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
@@ -132,7 +131,7 @@ class Simulation(Restorable):
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
         self._memory = (self._state, self._outputs, self._events, self._stages)
         self.state, self.outputs, self.events = self._state[0], self._outputs[0], self._events[0]
-        self._modes = Modes(*parts[:3], self._places)
+        self._modes = Modes(plant, self._places)
         self._checks_step, self._checked_speed = check_step, None
         self._start(self._equilibrium(DEFAULT_SPEED))
         self._built = {"_built", *vars(self)} - before

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, given
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.events import Condition
 
 
 @dataclasses.dataclass(frozen=True)

@@ -12,12 +12,13 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.advance import advance
-from vehicle_roll_sim.model.events import LIMITS, Condition, no_events
-from vehicle_roll_sim.model.integrator import K1, STAGE_VECTORS
-from vehicle_roll_sim.model.jit import kernel_argument, silently
+from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
+from vehicle_roll_sim.model.integration.advance import advance
+from vehicle_roll_sim.model.integration.events import LIMITS, Condition, no_events
+from vehicle_roll_sim.model.integration.integrator import K1, STAGE_VECTORS
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_NAMES, STATE_SIZE, U
 from vehicle_roll_sim.simulation.command import NO_FORCE, Command
+from vehicle_roll_sim.simulation.plant import Plant
 
 DIFFERENCE = 1e-6
 """Change of a state for its slopes, relative to its size where that is above 1 (SI units): small
@@ -34,19 +35,18 @@ HALVINGS = 20
 class Modes:
     """The model of one vehicle about any of its states.
 
-    vehicle, tire, options: the records of the equations. places: of the model's states among
-    STATE_NAMES.
+    places: of the model's states among STATE_NAMES.
 
     Dry friction, of brakes and rolling resistance, is left out: it has no slope but where it holds
     a wheel, and that is slower than one that has just been let go.
     """
 
-    def __init__(self, vehicle: np.ndarray, tire: np.ndarray, options: np.ndarray, places):
-        vehicle, limits = vehicle.copy(), np.full(1, -math.inf, LIMITS)
+    def __init__(self, plant: Plant, places: np.ndarray):
+        vehicle, limits = plant.vehicle.copy(), np.full(1, -math.inf, LIMITS)
         vehicle["rolling_resistance_coefficient"] = 0.0
         limits["rollover_angle"], limits["largest"] = math.inf, math.nan
         limits["largest"][0, places] = math.inf
-        self._records, self._places = (vehicle, tire, options, limits), places
+        self._plant, self._limits, self._places = plant._replace(vehicle=vehicle), limits, places
         self._outputs, self._events = np.full(1, np.nan, OUTPUTS), no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
 
@@ -67,7 +67,7 @@ class Modes:
 
     def _rates_under(self, command: Command) -> Callable[[np.ndarray], np.ndarray]:
         records = dataclasses.replace(command, brake_torque=NO_FORCE).records()
-        plant = tuple(kernel_argument(part) for part in (*self._records, records))
+        plant = self._plant.arguments(self._limits, records)
         outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
 
         def rates(state: np.ndarray) -> np.ndarray:

@@ -20,13 +20,14 @@ from vehicle_roll_sim.model.equilibrium import (
     static_suspension_compression,
     static_tire_compression,
 )
-from vehicle_roll_sim.model.events import plausible_magnitudes
-from vehicle_roll_sim.model.records import VEHICLE
-from vehicle_roll_sim.vehicle.plausibility import AXLES, plausibility, warn
+from vehicle_roll_sim.model.integration.events import plausible_magnitudes
+from vehicle_roll_sim.model.records import LF, LR, VEHICLE
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 GRAVITY = 9.81
 """m/s^2, the value of the source."""
+AXLES = {"front": LF, "rear": LR}
+"""One of the two like wheels of each axle."""
 
 _LENGTH = {"unit": "m", "minimum": 0.01, "maximum": 50.0}
 _INERTIA = {"unit": "kg m^2", "minimum": 1e-3, "maximum": 1e7}
@@ -187,23 +188,31 @@ class Vehicle:
         return np.array([front, front, rear, rear])
 
     def record(self) -> np.ndarray:
-        """The vehicle as the equations take it: one VEHICLE record in an array.
+        """The vehicle on a level road as the equations take it: one VEHICLE record in an array.
 
-        Warns (PlausibilityWarning) of values that are not plausible.
+        A field is an attribute of its name, or has its values front_NAME and rear_NAME, or is one
+        of `_placement`; raises AttributeError for any other.
         """
-        warn(plausibility(self))
-        vehicle = np.zeros(1, VEHICLE)
+        placement, vehicle = self._placement(), np.zeros(1, VEHICLE)
         for name in VEHICLE.names:
-            if hasattr(self, name):
+            if name in placement:
+                vehicle[name] = placement[name]
+            elif hasattr(self, name):
                 vehicle[name] = getattr(self, name)
-        for name in ("unsprung_mass", "spring_stiffness", "damping"):
-            vehicle[name] = self.per_wheel(name)
-        vehicle["tire_stiffness"] = self.per_wheel("tire_stiffness")
-        vehicle["gravity"] = GRAVITY
-        front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
-        vehicle["x"] = front, front, rear, rear
-        vehicle["y"] = self.per_wheel("track") / 2 * (1, -1, 1, -1)
+            else:
+                vehicle[name] = self.per_wheel(name)
         return vehicle
+
+    def _placement(self) -> dict:
+        """Where the wheels are in the plane of the c.g. (m), and gravity (m/s^2)."""
+        front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
+        return {
+            "x": (front, front, rear, rear),
+            "y": self.per_wheel("track") / 2 * (1, -1, 1, -1),
+            "gravity": GRAVITY,
+            "gravity_along": 0.0,
+            "gravity_across": 0.0,
+        }
 
 
 def _check_roll_centres(vehicle: Vehicle) -> None:

@@ -5,16 +5,10 @@ import math
 import sys
 import warnings
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
-from vehicle_roll_sim.model.records import LF, LR
-
-if TYPE_CHECKING:
-    from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.parameters import AXLES, Vehicle
 
 PACKAGE = __name__.partition(".")[0]
-AXLES = {"front": LF, "rear": LR}
-"""One of the two like wheels of each axle."""
 LARGEST_STEERING = math.pi / 3
 """rad: road-wheel angles beyond it belong to no road vehicle."""
 RIDE_FREQUENCY = (0.5, 10.0)
@@ -47,7 +41,7 @@ class PlausibilityWarning(UserWarning):
     """
 
 
-def plausibility(vehicle: "Vehicle") -> list[str]:
+def plausibility(vehicle: Vehicle) -> list[str]:
     """What is not plausible of a vehicle: a line each, which names the parameter."""
     return [
         *_inertias(vehicle),
@@ -90,7 +84,7 @@ def _is_own(module: str) -> bool:
     return module == PACKAGE or module.startswith(f"{PACKAGE}.")
 
 
-def _inertias(vehicle: "Vehicle") -> Iterator[str]:
+def _inertias(vehicle: Vehicle) -> Iterator[str]:
     lengths = {
         "track": (vehicle.front_track + vehicle.rear_track) / 2,
         "wheelbase": vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle,
@@ -108,7 +102,7 @@ def _inertias(vehicle: "Vehicle") -> Iterator[str]:
             yield f"{name}: {inertia:g} kg m^2 is {figure}: usual is {least:g} to {most:g} of it"
 
 
-def _suspension(vehicle: "Vehicle", axle: str, wheel: int) -> Iterator[str]:
+def _suspension(vehicle: Vehicle, axle: str, wheel: int) -> Iterator[str]:
     spring, tire, damper = f"{axle}_spring_stiffness", f"{axle}_tire_stiffness", f"{axle}_damping"
     stiffness, tires, damping = (getattr(vehicle, name) for name in (spring, tire, damper))
     mass = float(vehicle.sprung_mass * vehicle.axle_load_share[wheel])
@@ -133,7 +127,7 @@ def _suspension(vehicle: "Vehicle", axle: str, wheel: int) -> Iterator[str]:
         yield f"{damper}: {figure}: usual is {least:g} to {most:g}"
 
 
-def _roll_centre(vehicle: "Vehicle", axle: str, wheel: int) -> Iterator[str]:
+def _roll_centre(vehicle: Vehicle, axle: str, wheel: int) -> Iterator[str]:
     """A height below the road is taken as it is said; the one that a depth comes to need not be."""
     name = f"{axle}_roll_centre_depth"
     depth, height = float(vehicle.roll_centre_depth[wheel]), vehicle.roll_centre_height[wheel]
@@ -147,7 +141,7 @@ def _roll_centre(vehicle: "Vehicle", axle: str, wheel: int) -> Iterator[str]:
         yield f"{stated}: {getattr(vehicle, stated):g} m: {figure}: usual is below it"
 
 
-def _lowness(vehicle: "Vehicle") -> Iterator[str]:
+def _lowness(vehicle: Vehicle) -> Iterator[str]:
     wheel_centre = vehicle.tire_radius - float(max(vehicle.static_tire_compression))
     if vehicle.cg_height < LOWEST_CENTRE * wheel_centre:
         figure = f"{vehicle.cg_height:g} m under wheel centres at {wheel_centre:.3g} m"

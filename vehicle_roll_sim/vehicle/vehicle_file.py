@@ -10,8 +10,8 @@ from pathlib import Path
 import yaml
 
 from vehicle_roll_sim.declaration import LONGEST_SHOWN, InputError, parameters_of, unknown_name
+from vehicle_roll_sim.files.text_file import read_text
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.text_file import read_text
 from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
 
 A_MAPPING = "a YAML mapping of parameter names to values is wanted"

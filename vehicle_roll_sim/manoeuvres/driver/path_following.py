@@ -1,0 +1,65 @@
+"""Manoeuvres whose driver follows a path."""
+
+import abc
+import dataclasses
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.manoeuvres.base import STEEPEST, Manoeuvre
+from vehicle_roll_sim.manoeuvres.driver.preview_steering import PreviewSteering
+from vehicle_roll_sim.manoeuvres.driver.single_track import SingleTrack
+from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class DriverSettings:
+    """What is known of the driver."""
+
+    preview_time: float = parameter("how far the driver sees ahead", "s", 0.05, 5.0)
+    driver_delay: float = parameter("delay of the driver's hands", "s", 0.0, 2.0, default=0.0)
+    handwheel_rate: float = parameter(
+        "quickest turn of the handwheel", "deg/s", 1.0, 1e5, default=1000.0
+    )
+    handwheel_limit: float = parameter(
+        "largest handwheel angle, at most 60 deg at the road wheels",
+        "deg",
+        1.0,
+        LARGEST_HANDWHEEL,
+        default=360.0,
+    )
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class PathFollowing(DriverSettings, Manoeuvre):
+    """A driver on a path; `for_vehicle` brings what he expects of the vehicle."""
+
+    steering_ratio: float = math.nan
+    model: SingleTrack | None = None
+
+    needs_vehicle = True
+
+    def for_vehicle(self, vehicle: Vehicle, options: Options) -> "PathFollowing":
+        """With the vehicle's steering ratio and linear single-track model."""
+        return dataclasses.replace(
+            self, steering_ratio=vehicle.steering_ratio, model=SingleTrack.of(vehicle)
+        )
+
+    @abc.abstractmethod
+    def path_ahead(self, x: float, y: float, distance: float) -> np.ndarray:
+        """Points (n, 2) of the path (m), in order, from beside x, y to beyond `distance` (m)."""
+
+    def steering(self) -> PreviewSteering:
+        """The hands of a driver, for one run."""
+        ratio = self.steering_ratio
+        return PreviewSteering(
+            self.model,
+            self.path_ahead,
+            preview=self.preview_time,
+            delay=self.driver_delay,
+            rate=math.radians(self.handwheel_rate / ratio),
+            limit=math.radians(min(self.handwheel_limit / ratio, STEEPEST)),
+        )

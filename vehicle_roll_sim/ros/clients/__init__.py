@@ -1,0 +1,1 @@
+"""Nodes beside a running simulator: manoeuvre, recorder, the base of controllers."""

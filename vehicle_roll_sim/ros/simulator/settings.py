@@ -1,0 +1,163 @@
+"""How the simulator runs: its own parameters, beside those of the model, road and vehicle."""
+
+import dataclasses
+import math
+
+from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.live.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
+from vehicle_roll_sim.live.pacing import (
+    AS_FAST_AS_POSSIBLE,
+    DEFAULT_CATCH_UP,
+    FASTEST_FACTOR,
+    SLOWEST_FACTOR,
+)
+from vehicle_roll_sim.messages.topics import COMMANDS, STAMPED, STATE_SET
+from vehicle_roll_sim.ros.simulator.lockstep import STOP
+from vehicle_roll_sim.simulation.simulation import (
+    DEFAULT_ROLLOVER_ANGLE,
+    DEFAULT_SPEED,
+    DEFAULT_STEP,
+    LONGEST_STEP,
+    MAXIMUM_SPEED,
+    SHORTEST_STEP,
+    whole_steps,
+)
+from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DEFAULT_DRIVE_LIMIT
+
+REAL_TIME, LOCKSTEP = "real_time", "lockstep"
+COMMANDED = tuple(topic.name for topic in COMMANDS)
+NAMES_OF_STAMPED = tuple(topic.name for topic in STAMPED)
+PUBLISHED_IN_SETS = tuple(topic.name for topic in STATE_SET)
+MOST_STEPS = 100_000
+"""In a period: half a second of computing (model 1), in which no signal is heeded."""
+
+
+@dataclasses.dataclass
+class Settings:
+    """How the simulator runs; the options of the model, the road and the vehicle come beside it."""
+
+    publish_rate: float = parameter("sets published a second", "Hz", 0.1, 10_000.0, default=100.0)
+    step: float = parameter(
+        "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
+    )
+    initial_speed: float = parameter(
+        "forward speed after a reset",
+        "m/s",
+        0.0,
+        MAXIMUM_SPEED,
+        tunable=True,
+        default=DEFAULT_SPEED,
+    )
+    rollover_angle: float = parameter(
+        "roll angle at which the integration stops",
+        "rad",
+        0.01,
+        math.pi / 2,
+        default=DEFAULT_ROLLOVER_ANGLE,
+    )
+    command_timeout: float = parameter(
+        "simulated time without a message after which a command is given up, 0: never",
+        "s",
+        0.0,
+        3600.0,
+        tunable=True,
+        default=DEFAULT_TIMEOUT,
+    )
+    steering_timeout_policy: str = parameter(
+        "what a given-up steering command does", choices=(HOLD, CENTRE), tunable=True, default=HOLD
+    )
+    speed_drive_limit: float = parameter(
+        "largest torque of each wheel's drive that speed_cmd may use",
+        "N m",
+        0.0,
+        1e5,
+        default=DEFAULT_DRIVE_LIMIT,
+    )
+    speed_brake_limit: float = parameter(
+        "largest torque of each wheel's brake that speed_cmd may use",
+        "N m",
+        0.0,
+        1e5,
+        default=DEFAULT_BRAKE_LIMIT,
+    )
+    mode: str = parameter(
+        "what a period waits for: its time, or an answer on every topic of lockstep_topics",
+        choices=(REAL_TIME, LOCKSTEP),
+        default=REAL_TIME,
+    )
+    real_time_factor: float = parameter(
+        "simulated over real time, 0 for as fast as possible, else at least 0.1",
+        "",
+        AS_FAST_AS_POSSIBLE,
+        FASTEST_FACTOR,
+        default=1.0,
+    )
+    catch_up_limit: float = parameter(
+        "the most that real time makes up for when it is late; the rest is given up and counted",
+        "s",
+        0.0,
+        10.0,
+        default=DEFAULT_CATCH_UP,
+    )
+    lockstep_topics: tuple = parameter(
+        "commands that lockstep waits for, each period",
+        choices=COMMANDED,
+        default=("steering_cmd",),
+    )
+    lockstep_wait: tuple = parameter(
+        "topics that must have a listener before lockstep begins",
+        choices=(*PUBLISHED_IN_SETS, *NAMES_OF_STAMPED),
+        default=("state",),
+    )
+    lockstep_timeout: float = parameter(
+        "wall time that lockstep waits for an answer, 0: for ever", "s", 0.0, 3600.0, default=0.0
+    )
+    lockstep_timeout_policy: str = parameter(
+        "what lockstep does then", choices=(HOLD, STOP), default=HOLD
+    )
+    publish_clock: bool = parameter(
+        "publish /clock, and stamp messages with simulated time from 0, as is always done in "
+        "lockstep and with a real_time_factor other than 1",
+        default=False,
+    )
+    publish_stamped: bool = parameter(
+        "publish the topics of the set that have no header with one, too, as NAME_stamped",
+        default=False,
+    )
+    frame_prefix: str = parameter("put before the frames in all messages", default="")
+    vehicle_file: str = parameter("vehicle file (YAML); empty: the reference vehicle", default="")
+    strict: bool = parameter(
+        "refuse a vehicle that is not plausible, instead of a warning", default=False
+    )
+
+    def check(self) -> None:
+        """Raise InputError for what no single value shows."""
+        if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
+            allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
+            raise InputError("real_time_factor", self.real_time_factor, allowed)
+        unpublished = set() if self.publish_stamped else {*NAMES_OF_STAMPED}
+        if unpublished.intersection(self.lockstep_wait):
+            allowed = "topics with an ending _stamped go with publish_stamped"
+            raise InputError("lockstep_wait", self.lockstep_wait, allowed)
+
+    def steps_in_a_period(self, step_ns: int) -> int:
+        """Steps of the integration from one set to the next; raises InputError."""
+        rate, step = self.publish_rate, self.step
+        try:
+            steps = whole_steps(1.0 / rate, step_ns, "publish_rate")
+        except InputError:
+            limit = f"a rate whose period is a multiple of the step, {step:g} s"
+            raise InputError("publish_rate", rate, limit) from None
+        if steps > MOST_STEPS:
+            limit = f"at least {1.0 / (MOST_STEPS * step):g} Hz with steps of {step:g} s"
+            raise InputError("publish_rate", rate, limit)
+        return steps
+
+    @property
+    def is_lockstep(self) -> bool:
+        return self.mode == LOCKSTEP
+
+    @property
+    def has_own_clock(self) -> bool:
+        """Whether time is the simulation's own, from 0, and published on /clock."""
+        return self.publish_clock or self.is_lockstep or self.real_time_factor != 1.0
