@@ -19,8 +19,11 @@ _HOMES = {
     **dict.fromkeys(("Tire", "load_tire"), "vehicle.tire_file"),
     **dict.fromkeys(("load_vehicle", "preset"), "vehicle.vehicle_file"),
 }
-"""Where what this package offers is. It is imported when it is first asked for: a process that is
-interrupted while numba is read in (a second) must have seen to its signals before."""
+"""The module that defines each public name.
+
+A module is imported on first access to its name. Importing numba takes about a second, and signal
+handlers must be installed before that.
+"""
 __all__ = sorted(_HOMES)
 
 

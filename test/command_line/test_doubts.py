@@ -3,7 +3,7 @@
 import pytest
 
 ODD = ("--set", "front_damping=2.5", "--set", "cg_height=0.7")
-TOLD = "front_damping: 2.5 N s/m is a damping ratio of 0.00032"
+TOLD = "front_damping: 2.5 N s/m gives a damping ratio of 0.00032"
 SHORT = ("run", "step_steer", "--duration", "0.1")
 COMMANDS = {
     "run": SHORT,

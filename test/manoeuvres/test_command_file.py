@@ -155,7 +155,7 @@ WRONG = {
     "a brake that drives": (
         "time,brake_torque_lr\n0,0\n1,-1\n",
         3,
-        ["brake_torque_lr", "-1", "below 0"],
+        ["brake_torque_lr", "-1", "at least 0"],
     ),
     "beyond doubles": ("time,steering\n0,1e999\n", 2, ["steering", "1e999", "finite"]),
     "infinite time": ("time,steering\n0,0\ninf,0\n", 3, ["time", "inf", "finite"]),

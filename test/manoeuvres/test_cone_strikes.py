@@ -122,5 +122,5 @@ def test_unless_told_otherwise_the_body_is_as_wide_as_the_larger_track_and_a_tir
 
 
 def test_a_body_narrower_than_the_track_is_refused():
-    with pytest.raises(InputError, match=r"1.4 .*at least the larger track, 1.5 m"):
+    with pytest.raises(InputError, match=r"1.4 .*at least the larger track width, 1.5 m"):
         BodySettings(vehicle_width=1.4).outline_of(preset())

@@ -138,9 +138,9 @@ def test_all_that_is_missing_is_named_at_once(vehicle_from, path):
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("none.tir", ("No such file or directory", "the name of a file that exists")),
-        (".", ("Is a directory", "the name of a file, not of a folder,")),
-        ("a.tir/b.tir", ("Not a directory", "the name of a file that exists")),
+        ("none.tir", ("No such file or directory", "the name of an existing file")),
+        (".", ("Is a directory", "the name of a file, not of a folder")),
+        ("a.tir/b.tir", ("Not a directory", "the name of an existing file")),
     ],
 )
 def test_what_cannot_be_read_says_what_the_name_should_be(tmp_path, name, words):
@@ -214,7 +214,7 @@ def test_a_tire_that_is_no_name_of_a_file_is_refused(vehicle_from, path, given):
 
 def test_a_tire_file_that_is_missing_or_wrong_is_named(vehicle_from, tmp_path):
     missing = edited(REFERENCE_YAML, "tire", "tire: none.tir")
-    said = (line_of(missing, "tire:"), "tire", "does not exist", "from the vehicle file")
+    said = (line_of(missing, "tire:"), "tire", "does not exist", "relative to the vehicle file")
     with refused(tmp_path / "some.yaml", tmp_path / "none.tir", *said):
         vehicle_from(missing)
     with refused(tmp_path / "some.yaml"):  # itself

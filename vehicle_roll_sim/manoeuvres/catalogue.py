@@ -1,4 +1,4 @@
-"""The manoeuvres there are, by name: those of the source, and standard test procedures."""
+"""Catalogue of the manoeuvres by name: those of the paper and standard test procedures."""
 
 import dataclasses
 import math
@@ -24,13 +24,13 @@ from vehicle_roll_sim.manoeuvres.steady_state_circle import (
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class RampAndHold(OpenLoop):
-    """Straight ahead, then the steering turns at a constant rate to an angle that is held."""
+    """Straight ahead, then a ramp of the road-wheel angle to a value that is held."""
 
     amplitude: float = parameter(
-        "road-wheel angle that is held, left positive", "deg", -STEEPEST, STEEPEST
+        "final road-wheel angle, left positive", "deg", -STEEPEST, STEEPEST
     )
-    rate: float = parameter("rate of the road-wheel angle", "deg/s", 1e-3, 1e5)
-    start: float = parameter("when the steering begins", "s", 0.0, LONGEST, default=1.0)
+    rate: float = parameter("rate of change of the road-wheel angle", "deg/s", 1e-3, 1e5)
+    start: float = parameter("time at which steering begins", "s", 0.0, LONGEST, default=1.0)
 
     def drive(self, times: np.ndarray, commands: np.ndarray) -> None:
         turned = np.clip(self.rate * (times - self.start), 0.0, abs(self.amplitude))
@@ -42,7 +42,7 @@ SOURCE = {
     "ramp_steer": RampAndHold(amplitude=12.0, rate=4.0, duration=9.0),
     "j_turn": RampAndHold(amplitude=10.0, rate=40.0, duration=6.0),
 }
-"""The manoeuvres of Shim and Ghike (2007), with the conditions under which they are compared."""
+"""The manoeuvres of Shim and Ghike (2007), under the conditions of their comparison."""
 STANDARD = {
     **SOURCE,
     "slowly_increasing_steer": SLOWLY_INCREASING_STEER,
@@ -56,11 +56,11 @@ STANDARD = {
     "constant_radius_circle": CONSTANT_RADIUS_CIRCLE,
     "constant_handwheel_circle": CONSTANT_HANDWHEEL_CIRCLE,
 }
-"""All manoeuvres, with the conditions of the source or of the standard (docs/manoeuvres.md)."""
+"""All manoeuvres, under the conditions of the paper or the standard (docs/manoeuvres.md)."""
 
 
 def manoeuvre_named(name: str) -> Manoeuvre:
-    """The standard manoeuvre of that name; raises InputError naming the ones there are."""
+    """The manoeuvre of that name; raises InputError listing the available names."""
     if name not in STANDARD:
         raise InputError("MANOEUVRE", name, "one of " + ", ".join(STANDARD))
     return STANDARD[name]

@@ -83,7 +83,7 @@ def test_the_verdict_is_the_highest_speed_below_every_failure():
         *(row("left", 26), row("left", 27, end="rolled_over")),
         *(row("right", 20, cones=1),),
     ]
-    expected = "26 km/h to the left, failed from 20 km/h on to the right"
+    expected = "26 km/h to the left, failed already at 20 km/h to the right"
     assert SERIES[SEVERE].verdict(rows) == expected
 
 

@@ -87,7 +87,7 @@ def test_lines_say_what_was_not_found_and_to_which_side():
     rows = [lifted, row(20.0, side="right"), row(22.0, side="right", end="diverged")]
     remarks = search().remarks(preset(), rows)
     assert remarks["first wheel lift-off"] == (
-        "at 20.000 m/s (72.0 km/h), the lowest speed, already, to the left; "
+        "already at 20.000 m/s (72.0 km/h), the lowest speed, to the left; "
         "none up to 22.000 m/s (79.2 km/h), to the right"
     )
     assert "none up to 20.000 m/s" in remarks["first rollover"]
@@ -95,7 +95,8 @@ def test_lines_say_what_was_not_found_and_to_which_side():
     assert "diverged" not in search().remarks(preset(), rows[:2])
     assert search().verdict(rows) == (
         "wheel lift-off at 20.000 m/s (72.0 km/h), to the left; "
-        "no wheel lifts up to 22.000 m/s (79.2 km/h), to the right, but for runs that diverged"
+        "no wheel lift-off up to 22.000 m/s (79.2 km/h), to the right, "
+        "disregarding runs that diverged"
     )
 
 
@@ -118,7 +119,7 @@ def test_a_model_without_wheel_heights_does_not_know_of_two_wheel_lift():
     rows = list(chosen.rows(preset(), Options(model="8dof")))
     assert len(rows) == 2 * 2
     said = chosen.remarks(preset(), rows)["first two-wheel lift"]
-    assert said == "unknown: the model has no wheel heights, to either side"
+    assert said == "unknown: the model does not compute wheel heights, to either side"
 
 
 @pytest.mark.parametrize("name", SEARCHES)
@@ -140,7 +141,7 @@ def test_a_step_steer_keeps_the_angle_of_its_lateral_acceleration():
 
 @pytest.mark.parametrize("highest", [5.0, 4.0])
 def test_a_range_that_ends_before_it_begins_is_refused(highest):
-    with pytest.raises(InputError, match=r"highest_speed.*more than the lowest one, 5 m/s"):
+    with pytest.raises(InputError, match=r"highest_speed.*more than lowest_speed, 5 m/s"):
         search(highest_speed=highest)
 
 

@@ -35,7 +35,9 @@ def test_a_roll_centre_is_the_parameter_that_was_given_alone(simulator):
     assert not node.has_parameter(DEPTH)
     assert node.get_parameter("vehicle.rear_roll_centre_depth").value == 0.6
     assert node.session.simulation.vehicle.roll_centre_depth[0] == 0.75 - 0.2
-    with pytest.raises(InputError, match=f"^{DEPTH}: 0.65 beside front_roll_centre_height 0.1"):
+    with pytest.raises(
+        InputError, match=f"^{DEPTH}: 0.65 together with front_roll_centre_height 0.1"
+    ):
         simulator(f"{HEIGHT}:=0.1", f"{DEPTH}:=0.65")
 
 
@@ -53,7 +55,7 @@ def test_another_node_reads_the_same_vehicle(simulator):
 
 
 def test_strict_refuses_what_is_not_plausible(simulator):
-    told = "strict: the vehicle is not plausible: vehicle.rear_damping: 0 N s/m is a damping ratio"
+    told = "strict: the vehicle is not plausible: vehicle.rear_damping: 0 N s/m gives a damping"
     with pytest.raises(InputError, match=f"^{told}"):
         simulator("vehicle.rear_damping:=0.0", "strict:=true")
     simulator("strict:=true")
@@ -64,6 +66,6 @@ def test_else_the_log_has_it_once_and_stderr_nothing_more(start, peer):
     peer.listen("state")
     peer.newest("state")
     _, _, err = node.finish(2)
-    told = "vehicle.front_roll_centre_depth: 0.65 m under a c.g. at 0.6 m leaves the roll centre"
+    told = "vehicle.front_roll_centre_depth: 0.65 m below a c.g. at 0.6 m puts the roll centre"
     assert err.count(told) == err.count("0.05 m below the road") == 1
     assert "[WARN]" in next(line for line in err.splitlines() if told in line)

@@ -1,4 +1,4 @@
-"""Manoeuvres whose driver follows a path."""
+"""Closed-loop manoeuvres in which a driver follows a path."""
 
 import abc
 import dataclasses
@@ -17,15 +17,15 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class DriverSettings:
-    """What is known of the driver."""
+    """Parameters of the path-following driver."""
 
-    preview_time: float = parameter("how far the driver sees ahead", "s", 0.05, 5.0)
-    driver_delay: float = parameter("delay of the driver's hands", "s", 0.0, 2.0, default=0.0)
+    preview_time: float = parameter("preview time of the driver", "s", 0.05, 5.0)
+    driver_delay: float = parameter("response delay of the driver", "s", 0.0, 2.0, default=0.0)
     handwheel_rate: float = parameter(
-        "quickest turn of the handwheel", "deg/s", 1.0, 1e5, default=1000.0
+        "largest rate of the handwheel angle", "deg/s", 1.0, 1e5, default=1000.0
     )
     handwheel_limit: float = parameter(
-        "largest handwheel angle, at most 60 deg at the road wheels",
+        "largest handwheel angle; also limited to 60 deg at the road wheels",
         "deg",
         1.0,
         LARGEST_HANDWHEEL,
@@ -35,7 +35,7 @@ class DriverSettings:
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class PathFollowing(DriverSettings, Manoeuvre):
-    """A driver on a path; `for_vehicle` brings what he expects of the vehicle."""
+    """A driver follows a path; `for_vehicle` sets the driver's internal model of the vehicle."""
 
     steering_ratio: float = math.nan
     model: SingleTrack | None = None
@@ -43,17 +43,17 @@ class PathFollowing(DriverSettings, Manoeuvre):
     needs_vehicle = True
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "PathFollowing":
-        """With the vehicle's steering ratio and linear single-track model."""
+        """A copy with the steering ratio and the linear single-track model of the vehicle."""
         return dataclasses.replace(
             self, steering_ratio=vehicle.steering_ratio, model=SingleTrack.of(vehicle)
         )
 
     @abc.abstractmethod
     def path_ahead(self, x: float, y: float, distance: float) -> np.ndarray:
-        """Points (n, 2) of the path (m), in order, from beside x, y to beyond `distance` (m)."""
+        """Points (n, 2) of the path (m), in order, from beside (x, y) to beyond `distance` (m)."""
 
     def steering(self) -> PreviewSteering:
-        """The hands of a driver, for one run."""
+        """A new steering controller for one run."""
         ratio = self.steering_ratio
         return PreviewSteering(
             self.model,

@@ -1,4 +1,4 @@
-"""A driver who sees the path ahead: MacAdam's optimal preview control.
+"""Driver model: MacAdam's optimal preview control.
 
 C. C. MacAdam, "Application of an optimal preview control for simulation of closed-loop automobile
 driving", IEEE Transactions on Systems, Man, and Cybernetics 11(6), 393-399, 1981.
@@ -13,34 +13,35 @@ import numpy as np
 from vehicle_roll_sim.manoeuvres.driver.single_track import SingleTrack
 
 POINTS = 20
-"""Points of the preview: more of them change no road-wheel angle by a thousandth."""
+"""Number of preview points; more of them change the road-wheel angle by less than 0.1 %."""
 SLOWEST = 1.0
-"""m/s: below it the driver looks ahead as at this speed, and the slips stay finite."""
+"""m/s: lowest speed in the driver's internal model; keeps the slip angles finite at standstill."""
 ROUNDING = 1e-9
 """s"""
 
 PathAhead = Callable[[float, float, float], np.ndarray]
-"""Points (n, 2) of the path (m), in order, from beside a place x, y to beyond a distance (m)."""
+"""Function of x, y and a distance (m) that returns points (n, 2) of the path (m), in order, from
+beside (x, y) to beyond the distance."""
 
 
 class PreviewSteering:
-    """The handwheel's angle that brings a vehicle best to its path, held over the preview.
+    """The steering angle which, held over the preview time, best brings the vehicle to its path.
 
-    The vehicle is expected to move as the linear single-track model does. In axes of the vehicle
-    as it stands now, its lateral position after a time eta is
+    The internal model is the linear single-track model. In the vehicle axes at the present time,
+    the lateral position after a time eta is predicted as
 
         y(eta) = c Phi(eta) x + A(eta) delta
 
-    with Phi the transition matrix of the states x = (y, psi, v, r), c = (1, 0, 0, 0), and A the
-    response to a road-wheel angle of 1 that is held. The angle is the one with the least integral
-    of (f - y)^2 over the preview time, f being the path's lateral position (equation 11):
+    where Phi is the transition matrix of the states x = (y, psi, v, r), c = (1, 0, 0, 0), and A is
+    the response to a constant road-wheel angle of 1 rad. The angle minimizes the integral of
+    (f - y)^2 over the preview time, where f is the lateral position of the path (equation 11):
 
         delta = integral (f - c Phi x) A / integral A^2
 
-    It takes effect after a delay, as far as the handwheel's rate and angle allow.
+    It takes effect after the delay, within the limits of rate and angle.
 
-    preview, delay: times (s). rate, limit: of the road-wheel angle (rad/s, rad). Without a model no
-    angle is known, and all are nan.
+    preview, delay: times (s). rate, limit: of the road-wheel angle (rad/s, rad). Without a model
+    all angles are nan.
     """
 
     def __init__(
@@ -59,7 +60,7 @@ class PreviewSteering:
         self._angle = 0.0
 
     def angle(self, time: float, state) -> float:
-        """The road-wheel angle (rad) from `time` (s) on; to be asked in order of time."""
+        """The road-wheel angle (rad) from `time` (s) on; call in order of increasing time."""
         passed = time - self._times[-1] if self._times else 0.0
         self._times.append(time)
         self._wanted.append(self.best_angle(state))
@@ -71,7 +72,7 @@ class PreviewSteering:
         return self._angle
 
     def best_angle(self, state) -> float:
-        """delta (rad), without delay and limits."""
+        """delta (rad), before delay and limits are applied."""
         if self.model is None:
             return math.nan
         speed = max(float(state["u"]), SLOWEST)
@@ -82,7 +83,10 @@ class PreviewSteering:
         return float(missing @ response / (response @ response))
 
     def prediction(self, speed: float, motion: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """c Phi x and A at the points of the preview (m, m/rad); motion: v and r now."""
+        """c Phi x (m) and A (m/rad) at the preview points, each of shape (POINTS,).
+
+        speed: forward speed (m/s). motion: present v and r (m/s, rad/s), shape (2,).
+        """
         rates, steer = self.model.rates(speed)
         system = np.zeros((5, 5))  # y, psi, v, r, delta
         system[0, 1], system[0, 2], system[1, 3] = speed, 1.0, 1.0
@@ -95,7 +99,7 @@ class PreviewSteering:
         return rows[:, 2:4] @ motion, rows[:, 4]
 
     def _path_across(self, state, distances: np.ndarray) -> np.ndarray:
-        """f: lateral position of the path (m, left positive) at distances ahead (m)."""
+        """f: lateral position of the path (n,) (m, left positive) at distances ahead (n,) (m)."""
         x, y, yaw = (float(state[name]) for name in ("x", "y", "yaw"))
         points = self.path(x, y, float(distances[-1])) - (x, y)
         ahead = points @ (math.cos(yaw), math.sin(yaw))
@@ -104,10 +108,10 @@ class PreviewSteering:
 
 
 def transition(exponent: np.ndarray) -> np.ndarray:
-    """The exponential of a matrix by the diagonal Pade approximant of second order.
+    """Matrix exponential by the diagonal Pade approximant of order two.
 
-    Its error is the fifth power of the exponent over 720; what decays, decays however fast it does,
-    as at a low speed.
+    Its error is the fifth power of the exponent over 720. It is A-stable: decaying modes decay
+    however fast they are, as at low speed.
     """
     even, odd = np.eye(len(exponent)) + exponent @ exponent / 12.0, exponent / 2.0
     return np.linalg.solve(even - odd, even + odd)

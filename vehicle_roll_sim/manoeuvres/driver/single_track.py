@@ -1,4 +1,4 @@
-"""The linear single-track model of a vehicle: what a driver expects of it."""
+"""The linear single-track model of a vehicle: the internal model of the path-following driver."""
 
 import dataclasses
 
@@ -10,18 +10,19 @@ from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 SMALL_SLIP = 1e-4
-"""Tangent of the slip angles between which the slope of the lateral force is taken."""
+"""Tangent of the slip angle, of either sign, for the finite difference of the lateral force."""
 LATERAL, YAWING = 0, 1
-"""Places of the lateral velocity v and the yaw rate r among the states."""
+"""Indices of the lateral velocity v and the yaw rate r among the states."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class SingleTrack:
-    """M d(v, r)/dt = (S / u - u T) (v, r) + s delta, about the sprung c.g., all in SI units.
+    """M d(v, r)/dt = (S / u - u T) (v, r) + s delta, about the sprung c.g., in SI units.
 
-    inertia: M, with the unsprung masses. slip: S, of the cornering stiffnesses. turning: T, which
-    has the first column of M in its second. steer: s. u: forward speed (m/s), delta: road-wheel
-    angle (rad). No roll: the two degrees of freedom of Riekert and Schunck (1940).
+    v: lateral velocity (m/s). r: yaw rate (rad/s). u: forward speed (m/s). delta: front road-wheel
+    angle (rad). inertia: M (2, 2), unsprung masses included. slip: S (2, 2), from the cornering
+    stiffnesses. turning: T (2, 2), whose second column is the first column of M, else 0. steer: s
+    (2,). There is no roll: this is the two-degree-of-freedom model of Riekert and Schunck (1940).
     """
 
     inertia: np.ndarray
@@ -31,7 +32,7 @@ class SingleTrack:
 
     @classmethod
     def of(cls, vehicle: Vehicle) -> "SingleTrack":
-        """That of a vehicle on a level road, with its tires under their loads at rest."""
+        """The model of a vehicle on a level road, with cornering stiffnesses at static load."""
         record = vehicle.record()[0]
         unsprung = record.unsprung_mass
         mass = record.sprung_mass + unsprung.sum()
@@ -51,7 +52,7 @@ class SingleTrack:
 
 
 def cornering_stiffnesses(vehicle: Vehicle) -> np.ndarray:
-    """Of the front and the rear axle, both tires together, under their loads at rest (N/rad)."""
+    """Cornering stiffnesses (2,) of the front and rear axle, both tires, at static load (N/rad)."""
     tire = vehicle.tire.record()
     loads = vehicle.static_tire_compression * vehicle.per_wheel("tire_stiffness")
     forces = []

@@ -1,4 +1,4 @@
-"""What every test series is made of: runs of a manoeuvre to either side."""
+"""Base class of test series: runs of a manoeuvre to the left and to the right."""
 
 import abc
 import dataclasses
@@ -17,21 +17,21 @@ COMPLETE = "complete"
 
 @dataclasses.dataclass(frozen=True)
 class Series(abc.ABC):
-    """Runs of a manoeuvre to the left, then to the right; a row of results for each."""
+    """Runs of a manoeuvre to the left, then to the right; each gives one row of results."""
 
     manoeuvre: Manoeuvre
 
     columns = ()
-    """Names of what a row has; SI units unless the name ends in another."""
+    """Names of the columns; values are in SI units unless the name ends in a unit."""
     settings = ()
-    """Title and declaring class, or instance with defaults, of the options that are left open."""
+    """Pairs of a title and a declaring class, or instance with defaults: the series' options."""
 
     def with_values(self, values: dict) -> "Series":
-        """A copy with other values of these options."""
+        """A copy with some of these options replaced."""
         return dataclasses.replace(self, manoeuvre=dataclasses.replace(self.manoeuvre, **values))
 
     def rows(self, vehicle: Vehicle, options: Options) -> Iterator[tuple]:
-        """Drive the runs one by one, on a level road."""
+        """Drive the runs one by one on a level road; yields a row per run, direction first."""
         ready = self.manoeuvre.for_vehicle(vehicle, options)
         for direction in SIDES:
             for row in self.rows_to_a_side(ready, direction, vehicle, options):
@@ -41,25 +41,25 @@ class Series(abc.ABC):
     def rows_to_a_side(
         self, ready: Manoeuvre, direction: str, vehicle: Vehicle, options: Options
     ) -> Iterator[tuple]:
-        """Runs to the left or to the right, without the direction in front."""
+        """Drive the runs to one side; yields rows without the direction."""
 
     def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
-        """What else there is to say of the rows: label and text of each line."""
+        """Further remarks on the results: label and text of each line."""
         return {}
 
     @abc.abstractmethod
     def verdict(self, rows: list[tuple]) -> str:
-        """What the rows mean."""
+        """The conclusion from the rows, in one line."""
 
 
 def driven(manoeuvre: Manoeuvre, vehicle: Vehicle, options: Options) -> tuple[Simulation, History]:
-    """A run of its own with a manoeuvre that is ready for the vehicle."""
+    """Drive a manoeuvre, completed by `for_vehicle`, in a new simulation."""
     simulation = Simulation(vehicle, options)
     simulation.reset(manoeuvre.speed)
     return simulation, run(simulation, manoeuvre.driver(), manoeuvre.duration)
 
 
 def ending_of(simulation: Simulation) -> str:
-    """How a run ended, in a word."""
+    """How a run ended, in one word."""
     is_complete = simulation.condition is Condition.RUNNING
     return COMPLETE if is_complete else simulation.condition.name.lower()

@@ -1,4 +1,4 @@
-"""Test series: a manoeuvre again and again, faster or with more steering, and the verdict."""
+"""Test series: runs of a manoeuvre with rising entry speed or steering amplitude, and a verdict."""
 
 import dataclasses
 import math
@@ -32,14 +32,14 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 LADDER_FROM, LADDER_STEP, LADDER_TO = 1.5, 0.5, 6.5
-"""Amplitudes of the sine with dwell over the handwheel angle at 0.3 g."""
+"""Scalars of the sine with dwell: handwheel amplitude over the handwheel angle at 0.3 g."""
 LEAST_FINAL, LARGEST_FINAL = 270.0, 300.0
-"""deg: the final amplitude is 6.5 times that angle, but not below and not above these."""
+"""deg: limits of the final amplitude, which is otherwise 6.5 times the angle at 0.3 g."""
 
 
 @dataclasses.dataclass(frozen=True)
 class SpeedSeries(Series):
-    """Entry speeds (mph, rising) until two wheels lift."""
+    """Runs at rising entry speeds (mph) until two-wheel lift."""
 
     speeds: tuple[float, ...]
 
@@ -55,7 +55,7 @@ class SpeedSeries(Series):
             )
             simulation, history = driven(manoeuvre, vehicle, options)
             if not has_wheel_heights(history):
-                raise InputError("model", options.model, "a model that has wheel heights")
+                raise InputError("model", options.model, "a model that computes wheel heights")
             lift = two_wheel_lift(history)
             peak = math.degrees(simulation.events.peak_roll[VALUE])
             ending = ending_of(simulation)
@@ -67,14 +67,14 @@ class SpeedSeries(Series):
         ended = [row for row in rows if not math.isnan(row[4]) or row[-1] != COMPLETE]
         if not ended:
             return f"no two-wheel lift up to {max(row[1] for row in rows):g} mph"
-        what = [row[-1] if math.isnan(row[4]) else "two-wheel lift" for row in ended]
+        events = [row[-1] if math.isnan(row[4]) else "two-wheel lift" for row in ended]
         where = [f"at {row[1]:g} mph to the {row[0]}" for row in ended]
-        return ", ".join(f"{event} {place}" for event, place in zip(what, where, strict=True))
+        return ", ".join(f"{event} {place}" for event, place in zip(events, where, strict=True))
 
 
 @dataclasses.dataclass(frozen=True)
 class AmplitudeLadder(Series):
-    """Amplitudes of the sine with dwell, each judged."""
+    """Runs of the sine with dwell at rising amplitudes, each with a verdict."""
 
     columns = (
         *("direction", "scalar", "amplitude_deg", "yaw_rate_ratio_1_00", "yaw_rate_ratio_1_75"),
@@ -94,14 +94,14 @@ class AmplitudeLadder(Series):
             yield scalar, manoeuvre.amplitude, *ratios, result.displacement, verdict
 
     def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
-        """Where the ladder ends below its final amplitude, since the wheels turn no further."""
+        """A line if the vehicle cannot reach the standard's final amplitude."""
         largest = largest_handwheel(vehicle.steering_ratio)
         _, scalar, amplitude, *_ = rows[-1]
         wanted = final_amplitude(abs(amplitude) / scalar)
         if wanted <= largest:
             return {}
         end = at_the_road_wheels(largest, vehicle.steering_ratio)
-        return {"amplitudes end at": f"{end}; the standard's at {wanted:.4g} deg"}
+        return {"amplitudes end at": f"{end}; the standard requires {wanted:.4g} deg"}
 
     def verdict(self, rows: list[tuple]) -> str:
         failed = [row for row in rows if row[-1] != "passed"]
@@ -119,7 +119,7 @@ SERIES = {
     "iso_double_lane_change": EntrySpeedSearch(ISO_DOUBLE_LANE_CHANGE, 40, 200),
     "iso_severe_double_lane_change": EntrySpeedSearch(ISO_SEVERE_DOUBLE_LANE_CHANGE, 20, 150),
 }
-"""The manoeuvres whose standard has a series."""
+"""The manoeuvres whose standard defines a series."""
 
 
 SEARCHES = {
@@ -127,13 +127,14 @@ SEARCHES = {
     for name, manoeuvre in STANDARD.items()
     if not isinstance(manoeuvre, PathFollowing | RisingSpeed)
 }
-"""The manoeuvres that have one entry speed and nothing else that goes with it."""
+"""Entry-speed searches, for all manoeuvres whose entry speed can be varied by itself."""
 
 
 def series_named(name: str, is_search: bool = False) -> Series:
-    """The series of a manoeuvre, or the search over its entry speeds where there is none.
+    """The series that the standard defines for a manoeuvre, or else an entry-speed search.
 
-    is_search: the search in any case. Raises InputError with the names there are.
+    is_search: return the entry-speed search in any case. Raises InputError listing the available
+    names.
     """
     known = SEARCHES if is_search else SEARCHES | SERIES
     if name not in known:
@@ -142,14 +143,15 @@ def series_named(name: str, is_search: bool = False) -> Series:
 
 
 def final_amplitude(steering_at_03g: float) -> float:
-    """The last one (deg): the greater of 6.5 times that angle and 270 deg, but at most 300 deg."""
+    """Final amplitude (deg): 6.5 times the angle at 0.3 g (deg), at least 270, at most 300 deg."""
     return min(max(LADDER_TO * steering_at_03g, LEAST_FINAL), LARGEST_FINAL)
 
 
 def ladder(steering_at_03g: float, largest: float = math.inf) -> list[float]:
-    """Amplitudes over that angle (deg): 1.5 in steps of 0.5, and last the final one (FMVSS 126).
+    """Scalars of the series (FMVSS 126): 1.5 in steps of 0.5, then that of the final amplitude.
 
-    No amplitude is beyond the `largest` handwheel angle of the vehicle (deg).
+    A scalar is the amplitude over `steering_at_03g` (deg). No amplitude exceeds `largest`, the
+    largest handwheel angle of the vehicle (deg).
     """
     final = min(final_amplitude(steering_at_03g), largest) / steering_at_03g
     return [*np.arange(LADDER_FROM, final - 1e-9, LADDER_STEP).tolist(), final]

@@ -1,4 +1,4 @@
-"""The highest speed at which a vehicle gets through a double lane change."""
+"""Search for the highest entry speed at which a vehicle passes a double lane change."""
 
 import dataclasses
 import math
@@ -15,23 +15,22 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 COARSE, FINE = 5, 1
-"""km/h: steps of the entry speed, first up to a run that fails, then from the last that did not."""
+"""km/h: steps of the entry speed up to the first failed run, and within the step before it."""
 SLOWER = 1.5
-"""A run lasts as long as the track at the entry speed divided by this,"""
+"""Factor on the time that the track takes at entry speed, to allow for deceleration."""
 BEYOND = 2.0
-"""and so much longer (s): a rollover that has begun comes to its end."""
+"""s: additional duration of a run, so that a rollover that has begun is completed."""
 SPEED, CONES, END = 1, 2, -1
-"""Places in a row."""
+"""Indices in a row."""
 
 
 @dataclasses.dataclass(frozen=True)
 class EntrySpeedSearch(Series):
-    """Entry speeds in coarse steps up to the first that fails; then in fine steps up to the first
-    that fails of those between it and the one before.
+    """Runs at rising entry speeds: in coarse steps to the first failure, then in fine steps.
 
-    slowest, fastest: the first and the last entry speed (km/h). A run fails that strikes a cone,
-    misses a lane, does not come to the end of the track, or rolls over. The result is the highest
-    speed below every failure; speeds that were not driven are not spoken of.
+    The fine steps cover the last coarse step, again up to the first failure. slowest, fastest:
+    range of the entry speed (km/h). A run fails if it strikes a cone, misses a lane, does not reach
+    the end of the track, or rolls over. The result is the highest speed driven below all failures.
     """
 
     slowest: int
@@ -58,7 +57,7 @@ class EntrySpeedSearch(Series):
     def _climb(
         self, ready: DoubleLaneChange, speeds: range, vehicle: Vehicle, options: Options
     ) -> Iterator[tuple]:
-        """Runs at these speeds (km/h) up to the first that fails."""
+        """Drive runs at these speeds (km/h) up to the first failure."""
         for speed in speeds:
             row = self._row(ready, speed, vehicle, options)
             yield row
@@ -68,7 +67,7 @@ class EntrySpeedSearch(Series):
     def _row(
         self, ready: DoubleLaneChange, speed: int, vehicle: Vehicle, options: Options
     ) -> tuple:
-        """One run, without the direction in front."""
+        """Drive one run; returns its row without the direction."""
         metres_per_second = speed / KMH
         length = ready.approach + ready.track.end + ready.outline.ahead + ready.outline.behind
         duration = round(SLOWER * length / metres_per_second + BEYOND, 1)
@@ -93,9 +92,9 @@ class EntrySpeedSearch(Series):
         if not failed:
             return f"no failure up to {max(row[SPEED] for row in rows):g} km/h"
         passed = [row[SPEED] for row in rows if row[SPEED] < min(failed)]
-        return f"{max(passed):g} km/h" if passed else f"failed from {min(failed):g} km/h on"
+        return f"{max(passed):g} km/h" if passed else f"failed already at {min(failed):g} km/h"
 
 
 def _is_passed(row: tuple) -> bool:
-    """Whether a row, without the direction in front, is one of a run that did not fail."""
+    """Whether the run of a row (without the direction) passed."""
     return row[CONES - 1] == 0 and row[END] == COMPLETE

@@ -1,4 +1,4 @@
-"""Entry speeds of a manoeuvre at which wheels lift and the vehicle rolls over."""
+"""Search for the entry speeds at which wheels lift off and the vehicle rolls over."""
 
 import dataclasses
 import functools
@@ -17,37 +17,39 @@ from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 KMH = 3.6
-"""km/h in a m/s."""
+"""km/h per m/s."""
 SIGNED = ("amplitude", "scalar", "handwheel_angle", "lateral_acceleration")
-"""Parameters of manoeuvres whose sign is the side that is steered to first."""
+"""Manoeuvre parameters whose sign determines the direction of the first steering input."""
 UNKNOWN = "unknown"
 ROLLED_OVER = Condition.ROLLED_OVER.name.lower()
 DIVERGED = Condition.DIVERGED.name.lower()
 SPEED, END = 1, -1
-"""Places in a row with its direction."""
+"""Indices in a row that begins with the direction."""
 EVENTS = {"wheel lift-off": 3, "two-wheel lift": 4, "rollover": 5}
-"""What is searched for, from the least to the worst, and the place of its time (s, nan if there is
-none) in a row without the direction."""
+"""The events searched for, by increasing severity.
+
+Values are the indices of their times (s, nan if there is none) in a row without the direction.
+"""
 ROUNDING = 1e-9
 """m/s"""
 
 
 @dataclasses.dataclass(frozen=True)
 class SpeedSearch(Series):
-    """Entry speeds in steps up to the first rollover, then a bisection for each event.
+    """Runs at rising entry speeds up to the first rollover, then a bisection for each event.
 
-    It narrows the gap between the lowest speed with the event, of those driven, and the one below
-    it. So what is found is the first change met from the lowest speed upwards; where a vehicle that
-    lifts its wheels at one speed does not at a higher one, that is not seen.
+    The bisection narrows the interval between the lowest speed driven at which the event occurs and
+    the next lower one. It finds the first occurrence from the lowest speed upwards; that an event
+    no longer occurs at some higher speed goes unnoticed.
     """
 
-    lowest_speed: float = parameter("first entry speed", "m/s", 0.1, MAXIMUM_SPEED, default=5.0)
-    highest_speed: float = parameter("last entry speed", "m/s", 0.1, MAXIMUM_SPEED, default=40.0)
+    lowest_speed: float = parameter("lowest entry speed", "m/s", 0.1, MAXIMUM_SPEED, default=5.0)
+    highest_speed: float = parameter("highest entry speed", "m/s", 0.1, MAXIMUM_SPEED, default=40.0)
     speed_step: float = parameter(
-        "step of the entry speed up to the first rollover", "m/s", 0.01, MAXIMUM_SPEED, default=2.5
+        "entry-speed step up to the first rollover", "m/s", 0.01, MAXIMUM_SPEED, default=2.5
     )
     resolution: float = parameter(
-        "bisect until an event is known to happen within this", "m/s", 1e-3, 100.0, default=0.1
+        "width of the speed interval at which the bisection stops", "m/s", 1e-3, 100.0, default=0.1
     )
 
     columns = (
@@ -62,22 +64,25 @@ class SpeedSearch(Series):
         return (("manoeuvre", self.manoeuvre), RANGE)
 
     def with_values(self, values: dict) -> "SpeedSearch":
-        """A copy with other values of the range and of the manoeuvre but for its speed."""
+        """A copy with some values of the search and of the manoeuvre replaced.
+
+        Raises InputError for the manoeuvre's own entry speed, which the search sets.
+        """
         for name in self.fixed:
             if name in values:
-                raise InputError(name, values[name], "lowest_speed and highest_speed in its place")
+                raise InputError(name, values[name], "lowest_speed and highest_speed instead")
         own = {name: value for name, value in values.items() if name in parameters_of(type(self))}
         of_manoeuvre = {name: value for name, value in values.items() if name not in own}
         return dataclasses.replace(super().with_values(of_manoeuvre), **own)
 
     def __post_init__(self):
         if not self.lowest_speed < self.highest_speed:
-            allowed = f"more than the lowest one, {self.lowest_speed:g} m/s"
+            allowed = f"more than lowest_speed, {self.lowest_speed:g} m/s"
             raise InputError("highest_speed", self.highest_speed, allowed)
 
     @property
     def speeds(self) -> list[float]:
-        """Entry speeds of the first climb (m/s); the highest one is always the last."""
+        """Entry speeds of the first pass (m/s); the last is always highest_speed."""
         below = np.arange(self.lowest_speed, self.highest_speed - ROUNDING, self.speed_step)
         return [*np.round(below, 9).tolist(), self.highest_speed]
 
@@ -102,7 +107,7 @@ class SpeedSearch(Series):
         return self.resolution < first - below < math.inf
 
     def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
-        """A line for each event: between which speeds it happens first. And the runs to doubt."""
+        """For each event, the speeds between which it first occurs; and the runs that diverged."""
         found = {
             f"first {label}": _to_sides(rows, functools.partial(_where, event=event))
             for label, event in EVENTS.items()
@@ -110,21 +115,21 @@ class SpeedSearch(Series):
         diverged = sorted({row[SPEED] for row in rows if row[END] == DIVERGED})
         if diverged:
             speeds = ", ".join(f"{speed:.3f}" for speed in diverged)
-            found["diverged"] = f"at {speeds} m/s: what would have happened there is not known"
+            found["diverged"] = f"at {speeds} m/s: the outcome at these speeds is unknown"
         return found
 
     def verdict(self, rows: list[tuple]) -> str:
-        """The worst that happened, at the lowest speed that it was seen at."""
+        """The most severe event, and the lowest speed at which it occurred."""
         doubtful = any(row[END] == DIVERGED for row in rows)
-        return _to_sides(rows, _worst) + (", but for runs that diverged" if doubtful else "")
+        return _to_sides(rows, _worst) + (", disregarding runs that diverged" if doubtful else "")
 
 
 RANGE = ("range of entry speeds", SpeedSearch)
-"""Title and declaring class of the options that ask for a search."""
+"""Title and declaring class of the options of a search."""
 
 
 def to_the(direction: str, manoeuvre: Manoeuvre) -> Manoeuvre:
-    """The manoeuvre begun to that side."""
+    """The manoeuvre with its first steering input in that direction."""
     names = {field.name for field in dataclasses.fields(manoeuvre)}
     present = [name for name in SIGNED if name in names]
     values = {name: SIDES[direction] * abs(getattr(manoeuvre, name)) for name in present}
@@ -132,7 +137,7 @@ def to_the(direction: str, manoeuvre: Manoeuvre) -> Manoeuvre:
 
 
 def _row(ready: Manoeuvre, speed: float, vehicle: Vehicle, options: Options) -> tuple:
-    """One run, without the direction in front."""
+    """Drive one run; returns its row without the direction."""
     manoeuvre = dataclasses.replace(ready, speed=speed).for_vehicle(vehicle, options)
     simulation, history = driven(manoeuvre, vehicle, options)
     events = simulation.events
@@ -150,9 +155,10 @@ def _row(ready: Manoeuvre, speed: float, vehicle: Vehicle, options: Options) -> 
 
 
 def gap_of(rows: dict[float, tuple], event: int) -> tuple[float, float]:
-    """The lowest speed with that event, of those driven, and the highest one below it (m/s).
+    """The highest speed driven below the first occurrence of an event, and that of it (m/s).
 
-    inf where none had it; -inf where the lowest one had it already.
+    rows: by speed (m/s). The second is inf if the event never occurred; the first is -inf if it
+    occurred at the lowest speed.
     """
     first = min((speed for speed, row in rows.items() if _happened(row[event])), default=math.inf)
     return max((speed for speed in rows if speed < first), default=-math.inf), first
@@ -163,7 +169,7 @@ def _happened(time: float | str) -> bool:
 
 
 def _to_sides(rows: list[tuple], find: Callable[[dict[float, tuple]], str]) -> str:
-    """What is found for the runs to either side, by their speed, in words."""
+    """Apply `find` to the rows of each side, by speed, and join the texts."""
     found = {}
     for side in SIDES:
         found[side] = find({row[SPEED]: row[1:] for row in rows if row[0] == side})
@@ -173,14 +179,14 @@ def _to_sides(rows: list[tuple], find: Callable[[dict[float, tuple]], str]) -> s
 
 
 def _where(rows: dict[float, tuple], event: int) -> str:
-    """Between which speeds an event happens first."""
+    """The speeds between which an event first occurs, in words."""
     below, first = gap_of(rows, event)
     if any(row[event] == UNKNOWN for row in rows.values()):
-        return "unknown: the model has no wheel heights"
+        return "unknown: the model does not compute wheel heights"
     if math.isinf(first):
         return f"none up to {_speed(max(rows))}"
     if math.isinf(below):
-        return f"at {_speed(first)}, the lowest speed, already"
+        return f"already at {_speed(first)}, the lowest speed"
     return f"between {below:.3f} and {_speed(first)}"
 
 
@@ -189,7 +195,7 @@ def _worst(rows: dict[float, tuple]) -> str:
         _, first = gap_of(rows, event)
         if not math.isinf(first):
             return f"{label} at {_speed(first)}"
-    return f"no wheel lifts up to {_speed(max(rows))}"
+    return f"no wheel lift-off up to {_speed(max(rows))}"
 
 
 def _speed(speed: float) -> str:
