@@ -100,7 +100,8 @@ def add_declared(
     The defaults shown are those of `declaring`. Options that the parser already has are left
     unchanged. without: names of parameters that get no option.
     """
-    group = parser.add_argument_group(title)
+    groups = {group.title: group for group in parser._action_groups}
+    group = groups.get(title) or parser.add_argument_group(title)
     for parameter in parameters_of(declaring).values():
         is_there = any(action.dest == parameter.name for action in parser._actions)
         if is_there or parameter.name in without:

@@ -63,4 +63,4 @@ def test_a_bag_of_heights_is_replayed_to_the_bit_with_and_without_them(command):
     for words in ((), heights):
         result = command("replay", "bag", "--strict", *words)
         assert (result.status, result.err) == (0, "")
-        assert "every state reproduced to the bit" in result.value["run 1"]
+        assert "every state reproduced bit for bit" in result.value["run 1"]

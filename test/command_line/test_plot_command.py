@@ -225,7 +225,7 @@ def test_neither_is_what_is_not_there_or_a_folder(refused, folder):
     refused(("plot", "none.csv"), "none.csv", "No such file")
     (folder / "results").mkdir()
     has_library = importlib.util.find_spec("rosbags") is not None
-    refused(("plot", "results"), "a whole bag of a simulator" if has_library else "rosbags")
+    refused(("plot", "results"), "a complete bag of a simulator" if has_library else "rosbags")
     refused(("plot", ""), "FILE", "''")
     refused(("plot",), "FILE")
 

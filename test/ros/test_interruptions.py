@@ -41,7 +41,7 @@ def test_a_manoeuvre_that_is_reset_by_somebody_else_says_so(start, peer):
     peer.call(Trigger, "simulator/reset")
     status, _, err = driver.finish()
     assert status == 1
-    assert "reset by somebody else" in err
+    assert "reset by another node" in err
 
 
 def test_a_recorder_without_its_library_says_what_to_install(tmp_path):

@@ -5,13 +5,13 @@ The module of a subcommand has its name, and the function NAME_command. It is im
 """
 
 COMMANDS = {
-    "run": "Simulate a manoeuvre offline and print what happened.",
-    "replay": "Simulate the runs in a bag again, on the commands that were applied, and compare.",
-    "series": "Drive a standard's test series, or a range of speeds: a table and its verdict.",
-    "plot": "Draw the standard figure of recorded runs.",
-    "linearize": "Linearise the model about steady driving: A, B, C, D and the poles.",
-    "paper": "Rerun Shim and Ghike (2007): figures, data, and a verdict on every claim.",
-    "compile": "Compile the model now, once for this version, so that no first start waits for it.",
-    "parameters": "Print every parameter of a vehicle in Markdown: value, unit, range, meaning.",
-    "template": "Write a commented vehicle file, tire file or command file to start from.",
+    "run": "Simulate a manoeuvre offline and print a summary.",
+    "replay": "Simulate the runs in a bag again from their applied commands, and compare.",
+    "series": "Run a test series of a standard or a search over entry speeds: table and verdict.",
+    "plot": "Plot recorded runs in the standard figure.",
+    "linearize": "Linearise the model about steady driving: trim state, A, B, C, D and poles.",
+    "paper": "Reproduce Shim and Ghike (2007): figures, data, and a verdict on every claim.",
+    "compile": "Compile the model ahead of time, once per version, so that no run has to wait.",
+    "parameters": "Print all vehicle parameters as a Markdown table: value, unit, range, meaning.",
+    "template": "Write a commented vehicle, tire or command file to start from.",
 }

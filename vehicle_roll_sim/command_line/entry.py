@@ -1,10 +1,10 @@
-"""The entry point of the command: its signal handlers are installed before anything is imported."""
+"""The entry point of the command: installs signal handlers before any import."""
 
 from vehicle_roll_sim import early_signals
 
 
 def main() -> int:
-    """Run the command with the words of the process; returns the exit status."""
+    """Run the command with the arguments of the process; return the exit status."""
     early_signals.end_command_at_once()
     import importlib
 

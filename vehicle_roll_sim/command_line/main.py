@@ -14,7 +14,7 @@ from vehicle_roll_sim.declaration import unknown_name
 
 
 def main(words: list[str] | None = None) -> int:
-    """Run the command with `words` (default: those of the process); returns the exit status."""
+    """Run the command with `words` (default: `sys.argv[1:]`); return the exit status."""
 
     def command() -> int:
         given = sys.argv[1:] if words is None else words
@@ -42,8 +42,8 @@ def _chosen(words: list[str]) -> tuple[str, Callable[[list[str], str], int]]:
     parser = OneLineParser(
         prog=PROGRAM,
         usage=f"{PROGRAM} COMMAND [options]",
-        description="Vehicle roll dynamics: the model without a running node.",
-        epilog=f"commands, each with its own --help:\n{table}",
+        description="Simulate vehicle roll dynamics offline, without a running node.",
+        epilog=f"commands (each has its own --help):\n{table}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action=_ShowVersion, nargs=0, help=_ShowVersion.__doc__)

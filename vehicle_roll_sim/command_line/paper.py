@@ -1,4 +1,4 @@
-"""`vehicle_roll_sim paper`: rerun the source, its figures and its claims."""
+"""`vehicle_roll_sim paper`: rerun the studies of Shim and Ghike (2007) and check its claims."""
 
 import sys
 from pathlib import Path
@@ -24,22 +24,23 @@ from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 DEFAULT_FOLDER = "paper"
 CLAIM_FAILED = 1
-"""Exit status with --strict."""
+"""Exit status with --strict if a claim fails or was not checked."""
 
 
 def paper_command(words: list[str], program: str) -> int:
-    """The command, given the words behind its name; returns the exit status."""
+    """Run the command with the arguments after its name; return the exit status."""
     parser = OneLineParser(prog=program, description=COMMANDS["paper"])
     parser.add_argument(
         "--out",
         metavar="DIR",
         default=DEFAULT_FOLDER,
-        help=f"folder for figures (PNG), their data (CSV) and the table (default {DEFAULT_FOLDER})",
+        help="folder for the figures (PNG), their data (CSV) and the table of claims "
+        f"(default: {DEFAULT_FOLDER})",
     )
     parser.add_argument(
         "--strict",
         action="store_true",
-        help="exit with 1 unless every claim was checked and holds",
+        help="exit with status 1 unless every claim was checked and holds",
     )
     arguments = parser.parse_args(words)
     folder = named_file(arguments.out, "--out")
@@ -58,7 +59,7 @@ def paper_command(words: list[str], program: str) -> int:
 def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
     """Make all runs, then write figures, data and tables, all of them or none."""
     with ending.at_once():
-        from vehicle_roll_sim.paper import figures  # matplotlib: half a second
+        from vehicle_roll_sim.paper import figures  # matplotlib takes 0.5 s to import
 
     bar.reset(len(study.runs) + len(figures.FIGURES))
     for manoeuvre, case in study.runs:

@@ -1,4 +1,4 @@
-"""`vehicle_roll_sim series`: the test series of a standard, as a table with its verdict."""
+"""`vehicle_roll_sim series`: run the test series of a standard; print a table and a verdict."""
 
 import argparse
 from collections.abc import Callable, Iterable
@@ -32,12 +32,12 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 
 def series_command(words: list[str], program: str) -> int:
-    """The command, given the words behind its name; returns the exit status."""
+    """Run the command with the arguments after its name; return the exit status."""
     every = [*SERIES.values(), *SEARCHES.values()]
     first = _parser(program, [(t, _class_of(each)) for one in every for t, each in one.settings])
     named, _ = first.parse_known_args([word for word in words if word not in ("-h", "--help")])
     if named.manoeuvre is None:
-        first.parse_args(words)  # for its help
+        first.parse_args(words)  # in case of --help
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(SERIES) + "; --help shows how")
     is_search = any(getattr(named, name) is not None for name in parameters_of(SpeedSearch))
     series = series_named(named.manoeuvre, is_search)
@@ -64,7 +64,7 @@ def series_command(words: list[str], program: str) -> int:
 
 
 def _adjusted(series: Series, arguments: argparse.Namespace) -> Series:
-    """The series with the values of the command line."""
+    """The series with the values from the command line."""
     values = {}
     for _, declaring in series.settings:
         values |= declared_values(arguments, declaring)
@@ -77,7 +77,7 @@ def _adjusted(series: Series, arguments: argparse.Namespace) -> Series:
 def _driven(
     series: Series, vehicle: Vehicle, options: Options, progress: Callable[[], object]
 ) -> SeriesResult:
-    """The series driven; what is wrong with the model names the option."""
+    """Run the series; an error in the model options is reported under the option's name."""
     try:
         return drive_series(series, vehicle, options, progress)
     except InputError as error:
@@ -89,17 +89,17 @@ def _class_of(declaring) -> type:
 
 
 def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLineParser:
-    """The parser with the options that these classes or instances declare, under their titles."""
+    """The parser with the options of these classes or instances, grouped under their titles."""
     parser = OneLineParser(prog=program, description=COMMANDS["series"])
     parser.add_argument(
         "manoeuvre",
         metavar="MANOEUVRE",
         nargs="?",
-        help=", ".join(SERIES) + "; and for a search over entry speeds " + ", ".join(SEARCHES),
+        help=", ".join(SERIES) + "; for a search over entry speeds: " + ", ".join(SEARCHES),
     )
     for title, declaring in settings:
         add_declared(parser, declaring, title, without=SpeedSearch.fixed)
     add_declared(parser, Options, "model")
     add_vehicle_options(parser)
-    parser.add_argument("--csv", metavar="FILE", help="write the table, numbers in full precision")
+    parser.add_argument("--csv", metavar="FILE", help="write the table in full precision (CSV)")
     return parser

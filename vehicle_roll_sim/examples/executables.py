@@ -24,7 +24,7 @@ def yaw_control() -> None:
 
 
 def _run(name: str) -> None:
-    """The main function of a module beside this one, which ends the program."""
+    """Run the main function of a module in this folder, which ends the program."""
     early_signals.end_node_at_once()
     import importlib
 

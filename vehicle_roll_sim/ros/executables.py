@@ -1,6 +1,6 @@
-"""The entry points of the executables: signals are seen to before anything large is imported.
+"""The entry points of the executables: signal handlers are installed before any large import.
 
-Also `python -m vehicle_roll_sim.ros.executables NAME`.
+`python -m vehicle_roll_sim.ros.executables NAME` runs one as well.
 """
 
 import sys
@@ -41,7 +41,10 @@ def compare() -> int:
 
 
 def _run(name: str, interrupted: int = 0) -> int:
-    """The main function of an executable; its status after a signal before that."""
+    """Run the main function of an executable; return the exit status.
+
+    interrupted: exit status after a signal during the imports.
+    """
     early_signals.end_node_at_once(interrupted, even_ignored=not interrupted)
     import importlib
 

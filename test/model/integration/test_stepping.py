@@ -155,7 +155,7 @@ def test_a_tire_never_pulls_on_the_road_and_a_lifted_one_makes_no_force(simulati
     assert (unloaded == simulation.vehicle.tire_radius).all()
 
 
-def test_at_contact_a_force_begins_at_nought_without_a_jump(simulation):
+def test_at_contact_a_force_begins_at_zero_without_a_jump(simulation):
     run = record_run(simulation, j_turn(wheel_torque=(200.0,) * 4), 6.0)
     load, squeezed = run.outputs["normal_force"], np.maximum(run.state["tire_compression"], 0.0)
     stiffness = simulation.vehicle.per_wheel("tire_stiffness")

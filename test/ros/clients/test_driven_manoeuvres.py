@@ -106,7 +106,7 @@ def test_what_lockstep_does_not_wait_for_is_refused_in_one_line_that_says_what_t
     status, out, err = start("manoeuvre", "step_steer").finish()
     assert (status, out) == (2, "")
     assert len(err.splitlines()) == 1
-    assert f"lockstep_topics: without {missing}" in err
+    assert f"lockstep_topics: {missing}" in err
     assert "-p lockstep_topics:=[" in err
 
 
@@ -119,7 +119,7 @@ def test_a_topic_that_somebody_else_commands_is_refused_or_left_to_them(start, p
     assert status == 2
     assert len(err.splitlines()) == 1
     assert "wheel_torque_cmd: " in err
-    assert "commands it already" in err
+    assert "already commanded by" in err
     assert "--speed-hold 0" in err
 
     left_alone = start("manoeuvre", "j_turn", "--duration", "0.5")
@@ -144,7 +144,7 @@ def test_steering_that_somebody_else_commands_is_refused_as_soon_as_they_are_kno
     assert status == 2
     assert len(err.splitlines()) == 1
     assert "steering_cmd: " in err
-    assert "commands it already" in err
+    assert "already commanded by" in err
 
 
 def test_a_controller_that_never_comes_is_named(start):
@@ -152,7 +152,7 @@ def test_a_controller_that_never_comes_is_named(start):
     status, _, err = start("manoeuvre", "j_turn").finish()
     assert status == 1
     assert len(err.splitlines()) == 1
-    assert "nobody publishes normal_force_cmd" in err
+    assert "no node publishes normal_force_cmd" in err
 
 
 @pytest.fixture

@@ -18,7 +18,7 @@ def refused():
         assert (status, out) == (1, ""), err
         assert len(err.splitlines()) == 1, err
         assert err.startswith(f"manoeuvre: error: 2 nodes publish /state: {', '.join(names)};")
-        assert "allowed: one simulator in a namespace" in err
+        assert "allowed: one simulator per namespace" in err
 
     return check
 

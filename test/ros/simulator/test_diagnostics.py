@@ -79,7 +79,7 @@ def test_two_simulators_of_the_same_topics_are_warned_of_by_both(start, peer, se
     peer.listen("/diagnostics")
     more = len(STATE_SET) - 3
     warnings = [
-        f"TWO SIMULATORS: /{name} publishes state, applied_command, odom and {more} more topics too"
+        f"TWO SIMULATORS: /{name} also publishes state, applied_command, odom and {more} more"
         for name in ("simulator", second)
     ]
 
@@ -100,9 +100,9 @@ def test_a_node_that_publishes_one_topic_of_the_set_is_named_with_it(start, peer
     start("simulator", "--ros-args", "-r", "__ns:=/car")
     peer.listen("/diagnostics")
     peer.node.create_publisher(JointState, "/car/joint_states", 1)
-    status = wait_for_status(peer, lambda s: "/peer publishes" in s.message, "it to be seen")
+    status = wait_for_status(peer, lambda s: "/peer also publishes" in s.message, "it to be seen")
     assert status.level == DiagnosticStatus.WARN
-    assert "/peer publishes joint_states too" in status.message
+    assert "/peer also publishes joint_states" in status.message
     assert "SIMULATORS" not in status.message
 
 

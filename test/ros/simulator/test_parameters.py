@@ -47,7 +47,7 @@ WRONG = {
     "mode:=walk": ("mode", "real_time, lockstep"),
     "real_time_factor:=0.01": ("real_time_factor", "0, or from 0.1 to 100"),
     "lockstep_topics:=[steering]": ("lockstep_topics", "steering_cmd, rear"),
-    "lockstep_wait:=[state_stamped]": ("lockstep_wait", "go with publish_stamped"),
+    "lockstep_wait:=[state_stamped]": ("lockstep_wait", "only with publish_stamped"),
     "lockstep_wait:=odom": ("lockstep_wait", "a list of one or more of state"),
 }
 

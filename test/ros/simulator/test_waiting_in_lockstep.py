@@ -27,7 +27,7 @@ def test_nothing_is_sent_before_the_partners_are_there(start, peer):
     assert peer.newest("state").data[0] == 0.0
     _, _, err = simulator.finish(2)
     assert "lockstep: waiting for" in err
-    assert "a listener of imu" in err
+    assert "a subscriber on imu" in err
 
 
 def test_it_goes_on_when_all_have_received_the_first_set(start, peer, tmp_path):
@@ -74,7 +74,7 @@ def wait_for_warning(peer, *texts: str) -> None:
 def test_a_long_wait_is_a_warning_that_names_what_is_waited_for_and_whose_it_is(start, peer):
     start(*LOCKSTEP, "-p", "lockstep_topics:=[steering_cmd, brake_torque_cmd]")
     peer.listen("/diagnostics", "state")
-    missing = "a publisher of steering_cmd and a publisher of brake_torque_cmd"
+    missing = "a publisher on steering_cmd and a publisher on brake_torque_cmd"
     wait_for_warning(peer, f"lockstep: waiting for {missing} for ", " s")
     peer.publisher("steering_cmd")
     brake = peer.publisher("brake_torque_cmd")
@@ -135,7 +135,7 @@ def test_the_first_set_is_of_time_0_whatever_is_asked_before(start, peer):
     assert peer.call(SetBool, "simulator/pause", SetBool.Request(data=True)).success
     answer = peer.call(Trigger, "simulator/step")
     assert not answer.success
-    assert "not begun" in answer.message
+    assert "not started" in answer.message
     peer.listen("imu")
     assert peer.call(SetBool, "simulator/pause", SetBool.Request(data=False)).success
     assert peer.newest("state").data[0] == 0.0

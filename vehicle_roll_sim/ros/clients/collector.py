@@ -1,4 +1,4 @@
-"""What a running simulator publishes, kept from the last reset on."""
+"""Collects what a running simulator publishes, from its last reset on."""
 
 from collections.abc import Callable
 
@@ -11,14 +11,14 @@ from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.road import Road
 
 NUMBER = "publication_sequence_number"
-"""In what is known of a message: which of its publisher's it is, from 1."""
+"""Key in the message info: the publisher's count of its messages, starting at 1."""
 
 
 class Collector:
-    """Listens to the sets of a simulator; what cannot be of one is passed over.
+    """Subscribes to the sets of a simulator and ignores messages that cannot come from one.
 
-    on_state is told every `state` kept, by name. is_mixed: whether what came on a topic since the
-    last `forget` is known to be of two publishers, by the numbers that each of them counts.
+    on_state: called with every `state` kept, as a dict by name. is_mixed: whether the sequence
+    numbers show that messages on one topic since the last `forget` came from two publishers.
     """
 
     def __init__(self, node: Node, on_state: Callable[[dict], None]):
@@ -36,7 +36,7 @@ class Collector:
         self.forget()
 
     def forget(self) -> None:
-        """Drop everything, and wait for the state at time 0 that a reset brings."""
+        """Drop everything, and wait for the state at time 0 that follows a reset."""
         self._kept = Collected()
         self.is_mixed, self._numbers = False, {}
 
@@ -53,14 +53,17 @@ class Collector:
         return listen
 
     def _note_number(self, name: str, number: int | None) -> None:
-        """One publisher counts its messages up; not every middleware passes the numbers on."""
+        """Detect a second publisher: sequence numbers of one only increase.
+
+        Not every middleware provides these numbers.
+        """
         if number is None:
             return
         self.is_mixed = self.is_mixed or number <= self._numbers.get(name, 0)
         self._numbers[name] = number
 
     def simulators(self) -> int:
-        """How many nodes, as far as is known, publish all that a simulator does."""
+        """The number of known nodes that publish every topic of a simulator."""
         return min(each.get_publisher_count() for each in self.subscriptions)
 
     def _keep_state(self, state: dict, sent: int) -> None:
@@ -72,7 +75,7 @@ class Collector:
         self._on_state(state)
 
     def is_complete(self) -> bool:
-        """Whether all messages of the last set have come."""
+        """Whether all messages of the last set have arrived."""
         return self._kept.is_complete()
 
     def history(self, road: Road) -> History:

@@ -1,9 +1,10 @@
-"""The base of controllers: nodes that answer every set of messages with one command each.
+"""The base class of controllers: nodes that answer every set of messages with commands.
 
-In lockstep a period is run once every command topic has brought a message, and it begins as soon as
-every one has a publisher. So a controller makes its publishers when everything else is connected:
-the topics that it hears have a publisher, whose node has found it, and its answers have a listener.
-A chain of controllers is connected from the simulator on, and none misses the first set.
+Lockstep begins once every command topic has a publisher, and runs a period once each of them has
+received a message. A controller therefore creates its publishers last, when everything else is
+connected: the topics it hears have publishers, whose nodes have discovered it, and its answers have
+a subscriber. So a chain of controllers connects from the simulator outwards, and none of them
+misses the first set.
 """
 
 import math
@@ -32,26 +33,27 @@ from vehicle_roll_sim.ros.qos_overrides import (
 from vehicle_roll_sim.ros.topics import message_class
 
 ASK_AGAIN = 1.0
-"""s after which a question is repeated: a node that has not found us yet drops its answer."""
+"""Time (s) after which a request is repeated: a node that has not found us yet drops its answer."""
 QUEUED = QoSProfile(depth=KEPT)
 HEARD = {topic.name: topic for topic in (*STATE_SET, *COMMANDS)}
-"""What controllers can hear, beside what they say to each other."""
+"""What controllers can hear, besides topics among themselves."""
 SIZES = {name: channel.size for name, channel in channels().items()}
-"""Values that a command has."""
+"""The number of values of each command."""
 
 
 class Controller(Node):
-    """A node that hears some topics, and answers every set of their messages.
+    """A node that subscribes to some topics and answers every set of their messages.
 
-    A subclass declares `node_name`, the topics that it has `heard`, and those that it has `said`:
-    names of topics of the simulator, or, of those between controllers, `Topic(name, type)`.
+    A subclass declares its `node_name`, the topics `heard` (subscribed) and the topics `said`
+    (published): the names of the simulator's topics, or `Topic(name, type)` for topics between
+    controllers. Raises InputError if a declaration or parameter is wrong.
     """
 
     node_name = ""
     heard: tuple[str | Topic, ...] = ()
     said: tuple[str | Topic, ...] = ()
     needs_listener = True
-    """Whether it waits for somebody to listen to its answers."""
+    """Whether it waits for a subscriber to its answers before it starts."""
 
     def __init__(self):
         if not self.node_name:
@@ -63,23 +65,23 @@ class Controller(Node):
         self._subscriptions_of = [self._listen_to(topic) for topic in heard.values()]
 
     def answer(self, *messages):
-        """The data of the answer to one set: a message of each topic in `heard`, in that order.
+        """Compute the answer to one set. Each controller implements this method.
 
-        A number or the values of an array; with several topics in `said` a dict with the data of
-        each by its name. To be written by the controller.
+        messages: one message of each topic in `heard`, in that order. Returns the data to publish:
+        a number or a sequence of numbers; with several topics in `said`, a dict of them by topic.
         """
         raise NotImplementedError
 
     def parameter(self, name: str, default: float) -> float:
-        """The value of a ROS parameter, for which an integer serves as well."""
+        """Declare a ROS parameter and return its value; integers are accepted as numbers."""
         any_number = ParameterDescriptor(dynamic_typing=True)
         return float(self.declare_parameter(name, default, any_number).value)
 
     def prepare(self) -> None:
-        """What else is to be done before the first message."""
+        """Called once, connected but before the first answer; does nothing by default."""
 
     def run(self) -> None:
-        """Connect, then answer until the end."""
+        """Connect, then answer until shutdown."""
         while not self._others_are_there():
             self.executor.spin_once(timeout_sec=LOOK)
         self._make_known()
@@ -100,7 +102,7 @@ class Controller(Node):
         return make_subscription(self, message_class(topic.type), topic.name, listen, QUEUED)
 
     def _say(self, answer) -> None:
-        """Publish an answer, one message on each topic."""
+        """Publish an answer: one message on each topic; raises InputError if its data are wrong."""
         if len(self._said) == 1:
             answer = dict.fromkeys(self._said, answer)
         if not isinstance(answer, Mapping) or answer.keys() != self._said.keys():
@@ -110,7 +112,7 @@ class Controller(Node):
             self._publishers_of[name].publish(message)
 
     def _found(self) -> list:
-        """The endpoint that publishes each topic that is heard, None where there is none yet."""
+        """The publishing endpoint of each topic heard, None where there is none yet."""
         return [
             next(iter(self.get_publishers_info_by_topic(each.topic_name)), None)
             for each in self._subscriptions_of
@@ -123,9 +125,9 @@ class Controller(Node):
         )
 
     def _make_known(self) -> None:
-        """Ask each node that is heard for a parameter until it answers.
+        """Request a parameter from each node that is heard until it answers.
 
-        Endpoints are made known in order, so that it has then found our subscriptions, too.
+        Endpoints are announced in order, so by then the node has discovered our subscriptions.
         """
         found = filter(None, self._found())
         nodes = {f"{each.node_namespace.rstrip('/')}/{each.node_name}" for each in found}
@@ -141,7 +143,7 @@ class Controller(Node):
 
 
 def heard_topics(declared: tuple[str | Topic, ...] | str) -> dict[str, Topic]:
-    """Topics by name of which every set has a message; raises InputError for others."""
+    """The declared topics by name; raises InputError for one that is not part of every set."""
     found = _topics("heard", declared, HEARD | {topic.name: topic for topic in PUBLISHED})
     for name in found:
         if any(name == topic.name for topic in PUBLISHED) and name not in HEARD:
@@ -151,7 +153,7 @@ def heard_topics(declared: tuple[str | Topic, ...] | str) -> dict[str, Topic]:
 
 
 def said_topics(declared: tuple[str | Topic, ...] | str) -> dict[str, Topic]:
-    """Topics by name that a controller may answer with; raises InputError for others."""
+    """The declared topics by name; raises InputError for one that is not a command."""
     return _topics("said", declared, {topic.name: topic for topic in COMMANDS})
 
 
@@ -163,14 +165,14 @@ def _topics(field: str, declared, known: dict[str, Topic]) -> dict[str, Topic]:
         topic = each if isinstance(each, Topic) else known[each]
         found[topic.name] = topic
     if not found:
-        raise InputError(field, declared, "one topic or more")
+        raise InputError(field, declared, "one or more topics")
     return found
 
 
 def message_of(topic: Topic, data):
-    """A message with a number or an array as its data; raises InputError where it takes no such.
+    """A message with a number or an array as its data; raises InputError if `data` does not fit.
 
-    Values are not judged here: the simulator drops or limits them, and says so.
+    Values are not checked here: the simulator drops or limits them, and reports it.
     """
     kind, size = message_class(topic.type), SIZES.get(topic.name)
     field = kind.get_fields_and_field_types()["data"]
@@ -187,14 +189,18 @@ def message_of(topic: Topic, data):
 
 
 def _number_type(field: str) -> type:
-    """What the elements of a field of that type are in Python."""
+    """The Python type of the elements of a message field."""
     if "boolean" in field:
         return bool
     return float if "float" in field or "double" in field else int
 
 
 def run(kind: type[Controller]) -> None:
-    """Run a controller until SIGINT or SIGTERM, which end it with status 0."""
+    """Run a controller of this class until SIGINT or SIGTERM, which end it with status 0.
+
+    The first line of its module's docstring is its description in --help.
+    """
+    about = (sys.modules[kind.__module__].__doc__ or "").partition("\n")[0]
 
     def body(_) -> int:
         controller = kind()
@@ -203,4 +209,5 @@ def run(kind: type[Controller]) -> None:
             controller.run()
         return 0
 
-    sys.exit(node_main(OneLineParser(), body, sys.argv))
+    usage = "%(prog)s [-h] [--ros-args -p NAME:=VALUE ...]"
+    sys.exit(node_main(OneLineParser(description=about, usage=usage), body, sys.argv))

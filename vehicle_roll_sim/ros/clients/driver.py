@@ -37,20 +37,19 @@ FIELDS = {name: channel.field for name, channel in channels().items()}
 ROUNDING = 1e-9
 """s"""
 DISCOVERY = 3.5
-"""Wall seconds until all nodes should be known: usually at once, else with their next announcement,
-which the middleware sends every 3 s."""
+"""Wall time (s) by which all nodes should have been discovered: usually at once, otherwise with
+their next announcement, which the middleware sends every 3 s."""
 LEASE = 21.0
-"""Wall seconds for which a node that was killed may still be known: the lease of the middleware is
-20 s."""
+"""Wall time (s) for which a killed node may still appear alive: the middleware's lease is 20 s."""
 STANDING_STILL = 3
-"""States without progress after which the simulator has stopped."""
+"""Repeated states after which the simulator is considered stopped."""
 
 
 class Driver(Node):
-    """Plays a manoeuvre: answers every state with the commands for the period that begins there.
+    """Plays a manoeuvre: answers every state with the commands for the period that starts there.
 
-    It commands nothing before its reset. In lockstep its publishers, which the simulator may be
-    waiting for to begin, are made after the reset, so that the set of time 0 comes once.
+    It commands nothing before it has reset the simulator. In lockstep, the simulator may be waiting
+    for its publishers; they are created after the reset, so that the set of time 0 comes only once.
     """
 
     def __init__(self, manoeuvre: Manoeuvre):
@@ -75,12 +74,16 @@ class Driver(Node):
         refuse_wrong_overrides(self, publishers=said, subscriptions=heard, lossless=lossless)
 
     def prepare(self, simulator: SimulatorClient) -> None:
-        """Set the speed, connect, reset; raises NoAnswerError, or InputError if it cannot drive."""
+        """Set the speed, connect and reset.
+
+        Raises NoAnswerError, or InputError if the manoeuvre cannot be driven on this simulator.
+        """
         self._simulator = simulator
         names = ["rollover_angle", "steady_state_slip", "mode", "lockstep_topics"]
         values = simulator.get(names)
         if not values:
-            raise NoAnswerError(f"`{simulator.name}` is no simulator: it has no {names[0]}")
+            problem = f"it has no parameter {names[0]}"
+            raise NoAnswerError(f"`{simulator.name}` is not a simulator: {problem}")
         self.rollover_angle, steady, mode, awaited = values
         self.road = Road(*simulator.get(list(parameters_of(Road))))
         self._slowest = MINIMUM_SPEED if steady else -math.inf
@@ -107,11 +110,11 @@ class Driver(Node):
 
     @property
     def _needed(self) -> list[str]:
-        """What the manoeuvre commands."""
+        """The topics that the manoeuvre commands."""
         return [name for name in (STEERING, TORQUE) if FIELDS[name] in self.manoeuvre.commanded]
 
     def _check_awaited(self) -> None:
-        """Raise InputError unless lockstep waits for all that the manoeuvre commands."""
+        """Raise InputError unless lockstep waits for every topic that the manoeuvre commands."""
         missing = [name for name in self._needed if name not in self._awaited]
         if not missing:
             return
@@ -119,11 +122,11 @@ class Driver(Node):
         allowed = f"start the simulator with -p lockstep_topics:=[{', '.join(wanted)}]"
         if missing == [TORQUE]:
             allowed += ", or drive with --speed-hold 0"
-        problem = f"without {' and '.join(missing)}, which the manoeuvre commands"
+        problem = f"{' and '.join(missing)} missing, which the manoeuvre commands"
         raise InputError("lockstep_topics", "", allowed, problem)
 
     def _answered(self) -> list[str]:
-        """What it commands in lockstep: torques, if need be 0, also where nobody else does."""
+        """The topics to command in lockstep, torques (of 0) included if nobody else sends them."""
         if TORQUE in self._needed or TORQUE not in self._awaited:
             return self._needed
         until = time.monotonic() + DISCOVERY
@@ -136,30 +139,30 @@ class Driver(Node):
         for name in topics:
             if self.count_publishers(name) <= (name in self._commands):
                 continue
-            self._simulator.linger(SETTLING)  # its name may be found a little later
+            self._simulator.linger(SETTLING)  # its name may be discovered a little later
             found = self.get_publishers_info_by_topic(self.resolve_topic_name(name))
             others = sorted({each.node_name for each in found} - {self.get_name(), UNNAMED})
-            allowed = "in lockstep the manoeuvre alone may; end the other node"
+            allowed = "in lockstep only the manoeuvre may command it; stop the other node"
             if name == TORQUE:
                 allowed += ", or drive with --speed-hold 0"
-            problem = f"{', '.join(others) or 'another node'} commands it already"
+            problem = f"already commanded by {', '.join(others) or 'another node'}"
             raise InputError(name, "", allowed, problem)
 
     def _connect(self, topics: list[str]) -> None:
-        """Make the publishers and wait until all who listen are matched."""
+        """Create the publishers and wait until all subscriptions to them are matched."""
         kinds = {STEERING: Float64, TORQUE: Float64MultiArray}
         for name in topics:
             self._commands[name] = make_publisher(self, kinds[name], name, COMMANDING)
         self._simulator.wait(self._is_heard, "a connection to its topics")
-        self._simulator.linger(SETTLING)  # they may find us a little later
+        self._simulator.linger(SETTLING)  # they may discover us a little later
 
     def _hears(self) -> bool:
         return all(each.get_publisher_count() for each in self.collector.subscriptions)
 
     def _find_alone(self) -> None:
-        """Wait until one node alone publishes each topic; raises NoAnswerError if that lasts.
+        """Wait until each topic has a single publisher; raises NoAnswerError after a timeout.
 
-        One that was killed is known until its lease ends, but sends nothing any more.
+        A killed node appears alive until its lease ends, but no longer sends anything.
         """
         until, is_said = time.monotonic() + LEASE, False
         while crowded := [e for e in self.collector.subscriptions if e.get_publisher_count() > 1]:
@@ -173,7 +176,7 @@ class Driver(Node):
                 self.get_logger().info(f"several nodes publish {topic}: {why}")
 
     def _check_alone(self) -> None:
-        """Raise NoAnswerError if a second simulator is there by now, or was."""
+        """Raise NoAnswerError if a second simulator has appeared."""
         if self.collector.is_mixed or self.collector.simulators() > 1:
             raise self._not_alone(self.resolve_topic_name(STATE))
 
@@ -185,19 +188,19 @@ class Driver(Node):
             name = self._simulator.name
             return NoAnswerError(f"`{name}` has been replaced: another node publishes {topic} now")
         return NoAnswerError(
-            f"{len(names)} nodes publish {topic}: {', '.join(names)}; allowed: one simulator in a "
-            "namespace (end the others, or start each with --ros-args -r __ns:=/NAME)"
+            f"{len(names)} nodes publish {topic}: {', '.join(names)}; allowed: one simulator per "
+            "namespace (stop the others, or start each with --ros-args -r __ns:=/NAME)"
         )
 
     def _is_heard(self) -> bool:
-        """Whether everybody known to listen to a command is matched, and somebody is."""
+        """Whether every command has a matched subscription, and all known ones are matched."""
         return all(
             publisher.get_subscription_count() >= max(1, fitting_listeners(self, publisher))
             for publisher in self._commands.values()
         )
 
     def play(self) -> None:
-        """Drive to the end, or until the simulator stops; raises what `prepare` does."""
+        """Drive to the end, or until the simulator stops; raises the same errors as `prepare`."""
         self._driving = True
         if self.state is not None:
             self._answer()
@@ -206,17 +209,17 @@ class Driver(Node):
             self._simulator.wait(lambda: self._states > seen, self._missing())  # noqa: B023
             self._check_alone()
             if self._awaited:
-                self._refuse_others(self._commands)  # found late: see DISCOVERY
+                self._refuse_others(self._commands)  # discovered late: see DISCOVERY
             if self.disturbed:
-                raise NoAnswerError(f"`{self._simulator.name}` was reset by somebody else")
+                raise NoAnswerError(f"`{self._simulator.name}` was reset by another node")
         self._simulator.wait(self.collector.is_complete, "the rest of its last set")
         self._check_alone()
 
     def _missing(self) -> str:
-        """What keeps the next state away."""
+        """What to say if the next state does not come."""
         silent = [name for name in self._awaited if not self.count_publishers(name)]
         if silent:
-            return f"its next state, in lockstep: nobody publishes {', '.join(silent)}"
+            return f"its next state, in lockstep: no node publishes {', '.join(silent)}"
         return "its next state (is it paused?)"
 
     def _on_state(self, state: dict) -> None:
@@ -226,7 +229,7 @@ class Driver(Node):
         self.state, self._time = state, now
         self._states += 1
         self._still = self._still + 1 if is_again else 0
-        is_reset_again = is_again and now == 0.0 and self._still < STANDING_STILL  # asked for twice
+        is_reset_again = is_again and now == 0.0 and self._still < STANDING_STILL  # requested twice
         if self._driving and not is_reset_again:
             self._answer()
 
@@ -245,7 +248,7 @@ class Driver(Node):
 
     @property
     def condition(self) -> Condition:
-        """How the run ended, as far as the last state shows it."""
+        """How the run ended, as far as the last state shows."""
         if abs(self.state["roll"]) >= self.rollover_angle:
             return Condition.ROLLED_OVER
         if self._time >= self.manoeuvre.duration - ROUNDING:

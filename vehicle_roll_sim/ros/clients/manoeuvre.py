@@ -29,20 +29,23 @@ from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.runs.summary import line, summary_lines
 
 NO_SIMULATOR = 1
-"""Exit status when none does."""
+"""Exit status if no simulator answers as it should."""
 DIVERGED = 1
-"""Exit status when the model of the simulator did not stay plausible."""
+"""Exit status if the simulator's model diverged."""
 
 
 def late_commands(history: History, sent_at: dict[float, float]) -> int:
-    """Periods whose steering (rad) is not the one that was sent at their beginning (s)."""
+    """The number of periods that ran with another steering than was sent for them.
+
+    sent_at: steering commands (rad) by the time (s) at which their period begins.
+    """
     driven = zip(history["time"][:-1].tolist(), history["steering"][1:], strict=True)
     return sum(abs(found - sent_at.get(time, found)) > ROUNDING for time, found in driven)
 
 
 @dataclasses.dataclass(frozen=True)
 class Files:
-    """Where the rows go, with commands or without, and the figure, of which size."""
+    """The files to write: CSV, with or without commands, and figure, with its size."""
 
     csv: Path | None
     plot: Path | None
@@ -51,7 +54,7 @@ class Files:
 
 
 def drive(name: str, manoeuvre: Manoeuvre, simulator: str, files: Files) -> int:
-    """Play the manoeuvre, then tell of it; the exit status."""
+    """Play the manoeuvre, write its files and print its summary; return the exit status."""
     driver = Driver(manoeuvre)
     try:
         with lifetime(driver) as executor:
@@ -65,18 +68,18 @@ def drive(name: str, manoeuvre: Manoeuvre, simulator: str, files: Files) -> int:
 
 
 def _tell(name: str, driver: Driver, files: Files) -> int:
-    """Write the files of a manoeuvre that was played and print its summary; the exit status.
+    """Write the files of a completed manoeuvre and print its summary; return the exit status.
 
-    Raises NoAnswerError if there is nothing to tell of.
+    Raises NoAnswerError if no complete set was received.
     """
     history = driver.collector.history(driver.road)
     if not len(history.rows):
-        raise NoAnswerError("no whole set came from the simulator")
+        raise NoAnswerError("the simulator sent no complete set of messages")
     events = events_of(history, driver.rollover_angle)
     if files.csv:
         history.write_csv(files.csv, files.with_commands)
     if files.plot:
-        from vehicle_roll_sim.analysis import plots  # half a second, for those who want a figure
+        from vehicle_roll_sim.analysis import plots  # takes 0.5 s: only if a figure is wanted
 
         plots.plot_run(history, events, files.plot, name, files.size)
     condition = driver.condition
@@ -85,7 +88,7 @@ def _tell(name: str, driver: Driver, files: Files) -> int:
     lines = summary_lines(events, history["time"][-1], condition, "its state")
     print("\n".join([*(line(label, text) for label, text in report.items()), *lines]))
     if late:
-        print(line("late commands", f"{late} periods were driven with an older command"))
+        print(line("late commands", f"{late} periods ran with an older command"))
     for label, path in (("CSV", files.csv), ("plot", files.plot)):
         if path:
             print(line(label, path))
@@ -95,17 +98,20 @@ def _tell(name: str, driver: Driver, files: Files) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = OneLineParser(
         prog="manoeuvre",
-        description="Drive a running simulator through a manoeuvre and print what happened.",
+        description="Drive a running simulator through a manoeuvre and print a summary.",
     )
     parser.add_argument("manoeuvre", metavar="NAME", help=", ".join(STANDARD))
     for declaring in map(type, STANDARD.values()):
         add_declared(parser, declaring, "manoeuvre")
     parser.add_argument(
-        "--simulator", default="simulator", metavar="NODE", help="name of the simulator's node"
+        "--simulator",
+        default="simulator",
+        metavar="NODE",
+        help="name of the simulator node (default: %(default)s)",
     )
-    parser.add_argument("--csv", metavar="FILE", help="write a row for every set that came")
+    parser.add_argument("--csv", metavar="FILE", help="write a CSV row for each set received")
     parser.add_argument("--with-commands", action="store_true", help=WITH_COMMANDS)
-    parser.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
+    parser.add_argument("--plot", metavar="FILE", help="plot the run (PNG, SVG or PDF)")
     parser.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
     return parser
 

@@ -1,4 +1,4 @@
-"""The node `recorder`: writes every topic of the package into a rosbag2 bag (MCAP)."""
+"""The node `recorder`: records every topic of the package into a rosbag2 bag (MCAP)."""
 
 import argparse
 import contextlib
@@ -33,17 +33,17 @@ from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_q
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
 """s"""
 KEPT_EVERY = 0.5
-"""s after which messages are on disk, should the recorder be killed."""
+"""Interval (s) at which messages are flushed to disk, in case the recorder is killed."""
 TAKEN_EVERY = 0.01
-"""s between two looks at what has come."""
+"""Interval (s) at which subscriptions are polled."""
 LAST_LOOK, LONGEST_LAST_LOOK = 0.02, 0.2
-"""s to go on reading in the end: until nothing comes any more, and at most."""
+"""Time (s) to read on at the end: until nothing arrives for the first, at most the second."""
 MOST_AT_ONCE = 1000
-"""Messages of a topic, before others have their turn."""
+"""Messages read from a topic before the next topic has its turn."""
 
 
 class Untouched(CallbackGroup):
-    """For subscriptions that an executor leaves alone."""
+    """A callback group whose subscriptions the executor ignores."""
 
     def can_execute(self, entity) -> bool:
         return False
@@ -56,10 +56,10 @@ class Untouched(CallbackGroup):
 
 
 class Recorder(Node):
-    """Subscribes to every topic in its namespace; the serialised bytes go into the bag as they are.
+    """Subscribes to every topic in its namespace, and writes the serialized bytes to the bag as is.
 
-    Messages bear the time at which they were sent; latched ones, which may be much older than the
-    recording, that at which they came.
+    Messages are logged at the time at which they were sent, but latched ones, which may be much
+    older than the recording, at the time at which they were received.
     """
 
     def __init__(self):
@@ -70,7 +70,7 @@ class Recorder(Node):
         self._untouched = Untouched()
 
     def begin(self, bag) -> None:
-        """Write into a bag from now on."""
+        """Create the subscriptions; `take` then writes to this bag."""
         connections = {
             topic: bag.add_topic(topic, self.resolve_topic_name(topic.name))
             for topic in self._topics
@@ -79,9 +79,10 @@ class Recorder(Node):
         self._writing = [self._record(bag, *each) for each in connections.items()]
 
     def take(self) -> None:
-        """Write all that has come.
+        """Write all messages that have arrived.
 
-        An executor would look at all subscriptions before each message, for ten times as long.
+        An executor would check every subscription before each message, which takes ten times as
+        long.
         """
         for subscription, write in self._writing:
             for _ in range(MOST_AT_ONCE):
@@ -91,7 +92,7 @@ class Recorder(Node):
                 write(*taken)
 
     def _record(self, bag, topic: Topic, connection) -> tuple[Subscription, Callable]:
-        """A subscription, and what writes its messages."""
+        """A subscription, and the function that writes its messages."""
         kind = message_class(topic.type)
         clock = "received_timestamp" if topic.latched else "source_timestamp"
 
@@ -114,7 +115,7 @@ class Recorder(Node):
 
 
 def record(folder: Path, duration: float | None) -> int:
-    """Record until interrupted or for `duration` (wall seconds); the exit status."""
+    """Record until interrupted, or for `duration` (wall s); return the exit status."""
     need_library("--output")
     from vehicle_roll_sim.bags.writing import Bag  # its library is optional
 
@@ -126,7 +127,7 @@ def record(folder: Path, duration: float | None) -> int:
             _say(f"recording to {folder}")
             _listen(recorder, executor, bag, duration)
             _read_on(recorder, bag)
-    except OSError:  # a full disk: what could be written is whole
+    except OSError:  # a full disk: what has been written can be read
         bag.abort()
         raise
     finally:
@@ -136,13 +137,13 @@ def record(folder: Path, duration: float | None) -> int:
 
 
 def _say(text: str) -> None:
-    """A line on stdout; whether somebody reads it must not decide what is recorded."""
+    """Print a line; recording must go on even if nobody reads it."""
     with contextlib.suppress(OSError):
         print(f"recorder: {text}", flush=True)
 
 
 def _listen(recorder: Recorder, executor: Executor, bag, duration: float | None) -> None:
-    """Until a signal comes, or for `duration` (s)."""
+    """Record until a signal arrives, or for `duration` (s)."""
     ended = threading.Event()
 
     def end() -> None:
@@ -161,7 +162,7 @@ def _listen(recorder: Recorder, executor: Executor, bag, duration: float | None)
 
 
 def _read_on(recorder: Recorder, bag) -> None:
-    """Take what has come but has not been read yet, and what was on its way."""
+    """Write messages that have not been read yet or are still in transit."""
     until, count = time.monotonic() + LONGEST_LAST_LOOK, -1
     while count < bag.message_count and time.monotonic() < until:
         count = bag.message_count
@@ -173,10 +174,14 @@ def main() -> int:
     """Entry point of the executable."""
     parser = OneLineParser(
         prog="recorder",
-        description="Record every topic of a simulator, commands included, into a rosbag2 bag.",
+        description="Record all topics of a simulator, including commands, into a rosbag2 bag.",
     )
-    parser.add_argument("--output", required=True, metavar="DIR", help="the bag; must not exist")
-    parser.add_argument("--duration", metavar="S", help="wall time; until interrupted if not given")
+    parser.add_argument(
+        "--output", required=True, metavar="DIR", help="folder for the bag; must not exist yet"
+    )
+    parser.add_argument(
+        "--duration", metavar="S", help="wall time to record for (default: until interrupted)"
+    )
 
     def body(arguments: argparse.Namespace) -> int:
         return record(Path(arguments.output), _duration(arguments.duration))

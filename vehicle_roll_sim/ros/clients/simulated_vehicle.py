@@ -1,4 +1,4 @@
-"""The vehicle and the model that a running simulator has, from its parameters."""
+"""The vehicle and model options of a running simulator, read from its parameters."""
 
 from collections.abc import Callable, Sequence
 
@@ -10,10 +10,10 @@ from vehicle_roll_sim.vehicle.tire_file import load_tire
 
 
 def simulated_vehicle(ask: Callable[[Sequence[str]], list]) -> tuple[Vehicle, Options]:
-    """Vehicle and options of a simulator.
+    """The vehicle and model options of a simulator.
 
-    ask: gives the values of its parameters of these names. The tire file is read where it has it;
-    raises InputError if it is not there.
+    ask: returns the values of the parameters of these names. The tire file is read from the path
+    that the simulator has; raises InputError if it is not there.
     """
     known, of_model = parameters_of(Vehicle), list(parameters_of(Options))
     of_vehicle = [name for name, declared in known.items() if not declared.alternative]
@@ -21,6 +21,6 @@ def simulated_vehicle(ask: Callable[[Sequence[str]], list]) -> tuple[Vehicle, Op
     options = Options(**dict(zip(of_model, ask(of_model), strict=True)))
     values = dict(zip(of_vehicle, numbers, strict=True))
     for name in known.keys() - values.keys():
-        if found := ask([VEHICLE_PREFIX + name]):  # nothing where the alternative was given
+        if found := ask([VEHICLE_PREFIX + name]):  # empty if the alternative was given
             values[name] = found[0]
     return Vehicle.checked(values, load_tire(*ask([TIRE])), VEHICLE_PREFIX), options

@@ -1,4 +1,4 @@
-"""What the launch file of RViz shows the vehicle with: robot_state_publisher and RViz."""
+"""The nodes that display the vehicle in rviz.launch.py: robot_state_publisher and RViz."""
 
 import atexit
 import os
@@ -24,19 +24,20 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
 WHEELS, RVIZ = "robot_state_publisher", "rviz2"
-"""Packages, and their executables."""
+"""Packages; their executables have the same names."""
 FRAMES = ("odom", "base_footprint", "base_link")
-"""Those that the configuration of RViz names."""
+"""Frames that occur in the RViz configuration."""
 
 
 def picture_arguments() -> list:
-    return [argument("use_rviz", "whether RViz is started: true or false", YES)]
+    """The argument that switches RViz off."""
+    return [argument("use_rviz", "start RViz: true or false", YES)]
 
 
 def pictures(given: Mapping[str, str]) -> list[Node]:
-    """robot_state_publisher, which moves the wheels, and RViz if it is wanted.
+    """robot_state_publisher, which positions the wheels, and RViz if `use_rviz` is true.
 
-    Raises InputError where one of them is not installed: before anything is started.
+    Raises InputError, before anything is started, if one of them is not installed.
     """
     _require(WHEELS, "")
     with_rviz = given["use_rviz"] == YES
@@ -73,7 +74,7 @@ def pictures(given: Mapping[str, str]) -> list[Node]:
 
 
 def _require(package: str, otherwise: str) -> None:
-    """Raise InputError unless the executable that has the name of its package is installed."""
+    """Raise InputError unless a package is installed with the executable of the same name."""
     try:
         program = Path(get_package_prefix(package), "lib", package, package)
     except PackageNotFoundError:
@@ -85,7 +86,7 @@ def _require(package: str, otherwise: str) -> None:
 
 
 def _goes_by_simulated_time(given: Mapping[str, str]) -> bool:
-    """As told, else if the simulator publishes /clock."""
+    """The value of `use_sim_time`, else whether the simulator publishes /clock."""
     if given["use_sim_time"]:
         return given["use_sim_time"] == YES
     text = given["real_time_factor"] or "1"
@@ -96,16 +97,17 @@ def _goes_by_simulated_time(given: Mapping[str, str]) -> bool:
 
 
 def _configuration(namespace: str, prefix: str) -> Path:
-    """The configuration of RViz; for a namespace or prefix a copy, until the launch has ended.
+    """The RViz configuration; with a namespace or prefix, an adapted copy that the launch removes.
 
-    It names topics and frames in full, and RViz puts a slash behind the prefix of a robot's links.
+    The configuration has full topic and frame names, and RViz appends a slash to the TF prefix of
+    a robot model.
     """
     shown = Path(get_package_share_directory(PACKAGE)) / "config" / "vehicle.rviz"
     namespace = namespace.strip("/")
     if not namespace and not prefix:
         return shown
     if prefix and not prefix.endswith("/"):
-        allowed = "for RViz one that ends in a slash (or use_rviz:=false)"
+        allowed = "a prefix that ends in a slash for RViz, or use_rviz:=false"
         raise InputError("frame_prefix", prefix, allowed)
     content = yaml.safe_load(shown.read_text(encoding="utf-8"))
     folder = Path(tempfile.mkdtemp(prefix="vehicle_rviz_"))
@@ -117,7 +119,7 @@ def _configuration(namespace: str, prefix: str) -> Path:
 
 
 def _moved(part, namespace: str, prefix: str):
-    """A part of the configuration with all names of topics and frames as they then are."""
+    """A part of the configuration, with namespace and prefix added to topic and frame names."""
     if isinstance(part, list):
         return [_moved(each, namespace, prefix) for each in part]
     if isinstance(part, dict):

@@ -1,4 +1,4 @@
-"""What the launch files are made of: arguments, and the processes that they describe."""
+"""The building blocks of the launch files: arguments, and the processes to start."""
 
 import importlib.util
 import os
@@ -28,84 +28,100 @@ from vehicle_roll_sim.ros.simulator.settings import PUBLISHED_IN_SETS
 PACKAGE = "vehicle_roll_sim"
 DISCOVERY = "ROS_AUTOMATIC_DISCOVERY_RANGE"
 NEARBY = "LOCALHOST"
-"""Nobody else's network, unless the environment says otherwise."""
+"""Default: discovery stays on this machine."""
 TEXTS = ("model", "vehicle_file", "frame_prefix")
 NUMBERS = ("publish_rate", "initial_speed", "real_time_factor")
 """Arguments that are parameters of the simulator."""
 TIME_TO_END = "10"
-"""Seconds that a process may take to end after SIGINT: a recorder has a bag to close."""
+"""Time (s) that a process may take to end after SIGINT: a recorder has to close its bag."""
 
 
 def argument(name: str, description: str, default: str = "", choices: Iterable[str] = ()):
-    """A launch argument, as `--show-args` shows it."""
+    """A launch argument, with its description for `--show-args`."""
     limited = {"choices": list(choices)} if choices else {}
     return DeclareLaunchArgument(name, default_value=default, description=description, **limited)
 
 
 def simulator_arguments() -> list:
+    """Arguments of every launch file with a simulator."""
     own = "; none: the simulator's default"
     return [
         argument("vehicle_file", "vehicle file (YAML); none: the reference vehicle"),
-        argument("model", "model of the vehicle, as in `vehicle_roll_sim run --model`" + own),
-        argument("initial_speed", "speed after a reset, m/s" + own),
-        argument("publish_rate", "sets published a second, Hz" + own),
-        argument("real_time_factor", "simulated over real time, 0: as fast as possible" + own),
-        argument("params_file", "parameter file (YAML) of the simulator; the other arguments win"),
-        argument("lockstep", "a period for every answer, not by the clock: true or false", NO),
-        argument("log_level", "of all nodes: debug, info, warn, error or fatal"),
+        argument("model", "vehicle model, as in `vehicle_roll_sim run --model`" + own),
+        argument("initial_speed", "speed at the start and after a reset (m/s)" + own),
+        argument("publish_rate", "message sets per second of simulated time (Hz)" + own),
+        argument(
+            "real_time_factor", "ratio of simulated to real time, 0: as fast as possible" + own
+        ),
+        argument(
+            "params_file",
+            "ROS parameter file (YAML) for the simulator; the other arguments override it",
+        ),
+        argument(
+            "lockstep", "step when all commands have arrived, not by the clock: true or false", NO
+        ),
+        argument("log_level", "log level of all nodes: debug, info, warn, error or fatal"),
         argument(
             "use_sim_time",
-            "true: the simulator publishes /clock and the other nodes go by it; false: they do "
-            "not; none: those that show the vehicle go by a /clock that is there anyway",
+            "true: the simulator publishes /clock and the other nodes use it; false: they do "
+            "not use it; none: only robot_state_publisher and RViz do, if /clock is published",
         ),
         argument(
             "discovery_range",
-            f"who is discovered: {DISCOVERY} of all nodes, unless set already {NEARBY}",
+            f"{DISCOVERY} of all nodes; default: from the environment, otherwise {NEARBY}",
             os.environ.get(DISCOVERY, NEARBY),
         ),
     ]
 
 
 def name_arguments() -> list:
+    """Arguments that tell several vehicles apart."""
     return [
-        argument("namespace", "namespace of all nodes, for a second vehicle"),
-        argument("frame_prefix", "put before the frames in all messages"),
+        argument("namespace", "namespace of all nodes, to run several vehicles"),
+        argument("frame_prefix", "prefix of the frame names in all messages"),
     ]
 
 
 def manoeuvre_arguments() -> list:
+    """Arguments that choose the manoeuvre."""
     options = argument("options", "options of the manoeuvre, such as '--amplitude 8 --speed 15'")
-    named = argument("manoeuvre", "what is driven; the launch ends with it", "j_turn", STANDARD)
+    named = argument("manoeuvre", "manoeuvre to drive; the launch ends with it", "j_turn", STANDARD)
     return [named, options]
 
 
 def recording_arguments(default: str = "") -> list:
-    return [argument("bag", "folder of the bag, which must not exist; none: no bag", default)]
+    """The argument for recording."""
+    return [argument("bag", "folder for the bag, must not exist yet; none: no bag", default)]
 
 
 def controller_arguments() -> list:
+    """Arguments that choose the controllers."""
     return [
         argument(
             "controller",
-            "an example by name, or the path of your own script; several with spaces between",
+            "name of an example, or path of your own script; separate several by spaces",
             "active_roll_bar",
         ),
-        argument("parameters", "of the controllers, such as 'share:=0.7 smoothing:=0.1'"),
+        argument(
+            "parameters", "parameters of the controllers, such as 'share:=0.7 smoothing:=0.1'"
+        ),
         argument(
             "answers",
-            "topics they command, for lockstep; none: what the scripts declare as `said`",
+            "command topics that the controllers publish (for lockstep), separated by spaces; "
+            "none: those that the scripts declare as `said`",
         ),
     ]
 
 
 def new_bag() -> str:
+    """A name for a new bag, from the current time."""
     return time.strftime("bag_%Y-%m-%d-%H%M%S")
 
 
 def launch_description(
     arguments: list, processes: Callable[[Mapping[str, str]], list]
 ) -> LaunchDescription:
-    """A launch file: its arguments, and `processes`, which is told their values."""
+    """A launch description: its arguments, and `processes`, a function of their values."""
 
     def start(context) -> list:
         given = {a.name: LaunchConfiguration(a.name).perform(context) for a in arguments}
@@ -116,11 +132,12 @@ def launch_description(
 
 
 def ends_all(what: str) -> Shutdown:
+    """The action that ends the launch when a process has ended."""
     return Shutdown(reason=f"{what} has ended")
 
 
 def simulator(given: Mapping[str, str], answers: Iterable[str] = ()) -> Node:
-    """The simulator; `answers` are the commands that lockstep waits for beside the manoeuvre's."""
+    """The simulator. answers: topics that lockstep waits for besides those of the manoeuvre."""
     words = ["--params-file", given["params_file"]] if given["params_file"] else []
     values = {name: f'"{given[name]}"' for name in TEXTS if given.get(name)}
     values |= {name: given[name] for name in NUMBERS if given[name]}
@@ -140,14 +157,14 @@ def simulator(given: Mapping[str, str], answers: Iterable[str] = ()) -> Node:
 
 
 def _commanded_by_manoeuvre(given: Mapping[str, str]) -> tuple[str, ...]:
-    """Steering, and torques where the speed is held."""
+    """The steering topic, and the torque topic if the manoeuvre holds its speed."""
     name = given.get("manoeuvre", "")
     holds = name and (STANDARD[name].speed_hold or "--speed-hold" in given["options"])
     return ("steering_cmd", "wheel_torque_cmd") if holds else ("steering_cmd",)
 
 
 def _node(executable: str, given: Mapping[str, str], **more) -> Node:
-    """A node of this package, with which the launch ends."""
+    """A node of this package; the launch ends with it."""
     return Node(
         package=PACKAGE,
         executable=executable,
@@ -160,13 +177,13 @@ def _node(executable: str, given: Mapping[str, str], **more) -> Node:
 
 
 def manoeuvre(given: Mapping[str, str]) -> Node:
-    """What drives the vehicle."""
+    """The node that drives the manoeuvre."""
     words = [given["manoeuvre"], *shlex.split(given["options"])]
     return _node("manoeuvre", given, arguments=words, ros_arguments=ros_words(given))
 
 
 def controllers(given: Mapping[str, str]) -> list[ExecuteProcess]:
-    """Scripts that this Python runs, those first that others need."""
+    """The controller scripts, run by this Python; those that others need come first."""
     words = ["--ros-args", "-r", f"__ns:=/{given['namespace'].strip('/')}", *ros_words(given)]
     values = assigned(shlex.split(given["parameters"]), _scripts(given), "controller")
     return [
@@ -185,14 +202,14 @@ def _scripts(given: Mapping[str, str]) -> list[Path]:
 
 
 def answers_of(given: Mapping[str, str]) -> list[str]:
-    """What the controllers command, as their scripts have it, unless told."""
+    """The topics that the controllers command: as given, else as their scripts declare."""
     if given["answers"]:
         return given["answers"].split()
     return commanded_by(_scripts(given), "controller")
 
 
 def recording(given: Mapping[str, str]) -> list[ExecuteProcess]:
-    """What records, if anything does: `ros2 bag record` where it is installed, else `recorder`."""
+    """The recording process, if any: `ros2 bag record` if it is installed, else `recorder`."""
     if not given["bag"]:
         return []
     if shutil.which("ros2") is None or importlib.util.find_spec("ros2bag") is None:

@@ -1,4 +1,4 @@
-"""Values of launch arguments as people spell them: truths in any case, `none` for nothing."""
+"""Launch arguments as people spell them: booleans in any case, `none` for no value."""
 
 import re
 from collections.abc import Mapping
@@ -7,23 +7,23 @@ from vehicle_roll_sim.declaration import InputError
 
 YES, NO = "true", "false"
 NONE = "none"
-"""Switches an argument off: `ros2 launch` takes no empty value."""
+"""Stands for no value: `ros2 launch` does not accept an empty one."""
 ALWAYS_SET = ("manoeuvre", "discovery_range")
-"""Arguments that cannot be switched off."""
+"""Arguments that need a value."""
 TRUTHS = ("lockstep", "use_rviz")
-"""Arguments that are true or false; use_sim_time is also left open."""
+"""Boolean arguments; `use_sim_time` may also have no value."""
 SPELLINGS = {YES: YES, "1": YES, "yes": YES, "on": YES, NO: NO, "0": NO, "no": NO, "off": NO}
 FORMER_NAMES = {"use_rviz": "rviz"}
-"""Former names of arguments that are true by default."""
+"""Former names of boolean arguments that are true by default."""
 LEVELS = ("debug", "info", "warn", "error", "fatal")
 OF_ONE_LOGGER = re.compile(r"[\w./]+:=(\w+)")
 
 
 def understood(given: Mapping[str, str], configurations: Mapping[str, str]) -> dict[str, str]:
-    """`given` with "true" or "false" for truths and "" for what is switched off.
+    """`given` in normal form: "true" or "false" for booleans, "" for no value.
 
-    configurations: everything that the launch was told, former names of arguments among it.
-    Raises InputError with the argument's name.
+    configurations: all launch configurations, which may include former names of arguments.
+    Raises InputError naming the argument.
     """
     values = {
         name: "" if name not in ALWAYS_SET and value.strip().lower() == NONE else value
@@ -42,7 +42,7 @@ def understood(given: Mapping[str, str], configurations: Mapping[str, str]) -> d
 
 
 def ros_words(given: Mapping[str, str]) -> list[str]:
-    """Words after --ros-args for every node, but the simulator, whose time is its own."""
+    """Arguments after --ros-args for every node except the simulator, which has its own time."""
     words = log_words(given)
     if given.get("use_sim_time"):
         words += ["-p", f"use_sim_time:={given['use_sim_time']}"]
@@ -50,7 +50,7 @@ def ros_words(given: Mapping[str, str]) -> list[str]:
 
 
 def log_words(given: Mapping[str, str]) -> list[str]:
-    """Words after --ros-args for every node."""
+    """Arguments after --ros-args for every node."""
     return ["--log-level", given["log_level"]] if given.get("log_level") else []
 
 
@@ -62,7 +62,7 @@ def _truth(name: str, value: str) -> str:
 
 
 def _level(value: str) -> str:
-    """A level, or LOGGER:=LEVEL."""
+    """A log level, or LOGGER:=LEVEL; raises InputError."""
     named = OF_ONE_LOGGER.fullmatch(value)
     if (named[1] if named else value).lower() not in LEVELS:
         allowed = f"{', '.join(LEVELS)}, or LOGGER:=LEVEL"

@@ -1,4 +1,4 @@
-"""The executable `compare`: a manoeuvre without a controller and with your own, side by side."""
+"""The executable `compare`: a manoeuvre without and with your controller, side by side."""
 
 import argparse
 import dataclasses
@@ -42,15 +42,15 @@ from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.compilation import compile_model
 
-DESCRIPTION = "Drive a manoeuvre in lockstep without controllers and with them, and compare."
+DESCRIPTION = "Drive a manoeuvre in lockstep without and with controllers, and compare the runs."
 LARGEST_DOMAIN = 232
-"""Of all that there are."""
+"""The largest ROS domain ID."""
 SET_HERE = ("mode", "lockstep_topics")
-"""Parameters of the simulator."""
+"""Parameters of the simulator that this program sets itself."""
 
 
 def scenario_of(arguments: argparse.Namespace) -> Scenario:
-    """The manoeuvre and the simulator that the words ask for."""
+    """The manoeuvre and the simulator that the arguments describe; raises InputError."""
     manoeuvre = manoeuvre_named(arguments.manoeuvre)
     values = declared_values(arguments, manoeuvre)
     manoeuvre = dataclasses.replace(manoeuvre, **values)
@@ -62,7 +62,7 @@ def scenario_of(arguments: argparse.Namespace) -> Scenario:
     for each in parameters:
         name = each.partition(":=")[0]
         if name in SET_HERE:
-            raise InputError("--simulator", each, f"any but {' and '.join(SET_HERE)}")
+            raise InputError("--simulator", each, f"any parameter but {' and '.join(SET_HERE)}")
     return Scenario(tuple(words), _commands_of(manoeuvre), tuple(parameters))
 
 
@@ -79,15 +79,15 @@ def _assignment(text: str, option: str) -> str:
 
 
 def chain_of(arguments: argparse.Namespace) -> Chain:
-    """The controllers that the words ask for."""
+    """The controllers that the arguments describe; raises InputError."""
     scripts = scripts_of(arguments.scripts, "SCRIPT")
     commands = tuple(arguments.answers or commanded_by(scripts, "SCRIPT"))
     for name in commands:
         if name not in COMMANDED:
             raise InputError("--answers", name, "one of " + ", ".join(COMMANDED))
     if not commands:
-        wanted = "`said` with a command of the simulator, or --answers TOPIC"
-        raise InputError("SCRIPT", " ".join(arguments.scripts), wanted, "answers with no command")
+        wanted = "a script whose `said` names a command topic, or --answers TOPIC"
+        raise InputError("SCRIPT", " ".join(arguments.scripts), wanted, "publishes no command")
     given = [_assignment(each, "--parameter") for each in arguments.parameter]
     words = assigned(given, scripts, "SCRIPT")
     return Chain(
@@ -100,7 +100,7 @@ def _ros_words(parameters: Sequence[str]) -> list[str]:
 
 
 def compare(arguments: argparse.Namespace) -> list[str]:
-    """Check the words, drive both runs, write the files; the lines that are printed."""
+    """Check the arguments, drive both runs and write the files; return the lines to print."""
     scenario, chain = scenario_of(arguments), chain_of(arguments)
     plot = named_file(arguments.plot, "--plot")
     size = figure_size.named_size(arguments.size, "--size", plot)
@@ -115,7 +115,7 @@ def compare(arguments: argparse.Namespace) -> list[str]:
     with _domain(arguments.domain) as domain:
         os.environ.update(LOCAL | {"ROS_DOMAIN_ID": str(domain)})
         compile_model()
-        found = drive(scenario, chain)  # first: it is the one that may fail
+        found = drive(scenario, chain)  # first, since it is the one that may fail
         without = drive(scenario)
     for run, file in zip((without, found), list(files.values())[1:], strict=False):
         run.history.write_csv(file, with_commands=True)
@@ -132,7 +132,7 @@ def _csv_files(given: list[str] | None) -> dict[str, Path]:
 
 
 def _domain(given: str | None) -> AbstractContextManager[int]:
-    """The ROS domain that was asked for, else one in which nobody else is."""
+    """The ROS domain given, else one that nobody else uses; raises InputError."""
     if given is None:
         return own_domain()
     if not (given.isascii() and given.isdecimal() and int(given) <= LARGEST_DOMAIN):
@@ -141,7 +141,7 @@ def _domain(given: str | None) -> AbstractContextManager[int]:
 
 
 def _draw(runs: dict[str, Outcome], title: str, path: Path, size: figure_size.Size | None) -> None:
-    from vehicle_roll_sim.analysis import drawing, plots  # half a second, for a figure only
+    from vehicle_roll_sim.analysis import drawing, plots  # takes 0.5 s: only if a figure is wanted
 
     drawn = [
         plots.DrawnRun(run.history, events_of(run.history, run.rollover_angle), name)
@@ -153,31 +153,46 @@ def _draw(runs: dict[str, Outcome], title: str, path: Path, size: figure_size.Si
 def _parser() -> argparse.ArgumentParser:
     parser = OneLineParser(prog="compare", description=DESCRIPTION)
     parser.add_argument(
-        "scripts", metavar="SCRIPT", nargs="+", help="of a controller, or an example by its name"
+        "scripts",
+        metavar="SCRIPT",
+        nargs="+",
+        help="path of a controller script, or the name of an example",
     )
     parser.add_argument(
-        "--manoeuvre", metavar="NAME", default="j_turn", help=f"{', '.join(STANDARD)} (%(default)s)"
+        "--manoeuvre",
+        metavar="NAME",
+        default="j_turn",
+        help=f"{', '.join(STANDARD)} (default: %(default)s)",
     )
     for declaring in map(type, STANDARD.values()):
         add_declared(parser, declaring, "manoeuvre")
     group = parser.add_argument_group("nodes")
     assignment = {"metavar": "NAME:=VALUE", "action": "append", "default": []}
-    group.add_argument("--parameter", **assignment, help="of the controllers, may come repeatedly")
     group.add_argument(
-        "--simulator", **assignment, help="a parameter of it, such as vehicle.cg_height:=0.62"
+        "--parameter", **assignment, help="set a parameter of the controllers; repeatable"
+    )
+    group.add_argument(
+        "--simulator",
+        **assignment,
+        help="set a parameter of the simulator, such as vehicle.cg_height:=0.62; repeatable",
     )
     group.add_argument(
         "--answers",
         metavar="TOPIC",
         nargs="+",
-        help="commands of the controllers (default: what the scripts declare as `said`)",
+        help="command topics of the controllers (default: those declared as `said`)",
     )
-    group.add_argument("--domain", metavar="N", help="ROS domain (default: one beside yours)")
+    group.add_argument(
+        "--domain", metavar="N", help="ROS domain ID to use (default: one that nobody else uses)"
+    )
     group = parser.add_argument_group("results")
-    group.add_argument("--plot", metavar="FILE", help="draw both runs (PNG, SVG or PDF)")
+    group.add_argument("--plot", metavar="FILE", help="plot both runs (PNG, SVG or PDF)")
     group.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
     group.add_argument(
-        "--csv", metavar=("WITHOUT", "WITH"), nargs=2, help="write the rows of both runs"
+        "--csv",
+        metavar=("WITHOUT", "WITH"),
+        nargs=2,
+        help="write the samples of both runs, without and with controllers",
     )
     return parser
 

@@ -1,4 +1,4 @@
-"""Runs in lockstep with controllers and without, each node a process, and what came out of them."""
+"""Lockstep runs with and without controllers, each node in its own process, and their results."""
 
 import contextlib
 import dataclasses
@@ -24,15 +24,15 @@ from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE
 
 INNER_WHEELS_OFF = 0.999
-"""Load transfer ratio; 1 but for rounding."""
+"""Load transfer ratio: 1, less a margin for rounding."""
 WARNED = re.compile(r"at (\d+\.\d+) s: the (\w+) wheels lift")
 TRACEBACK = "Traceback (most recent call last)"
 
 
 class RunFailedError(Exception):
-    """A node ended before the run was over; the text is one line that says which and why.
+    """A node ended before the run was over; the text says in one line which one and why.
 
-    status: what a program ends with that drove it: 2 where the node was given something wrong.
+    status: exit status for the program that drove the run: 2 if the node was given wrong input.
     """
 
     def __init__(self, text: str, status: int):
@@ -42,8 +42,8 @@ class RunFailedError(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Scenario:
-    """What is driven: words of `manoeuvre`, the topics that it commands, and NAME:=VALUE
-    parameters of the simulator."""
+    """The run: arguments of `manoeuvre`, the topics that it commands, and NAME:=VALUE parameters
+    of the simulator."""
 
     manoeuvre: tuple[str, ...]
     commands: tuple[str, ...] = ("steering_cmd",)
@@ -51,14 +51,14 @@ class Scenario:
 
     @property
     def rollover_angle(self) -> float:
-        """rad"""
+        """Roll angle (rad) that counts as a rollover."""
         given = dict(each.split(":=", 1) for each in self.simulator)
         return float(given.get("rollover_angle", DEFAULT_ROLLOVER_ANGLE))
 
 
 @dataclasses.dataclass(frozen=True)
 class Chain:
-    """Controllers that answer with `commands` in the end: each its script and words for it."""
+    """Controllers that publish `commands`; each of `programs` is a script and its arguments."""
 
     commands: tuple[str, ...] = ()
     programs: tuple[tuple[str, ...], ...] = ()
@@ -69,7 +69,7 @@ NONE = Chain()
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """What a run was; warnings: when they came (s), and of the wheels of which side."""
+    """The result of a run. warnings: time (s) and side of each warning of wheel lift."""
 
     history: History
     warnings: tuple[tuple[float, str], ...] = ()
@@ -77,50 +77,55 @@ class Outcome:
 
     @property
     def peak_roll(self) -> float:
+        """Largest absolute roll angle (deg)."""
         return float(np.degrees(np.abs(self.history["roll"]).max()))
 
     @property
     def ratios(self) -> np.ndarray:
+        """Load transfer ratio of every sample, shape (n,)."""
         return load_transfer_ratio(self.history.wheels("normal_force"))
 
     @property
     def largest_ratio(self) -> float:
+        """Largest absolute load transfer ratio."""
         return float(np.abs(self.ratios).max())
 
     @property
     def inner_wheels_off(self) -> float:
-        """When neither inner wheel carries anything any more (s), nan if never."""
+        """When both inner wheels are first unloaded (s), nan if never."""
         off = np.flatnonzero(np.abs(self.ratios) >= INNER_WHEELS_OFF)
         return float(self.history["time"][off[0]]) if len(off) else math.nan
 
     @property
     def warned(self) -> float:
-        """The first warning (s) of the wheels that come off, nan if none."""
+        """Time (s) of the first warning about the side that lifts, nan if there is none."""
         off = self.history["time"] == self.inner_wheels_off
         side = "left" if (self.ratios[off] > 0.0).all() else "right"
         return min((time for time, warned in self.warnings if warned == side), default=math.nan)
 
     @property
     def two_wheel_lift(self) -> float:
+        """Time (s) of the two-wheel lift, nan if there is none."""
         return two_wheel_lift(self.history)
 
     @property
     def rollover(self) -> float:
+        """Time (s) of the rollover, nan if there is none."""
         over = np.abs(self.history["roll"][-1]) >= self.rollover_angle
         return float(self.history["time"][-1]) if over else math.nan
 
     @property
     def end(self) -> float:
-        """s"""
+        """Time (s) of the last sample."""
         return float(self.history["time"][-1])
 
     def at(self, name: str, time):
-        """A signal at a time (s) or at several, linear between samples."""
+        """A signal at a time or an array of times (s), interpolated linearly."""
         return np.interp(time, self.history["time"], self.history[name])
 
 
 def distance(without: Outcome, found: Outcome, end: float) -> float:
-    """The largest distance (m) between the places at the same time, up to `end` (s)."""
+    """Largest distance (m) between the two vehicles at the same time, up to `end` (s)."""
     times = without.history["time"]
     times = times[times <= end]
     x, y = (found.at(name, times) - without.at(name, times) for name in ("x", "y"))
@@ -128,10 +133,10 @@ def distance(without: Outcome, found: Outcome, end: float) -> float:
 
 
 def drive(scenario: Scenario, chain: Chain = NONE) -> Outcome:
-    """Simulator, manoeuvre and controllers as processes in lockstep, in the domain of ours.
+    """Run simulator, manoeuvre and controllers as processes in lockstep, in our own ROS domain.
 
-    However it ends, by a signal too, which raises KeyboardInterrupt, none of them is left. Raises
-    RunFailedError for a node that ended too early.
+    No process outlives the call. Raises RunFailedError if a node ends too early, and
+    KeyboardInterrupt after a signal.
     """
     topics = ", ".join(dict.fromkeys((*scenario.commands, *chain.commands)))
     parameters = ("mode:=lockstep", f"lockstep_topics:=[{topics}]", *scenario.simulator)
@@ -153,12 +158,12 @@ def drive(scenario: Scenario, chain: Chain = NONE) -> Outcome:
 
 
 def ros_words(parameters: Sequence[str]) -> list[str]:
-    """Words of a command line for NAME:=VALUE parameters."""
+    """Command-line arguments for NAME:=VALUE parameters."""
     return ["--ros-args", *(word for each in parameters for word in ("-p", each))]
 
 
 def _starter(script: str, words: Sequence[str]):
-    """Starts a script of a controller in a session of its own, which Ctrl-C does not reach."""
+    """A function that starts a controller script in its own session, out of reach of Ctrl-C."""
     command = [sys.executable, script, *words]
     return lambda **to: subprocess.Popen(
         command, env=LOCAL | os.environ, start_new_session=True, **to
@@ -167,7 +172,7 @@ def _starter(script: str, words: Sequence[str]):
 
 @contextlib.contextmanager
 def _noted_signals() -> Iterator[threading.Event]:
-    """Within, a signal is noted, not raised: no process is started that is not recorded."""
+    """Within the block, signals only set an event, so that no process is started and then lost."""
     interrupted = threading.Event()
     before = {each: signal.signal(each, lambda *_: interrupted.set()) for each in ENDING}
     try:
@@ -178,7 +183,7 @@ def _noted_signals() -> Iterator[threading.Event]:
 
 
 class _Nodes:
-    """Processes by name, what each says kept in a file in `folder`."""
+    """Processes by name; the stderr of each goes to a file in `folder`."""
 
     def __init__(self, folder: Path):
         self._folder, self._started = folder, []
@@ -194,9 +199,9 @@ class _Nodes:
             stop(process)
 
     def wait_for_last(self, interrupted: threading.Event) -> None:
-        """Until the process that was started last has ended well, and none before it has ended.
+        """Wait until the last process started has ended, or until a signal arrives.
 
-        Or until a signal has come.
+        Raises RunFailedError if it fails, or if an earlier process ends before it.
         """
         *others, last = self._started
         while last[1].poll() is None:
@@ -212,14 +217,14 @@ class _Nodes:
         name, process, file = node
         text = _text_of(file)
         if TRACEBACK in text:
-            print(text, file=sys.stderr, end="")  # of a script of the user's
-        line = (text.splitlines() or ["it said nothing"])[-1]
+            print(text, file=sys.stderr, end="")  # from the user's script
+        line = (text.splitlines() or ["no output"])[-1]
         if process.returncode == WRONG_INPUT:
             raise RunFailedError(f"{name}: {line.partition('error: ')[2] or line}", WRONG_INPUT)
         raise RunFailedError(f"{name} ended with status {process.returncode}: {line}", FAILED)
 
     def said(self) -> str:
-        """Everything that all have said."""
+        """The stderr of all processes."""
         return "".join(_text_of(file) for *_, file in self._started)
 
 

@@ -1,4 +1,4 @@
-"""What two runs of the same manoeuvre were, in figures side by side."""
+"""The key figures of two runs of the same manoeuvre, side by side."""
 
 import math
 
@@ -10,11 +10,11 @@ from vehicle_roll_sim.ros.orchestration.comparison import Outcome, distance
 
 WITHOUT = "without"
 COLUMN = 14
-"""Characters of the first figure in a line."""
+"""Width of the first column of figures (characters)."""
 
 
 def comparison_table(without: Outcome, found: Outcome, name: str) -> list[str]:
-    """Lines with the figures of the run without controllers and of the one with; name: theirs."""
+    """Lines with the figures of both runs. name: heading of the run with controllers (`found`)."""
     end = min(without.end, found.end)
     pairs = [("", WITHOUT, name)]
     for label, of in MEASURES.items():
@@ -53,11 +53,11 @@ MEASURES = {
     "two-wheel lift": _two_wheel_lift,
     "rollover": lambda run: _moment(run.rollover),
 }
-"""Of whole runs."""
+"""Figures of whole runs."""
 MEASURES_UNTIL = {
     "peak sideslip angle": _peak_sideslip,
     "peak yaw rate": _peak_yaw_rate,
     "forward speed at that time": lambda run, end: f"{run.at('u', end):.1f} m/s",
     "displacement to the left": lambda run, end: f"{run.at('y', end):.1f} m",
 }
-"""Of runs up to a time (s)."""
+"""Figures of runs up to a time (s)."""

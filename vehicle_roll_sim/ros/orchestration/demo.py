@@ -1,4 +1,4 @@
-"""The executable `demo`: a J-turn against a real simulator, recorded; what `make run` shows."""
+"""The executable `demo`, run by `make run`: drives and records a J-turn with a live simulator."""
 
 import os
 import signal
@@ -16,26 +16,26 @@ from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.compilation import compile_model
 
 PATIENCE = 10.0
-"""Seconds that a process may take to end."""
+"""Time (s) that a process may take to end."""
 POLL = 0.05
 """s"""
 ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-"""What ends the demonstration, and with it the nodes."""
+"""Signals that end the demonstration, and with it the nodes."""
 
 
 LOCAL = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
-"""Default environment of the nodes: nobody else's network."""
+"""Default environment of the nodes: discovery stays on this machine."""
 
 
 def start(module: str, *words: str, **options) -> subprocess.Popen:
-    """Start a node of this package in a process of its own, which Ctrl-C does not reach."""
+    """Start a node of this package in its own session, out of reach of Ctrl-C."""
     command = [sys.executable, "-m", "vehicle_roll_sim.ros.executables", module, *words]
     environment = LOCAL | os.environ
     return subprocess.Popen(command, env=environment, start_new_session=True, **options)
 
 
 def stop(process: subprocess.Popen) -> int:
-    """End a node, also one that is still starting; its exit status."""
+    """End a node, even if it is still starting; return its exit status."""
     if process.poll() is None:
         process.terminate()
     try:
@@ -46,7 +46,7 @@ def stop(process: subprocess.Popen) -> int:
 
 
 def demonstrate(folder: Path) -> int:
-    """Simulator, recorder and manoeuvre side by side until the manoeuvre is over; exit status."""
+    """Run simulator, recorder and manoeuvre until the manoeuvre is over; return the exit status."""
     need_library("recorder")
     bag, plot = folder / "bag", folder / "j_turn.png"
     try:
@@ -54,18 +54,18 @@ def demonstrate(folder: Path) -> int:
     except OSError as error:
         problem = f"{folder}: {error.strerror}"
         raise InputError(
-            "--output", str(folder), "a new folder that can be made", problem
+            "--output", str(folder), "a new folder that can be created", problem
         ) from None
     compile_model()
     interrupted = threading.Event()
-    # noted, not raised: no node is lost between its start and its record
+    # only set an event: an exception could lose a node between its start and its entry in the list
     for signum in ending.heeded(ENDING):
         signal.signal(signum, lambda *_: interrupted.set())
     nodes, statuses = [], []
     try:
         nodes.append(start("simulator"))
         nodes.append(start("recorder", "--output", str(bag), stdout=subprocess.PIPE, text=True))
-        nodes[-1].stdout.readline()  # it says when it records
+        nodes[-1].stdout.readline()  # printed once it is recording
         print("a J-turn at 50 km/h, in real time:", flush=True)
         driver = start("manoeuvre", "j_turn", "--plot", str(plot))
         nodes.append(driver)
@@ -85,13 +85,13 @@ def main() -> int:
     """Entry point of the executable."""
     parser = OneLineParser(
         prog="demo",
-        description="Start a simulator, drive a J-turn against it in real time and record a bag.",
+        description="Start a simulator, drive it through a J-turn in real time and record a bag.",
     )
     parser.add_argument(
         "--output",
         metavar="DIR",
         default=time.strftime("run/%Y-%m-%d-%H%M%S"),
-        help="where bag and plot go; must not exist (default: run/DATE-TIME)",
+        help="folder for the bag and the plot; must not exist yet (default: run/DATE-TIME)",
     )
 
     def command() -> int:

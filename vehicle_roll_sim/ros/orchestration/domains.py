@@ -1,7 +1,7 @@
-"""ROS domains that nobody else on this machine uses: for tests and benchmarks.
+"""ROS domains that nobody else on this machine uses, for `compare`, tests and benchmarks.
 
-People are on 0, or on another one up to 101. Above 214 there are some more whose ports Linux does
-not hand out to others. One of these is taken here while it is free, and kept from other takers.
+People use domain 0, or another one up to 101. From 215 on there are a few more whose ports Linux
+does not hand out as ephemeral ports. One of these that is free is reserved here.
 """
 
 import contextlib
@@ -14,24 +14,24 @@ from collections.abc import Iterator
 
 DOMAINS = range(215, 232)
 FIRST_PORT, PORTS_OF_A_DOMAIN = 7400, 250
-"""Of the middleware (RTPS 9.6.1.1): the first one is where those beyond this machine are heard."""
+"""UDP ports of the middleware (RTPS 9.6.1.1); a domain's first is for multicast discovery."""
 OF_PARTICIPANTS = range(10, 60, 2)
-"""Ports, from the first one of a domain, at which its participants are met, in their order."""
+"""Offsets of the discovery unicast ports of a domain's participants, in order."""
 KEPT = 248
-"""The port that is held by whoever has taken a domain; that of a 120th participant."""
+"""Offset of the port that reserves a domain; it would belong to a 120th participant."""
 PATIENCE = 120.0
-"""s to wait while all are in use."""
+"""Time (s) to wait while all are in use."""
 LOOK_AGAIN = 0.1
 """s"""
 _numbers = itertools.count(os.getpid())
-"""Where the next search begins, so that a domain rests before it is used again."""
+"""Where the next search begins, so that a domain is not reused at once."""
 
 
 @contextlib.contextmanager
 def own_domain() -> Iterator[int]:
-    """The number of a domain that is this process's own within.
+    """The ID of a domain reserved for this process within the block.
 
-    Raises TimeoutError if there is none for too long.
+    Raises TimeoutError if none becomes free in time.
     """
     until, first = time.monotonic() + PATIENCE, next(_numbers)
     for turn in itertools.count(first):
@@ -47,7 +47,7 @@ def own_domain() -> Iterator[int]:
 
 
 def _take(domain: int) -> socket.socket | None:
-    """What keeps others from a domain, None if it is in use."""
+    """The socket that reserves a domain, None if the domain is in use."""
     port = FIRST_PORT + PORTS_OF_A_DOMAIN * domain
     holder = _bound(port + KEPT)
     if holder is None:
@@ -62,7 +62,7 @@ def _take(domain: int) -> socket.socket | None:
 
 
 def _bound(port: int) -> socket.socket | None:
-    """A socket that has a UDP port of all interfaces for itself, None if somebody else is there."""
+    """A socket bound to a UDP port on all interfaces, None if the port is in use."""
     made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     try:
         made.bind(("", port))

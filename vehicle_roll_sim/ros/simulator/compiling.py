@@ -1,4 +1,4 @@
-"""A simulator whose model is still being compiled says so, and who waits for it goes on waiting."""
+"""A simulator announces that its model is still compiling, so that its clients keep waiting."""
 
 import os
 import threading
@@ -17,18 +17,18 @@ from vehicle_roll_sim.simulation.compilation import compile_model
 
 COMPILING = "compiling the model"
 INTERVAL = 0.5
-"""Wall seconds between two announcements."""
+"""Interval between announcements (wall s)."""
 FRESH = 5.0
-"""Wall seconds for which an announcement counts: a busy machine may delay the next one."""
+"""How long an announcement counts (wall s): a busy machine may delay the next one."""
 
 
 def status_name(node: str) -> str:
-    """The name of the diagnostic status of a simulator, given the full name of its node."""
+    """The name of a simulator's diagnostic status. node: the full name of its node."""
     return f"{node}: model"
 
 
 def compile_and_tell(name: str) -> None:
-    """Have the model compiled if it has to be; until then a node of this name says so.
+    """Compile the model if necessary; a node of this name announces it in the meantime.
 
     Raises ExternalShutdownException if a signal ends the wait.
     """
@@ -41,9 +41,9 @@ def compile_and_tell(name: str) -> None:
 
 
 def _compile_here(name: str) -> None:
-    """Without a cache only this process can compile the model for itself.
+    """Compile in this process, which is necessary without a cache.
 
-    A signal then ends the process as it is: the compiler cannot be stopped in an orderly way.
+    A signal then ends the process immediately: the compiler cannot be stopped in an orderly way.
     """
     compiling = threading.Thread(target=compile_model, name="compiler", daemon=True)
     compiling.start()
@@ -54,7 +54,7 @@ def _compile_here(name: str) -> None:
 
 
 def _tell(name: str, is_working) -> None:
-    node = Node(name, start_parameter_services=False)  # nothing can be asked of it yet
+    node = Node(name, start_parameter_services=False)  # there are no parameters yet
     publisher = node.create_publisher(
         message_class(DIAGNOSTICS.type), DIAGNOSTICS.name, offered_qos(DIAGNOSTICS)
     )
@@ -73,7 +73,7 @@ def _tell(name: str, is_working) -> None:
 
 
 class Compilations:
-    """Hears on behalf of `node` whether a simulator is compiling its model."""
+    """Monitors, on behalf of `node`, whether a simulator is compiling its model."""
 
     def __init__(self, node: Node, simulator: str):
         self._node, self._last = node, -FRESH
@@ -91,5 +91,5 @@ class Compilations:
                 self._is_told = True
 
     def is_running(self) -> bool:
-        """Whether the simulator has just said that it is compiling."""
+        """Whether the simulator has recently announced that it is compiling."""
         return time.monotonic() - self._last < FRESH

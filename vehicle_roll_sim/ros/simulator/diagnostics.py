@@ -1,4 +1,4 @@
-"""What the simulator says of itself: on /diagnostics, and of what is new in it in the log."""
+"""The simulator's status: on /diagnostics, with every new problem also in the log."""
 
 import threading
 import time
@@ -27,13 +27,13 @@ from vehicle_roll_sim.ros.simulator.publications import Publications
 from vehicle_roll_sim.ros.simulator.real_time import RealTime
 
 MOST_LISTED = 3
-"""Topics that a warning names; of more it says how many."""
+"""Number of topics that a warning lists by name; the rest are counted."""
 
 
 class Reporter:
-    """Publishes diagnostics, and warns in the log when something new is wrong.
+    """Publishes diagnostics, and logs a warning for each new problem.
 
-    lock: to be held while the session is looked at.
+    lock: held while the session is read.
     """
 
     def __init__(
@@ -51,6 +51,7 @@ class Reporter:
         self._sets, self._time = 0, time.monotonic()
 
     def report(self) -> None:
+        """Publish the current status and log what is new in it."""
         publishers = command_publishers(self._node)
         others = [*self._clock_trouble(), *self._doubled()]
         with self._lock:
@@ -59,7 +60,7 @@ class Reporter:
             late = self._driver.trouble()
             passing = (step_trouble(self._session), late, self._driver.waiting(publishers))
             status = self._status([*wrong, *("" if is_idle else filter(None, passing))], publishers)
-        self._warn({*wrong, *incompatible_partners(self._node)})  # who is told may end the node
+        self._warn({*wrong, *incompatible_partners(self._node)})  # a log handler may end the node
         if late and not is_idle:
             self._node.get_logger().warning(late)
         diagnostics = DiagnosticArray(status=[status])
@@ -67,23 +68,23 @@ class Reporter:
         self._publisher.publish(diagnostics)
 
     def _warn(self, wrong: set[str]) -> None:
-        """In the log, of what was not wrong the last time."""
+        """Log each problem that was not present in the previous report."""
         for trouble in sorted(wrong - self._told):
             self._node.get_logger().warning(trouble)
         self._told = wrong
 
     def _clock_trouble(self) -> list[str]:
-        """Whether stamps are off the clock, or somebody else publishes the one that is ours."""
+        """Warnings about stamps that differ from the clock, and about a second /clock publisher."""
         troubles = [self._publications.clock_trouble()]
         if self._publications.own_clock and (others := other_publishers(self._node, CLOCK)):
             listed = ", ".join(others)
             troubles.append(
-                f"TWO CLOCKS: {CLOCK.name} comes from {listed} too: time jumps for all who use it"
+                f"TWO CLOCKS: {listed} also publishes {CLOCK.name}: time jumps for all its users"
             )
         return [*filter(None, troubles)]
 
     def _doubled(self) -> list[str]:
-        """Which other nodes publish topics of the set, one line for each."""
+        """One warning for each other node that publishes topics of the set."""
         topics_of: dict[str, list[str]] = {}
         for topic in STATE_SET:
             if self._node.count_publishers(self._node.resolve_topic_name(topic.name)) > 1:
@@ -92,7 +93,7 @@ class Reporter:
         return [_doubled_by(name, topics) for name, topics in sorted(topics_of.items())]
 
     def _status(self, wrong: list[str], publishers: dict[str, list[str]]) -> DiagnosticStatus:
-        """Level and message, then the model, timing, and every command topic."""
+        """The status: level and message, then values of the model, timing and command topics."""
         session = self._session
         level, message = verdict(session, wrong)
         status = DiagnosticStatus(level=bytes([level]), message=message, hardware_id="simulation")
@@ -107,7 +108,7 @@ class Reporter:
         return status
 
     def _rate(self) -> float:
-        """Sets published a second since the last call (Hz)."""
+        """Sets published per second since the last call (Hz)."""
         sets, now = self._publications.sets, time.monotonic()
         rate = (sets - self._sets) / (now - self._time)
         self._sets, self._time = sets, now
@@ -115,8 +116,8 @@ class Reporter:
 
 
 def _doubled_by(node: str, topics: list[str]) -> str:
-    """What to say of a node that publishes topics of the set, too."""
+    """The warning about another node that publishes topics of the set."""
     more = len(topics) - MOST_LISTED
     listed = ", ".join(topics[:MOST_LISTED]) + (f" and {more} more topics" if more > 0 else "")
-    trouble = f"{node} publishes {listed} too: listeners get both; a namespace separates them"
+    trouble = f"{node} also publishes {listed}: subscribers get both; separate them by namespace"
     return f"TWO SIMULATORS: {trouble}" if STATE in topics else trouble

@@ -1,4 +1,4 @@
-"""Runs a simulator in step with its controllers: a period for every answer, never by the clock."""
+"""Runs a simulator in lockstep with its controllers: one period per answer, never by the clock."""
 
 import time
 from collections.abc import Mapping, Sequence
@@ -10,19 +10,19 @@ from vehicle_roll_sim.ros.compatibility import command_publishers
 from vehicle_roll_sim.ros.process import LOOK
 
 STOP = "stop"
-"""The other policy beside command_inbox.HOLD, when no answer comes in time."""
+"""Timeout policy, besides command_inbox.HOLD, when no answer comes in time."""
 SETTLING = 0.2
-"""s to go on listening when all partners are found: they may find us a little later."""
+"""Time (s) to keep spinning once all partners are found: they may find us a little later."""
 COMPLAINT_INTERVAL = 5.0
-"""s between two lines on what is waited for."""
+"""Interval (s) between log messages about what lockstep is waiting for."""
 LONG_WAIT = 2.0
-"""s after which what is waited for is a warning in the diagnostics."""
+"""Time (s) after which waiting becomes a warning in the diagnostics."""
 LONGEST_RECEIPT = 10.0
-"""s until a listener that does not take the first set is waited for no longer."""
+"""Longest wait (s) for all subscribers to acknowledge the first set."""
 LAST_LOOK = 0.02
-"""s to go on reading before giving up: what has come is not late because it was not read."""
+"""Time (s) to read on before giving up: an answer that has arrived unread is not late."""
 SHARE = 0.1
-"""Of the time for an answer: by so much the end of it may be noticed late."""
+"""How late the timeout may be noticed, as a fraction of it."""
 
 
 class UnansweredError(Exception):
@@ -30,11 +30,12 @@ class UnansweredError(Exception):
 
 
 class Lockstep:
-    """Publishes a set, waits for one message on each of `topics`, runs a period, and so on.
+    """Publishes a set, waits for one message on each of `topics`, runs a period, and repeats.
 
-    It begins when every topic has a publisher and each of `listened` a listener. timeout: wall
-    seconds to wait for an answer, 0 for ever; then the policy `hold` goes on with the last command,
-    so that a late answer counts for the next period, and `stop` raises UnansweredError.
+    It begins when each of `topics` has a publisher and each of `listened` a subscriber. timeout:
+    wall time (s) to wait for an answer, 0: forever. After that, the policy `hold` continues with
+    the last command, so that a late answer counts for the next period; `stop` raises
+    UnansweredError.
     """
 
     def __init__(self, topics: Sequence[str], listened: Sequence[str], timeout: float, policy: str):
@@ -45,7 +46,7 @@ class Lockstep:
         self.restart()
 
     def run(self, simulator, executor: Executor) -> None:
-        """Until the context is shut down, which raises ExternalShutdownException."""
+        """Run until the context is shut down, which raises ExternalShutdownException."""
         self._await_partners(simulator, executor)
         simulator.begin()
         self._await_receipts(simulator, executor)
@@ -67,27 +68,27 @@ class Lockstep:
             executor.spin_once(timeout_sec=LOOK)
 
     def _await_receipts(self, simulator, executor: Executor) -> None:
-        """Until all reliable listeners have the first set, and so will have what follows.
+        """Wait until all reliable subscribers have received the first set, and so will the rest.
 
-        Those that are known here may know of this simulator seconds later.
+        A subscriber that we have discovered may discover us seconds later.
         """
         until = time.monotonic() + LONGEST_RECEIPT
         while missing := simulator.unreceived():
-            self._awaited = [f"a listener to receive {name}" for name in missing]
+            self._awaited = [f"a subscriber to receive {name}" for name in missing]
             if time.monotonic() > until:
                 simulator.get_logger().warning(
-                    f"lockstep: goes on, though a listener has not received {', '.join(missing)}"
+                    f"lockstep: continuing, but a subscriber has not received {', '.join(missing)}"
                 )
                 return
             executor.spin_once(timeout_sec=LOOK)
 
     def _missing(self, simulator) -> list[str]:
-        """What stands in the way of the first set."""
+        """What is still missing before the first set."""
         partners = simulator.missing_partners(self.topics, self.listened)
         return [*partners, "the end of the pause"] if simulator.session.paused else partners
 
     def _await_answers(self, simulator, executor: Executor) -> None:
-        """Until all answers are there and nobody has paused, or the time for them is over."""
+        """Wait for all answers and the end of any pause, or for the timeout."""
         session, look = simulator.session, SHARE * self.timeout or None
         self.restart()
         while (missing := session.inbox.unanswered(self.topics)) or session.paused:
@@ -105,37 +106,37 @@ class Lockstep:
             executor.spin_once(timeout_sec=look)
 
     def _read_on(self, session: Session, executor: Executor) -> None:
-        """Take what has come but has not been read yet."""
+        """Read messages that have arrived but have not been processed yet."""
         until = time.monotonic() + LAST_LOOK
         while session.inbox.unanswered(self.topics) and time.monotonic() < until:
             executor.spin_once(timeout_sec=LAST_LOOK)
 
     def _note_missing(self, missing: Sequence[str]) -> None:
-        """Count a period without all answers; raises UnansweredError if the policy says so."""
+        """Count a period without all answers; raises UnansweredError if the policy is `stop`."""
         if not missing:
             return
         self._timeouts += 1
         if self.policy == STOP:
             topics = ", ".join(missing)
-            raise UnansweredError(f"{topics}: no message within {self.timeout:g} s of lockstep")
+            raise UnansweredError(f"{topics}: no message within {self.timeout:g} s in lockstep")
 
     def restart(self) -> int:
-        """The time for an answer begins anew; returns the present by the steady clock (ns)."""
+        """Restart the timeout; returns the current time of the steady clock (ns)."""
         self._asked = time.monotonic()
         return time.monotonic_ns()
 
     def timing(self) -> dict[str, str]:
-        """Periods run without an answer so far."""
+        """Diagnostics: periods that have run without an answer so far."""
         return {"lockstep timeouts": str(self._timeouts)}
 
     def trouble(self) -> str:
-        """What went wrong since the last call, or ''."""
+        """A warning if answers were missing since the last call, else ''."""
         timeouts = self._timeouts - self._timeouts_told
         self._timeouts_told = self._timeouts
-        return f"no answer in time: {timeouts} periods with the last command" if timeouts else ""
+        return f"no answer in time: {timeouts} periods ran with old commands" if timeouts else ""
 
     def waiting(self, publishers: Mapping[str, Sequence[str]]) -> str:
-        """What has been waited for so long that it is worth a word, and of whom; else ''.
+        """A warning about what lockstep has been waiting for, and from whom, if for long; else ''.
 
         publishers: names of the nodes that publish each command, by topic.
         """
@@ -150,7 +151,7 @@ class Lockstep:
 
 
 def _message_of(topic: str, publishers: Sequence[str]) -> str:
-    """A message that is waited for, and whose it is."""
+    """The message that is awaited, and its publishers."""
     if not publishers:
         return f"a message on {topic}, which no known node publishes,"
     return f"a message on {topic} from {' or '.join(publishers)}"

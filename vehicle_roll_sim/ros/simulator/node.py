@@ -1,4 +1,4 @@
-"""The node `simulator`: steps the model, takes commands, publishes what happens."""
+"""The node `simulator`: takes commands, steps the model and publishes the results."""
 
 import sys
 import threading
@@ -36,16 +36,16 @@ NAME = "simulator"
 DIAGNOSTICS_PERIOD = 1.0
 """s"""
 WARNING_INTERVAL = 1.0
-"""s between two warnings of the same kind on the same topic."""
+"""Shortest time (s) between two warnings of the same kind about the same topic."""
 NO_ANSWER = 1
-"""Exit status when a controller did not answer in lockstep and the policy is to stop."""
+"""Exit status if a controller did not answer in lockstep and the timeout policy is `stop`."""
 
 
 class Simulator(Node):
-    """A vehicle on ROS 2. Raises InputError if a parameter is wrong.
+    """A simulated vehicle as a node. Raises InputError if a parameter is wrong.
 
-    Its driver decides when a period is run. `lock` is held by whoever uses the session: the one
-    that steps or, between periods, the one that answers.
+    `driver` decides when a period runs. `lock` guards the session: the thread that steps the model
+    holds it during a period, the thread that runs callbacks between periods.
     """
 
     def __init__(self, **node_options):
@@ -74,7 +74,7 @@ class Simulator(Node):
         self.create_timer(DIAGNOSTICS_PERIOD, report, clock=steady)
 
     def begin(self) -> None:
-        """Publish the first set, of time 0; what was commanded before it is forgotten."""
+        """Publish the first set, at time 0, and discard any command received before it."""
         with self.lock:
             self._has_begun = True
             self.session.inbox.clear()
@@ -82,7 +82,7 @@ class Simulator(Node):
             self._publish_all()
 
     def _restart(self) -> None:
-        """Pace and stamps begin anew at the present time."""
+        """Restart pacing and stamps from the current time."""
         self._publications.anchor(self.driver.restart())
 
     def _publish_all(self) -> None:
@@ -91,17 +91,17 @@ class Simulator(Node):
         self._publications.publish_rollover()
 
     def unreceived(self) -> list[str]:
-        """Topics of the set of which a reliable listener has not received everything."""
+        """Topics of the set on which a reliable subscriber has not yet acknowledged everything."""
         with self.lock:
             return self._publications.unreceived()
 
     def missing_partners(self, commands: Sequence[str], listened: Sequence[str]) -> list[str]:
-        """Which publishers of commands and listeners to a set are not there yet."""
+        """The command publishers and set subscribers that have not been discovered yet."""
         publishers = {name: self._commands[name].get_publisher_count() for name in commands}
         listeners = {name: self._publications.listeners(name) for name in listened}
         return [
-            *(f"a publisher of {name}" for name, count in publishers.items() if not count),
-            *(f"a listener of {name}" for name, count in listeners.items() if not count),
+            *(f"a publisher on {name}" for name, count in publishers.items() if not count),
+            *(f"a subscriber on {name}" for name, count in listeners.items() if not count),
         ]
 
     def _subscribe(self, topic: Topic):
@@ -126,9 +126,9 @@ class Simulator(Node):
             self.get_logger().warning(f"{topic}: {problem}")
 
     def run_period(self, due_ns: int | None = None) -> None:
-        """A publish period on; to be called with the lock held.
+        """Advance by one publish period and publish the set. Call with the lock held.
 
-        due_ns: when its set is due by the steady clock, if not a period after the last one.
+        due_ns: when the set is due on the steady clock, if not one period after the previous one.
         """
         inbox, was_stopped = self.session.inbox, self.session.stopped
         inbox.timeout = 0.0 if self.settings.is_lockstep else self.settings.command_timeout
@@ -150,7 +150,7 @@ class Simulator(Node):
         with self.lock:
             try:
                 self.session.reset(self.settings.initial_speed)
-            except InputError as error:  # at that speed the step is too large
+            except InputError as error:  # the step is too large for that speed
                 response.success, response.message = False, str(error)
                 return response
             self._restart()
@@ -176,7 +176,7 @@ class Simulator(Node):
                 self.run_period(time.monotonic_ns())
                 response.message = f"{self.session.simulation.time:.9g} s"
             elif not self._has_begun:
-                response.message = "not begun yet: the first set comes when all partners are there"
+                response.message = "not started yet: waiting for the lockstep partners"
             elif self.session.stopped:
                 response.message = "the model has stopped: reset first"
             else:
@@ -185,7 +185,7 @@ class Simulator(Node):
 
 
 def _driver(settings: Settings, period_ns: int) -> Lockstep | RealTime:
-    """What decides when a period of `period_ns` is run."""
+    """The object that decides when a period of `period_ns` runs."""
     if settings.is_lockstep:
         return Lockstep(
             settings.lockstep_topics,
@@ -220,9 +220,10 @@ def main() -> int:
     """Entry point of the executable."""
     parser = OneLineParser(
         prog="simulator",
-        description="Simulate a vehicle's roll on ROS 2, in real time or in lockstep.",
+        description="Simulate a vehicle's roll dynamics on ROS 2, in real time or in lockstep.",
         usage="simulator [--ros-args -p NAME:=VALUE -r __ns:=/NAMESPACE ...]",
-        epilog="parameters: " + ", ".join(parameters.PARAMETERS),
+        epilog="parameters (`ros2 param describe /simulator NAME` explains one): "
+        + ", ".join(parameters.PARAMETERS),
     )
 
     def body(_) -> int:

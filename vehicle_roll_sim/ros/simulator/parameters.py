@@ -1,4 +1,4 @@
-"""The simulator's ROS parameters: declared once, checked, described to whoever asks."""
+"""The simulator's ROS parameters: declared, validated and described from one table."""
 
 import dataclasses
 import threading
@@ -33,25 +33,25 @@ from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 VEHICLE_PREFIX, IMU_PREFIX, ODOM_PREFIX = "vehicle.", "imu.", "odom."
 TIRE = VEHICLE_PREFIX + "tire"
 SIM_TIME = "use_sim_time"
-"""A parameter of every node."""
+"""A parameter that every node has."""
 ROS_TYPES = {
     float: ParameterType.PARAMETER_DOUBLE,
     bool: ParameterType.PARAMETER_BOOL,
     str: ParameterType.PARAMETER_STRING,
-    tuple: ParameterType.PARAMETER_STRING_ARRAY,  # or, of numbers, a double array
+    tuple: ParameterType.PARAMETER_STRING_ARRAY,  # or a double array, if of numbers
 }
 
 
 @dataclasses.dataclass(frozen=True)
 class TireFile:
-    """The one entry of a vehicle file that is no number."""
+    """The one entry of a vehicle file that is not a number."""
 
-    tire: str = parameter("tire file (.tir)", default="")
+    tire: str = parameter("path of the tire file (.tir)", default="")
 
 
 @dataclasses.dataclass(frozen=True)
 class Declared:
-    """Everything the parameters said."""
+    """The values of all parameters, grouped by what they configure."""
 
     settings: Settings
     limits: CommandLimits
@@ -62,7 +62,7 @@ class Declared:
 
 
 def declare(node: Node) -> Declared:
-    """Declare all parameters on `node` and read them; raises InputError naming one."""
+    """Declare all parameters on `node` and read them; raises InputError naming a wrong one."""
     refuse_unknown_parameters(node, PARAMETERS)
     _check_makes_time(node.get_parameter(SIM_TIME).value)
     settings = Settings(**_declare_class(node, Settings))
@@ -76,7 +76,7 @@ def declare(node: Node) -> Declared:
     if tire != vehicle.tire.file:
         vehicle = dataclasses.replace(vehicle, tire=load_tire(tire))
     vehicle = vehicle.with_values(_given_of_vehicle(node), VEHICLE_PREFIX)
-    for name, value in vehicle.given.items():  # with both alternatives a dump could not be loaded
+    for name, value in vehicle.given.items():  # a dump with both alternatives could not be loaded
         _declare(node, VEHICLE_PREFIX + name, value)
     _heed(plausibility(vehicle), node, settings.strict)
     imu = ImuCovariances(**_declare_class(node, ImuCovariances, IMU_PREFIX))
@@ -85,14 +85,14 @@ def declare(node: Node) -> Declared:
 
 
 def _check_makes_time(use_sim_time) -> None:
-    """Raise InputError if the simulator, which makes time, is asked to take it from /clock."""
+    """Raise InputError if the simulator, the source of time, is told to take it from /clock."""
     if use_sim_time:
-        allowed = "false, for the simulator makes time; publish_clock has others go by it"
+        allowed = "false: the simulator is the source of time; see publish_clock"
         raise InputError(SIM_TIME, use_sim_time, allowed)
 
 
 def _given_of_vehicle(node: Node) -> dict:
-    """The values that the parameters give in place of those of the vehicle file."""
+    """The vehicle parameters given as ROS parameters, which override the vehicle file."""
     overrides = node._parameter_overrides
     return {
         name: overrides[VEHICLE_PREFIX + name].value
@@ -102,7 +102,7 @@ def _given_of_vehicle(node: Node) -> dict:
 
 
 def _heed(doubts: list[str], node: Node, strict: bool) -> None:
-    """Warn in the log of what is not plausible of the vehicle; if strict, raise InputError."""
+    """Log a warning for each implausible vehicle parameter; if strict, raise InputError."""
     doubts = [VEHICLE_PREFIX + doubt for doubt in doubts]
     if doubts and strict:
         raise InputError("strict", strict, "; ".join(doubts), "the vehicle is not plausible")
@@ -111,16 +111,16 @@ def _heed(doubts: list[str], node: Node, strict: bool) -> None:
 
 
 def _check_speed(speed: float, options: Options) -> None:
-    """Raise InputError if the model cannot start at a speed (m/s)."""
+    """Raise InputError if the model cannot start at this speed (m/s)."""
     if options.steady_state_slip and speed < MINIMUM_SPEED:
         allowed = f"at least {MINIMUM_SPEED:g} m/s with steady_state_slip"
         raise InputError("initial_speed", speed, allowed)
 
 
 def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None:
-    """Keep what was `declared` up to date with the tunable parameters; refuse wrong values.
+    """Apply changes of tunable parameters to `declared`; refuse wrong values.
 
-    lock: held while values change, so that they do so between two periods.
+    lock: held while values change, so that they change between two periods only.
     """
     settings = declared.settings
     tunable = {name: part for part in (settings, declared.limits) for name in parameters_of(part)}
@@ -143,7 +143,7 @@ def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None
 
 
 def _numbers_for_integers(changes: list) -> list:
-    """An integer serves where a number is wanted, and is kept as a number."""
+    """Convert integers to floating-point numbers where these are expected."""
     return [
         RosParameter(change.name, value=float(change.value))
         if type(change.value) is int
@@ -173,16 +173,16 @@ def _declare_class(node: Node, declaring, prefix: str = "") -> dict:
 
 
 def _declare(node: Node, name: str, default):
-    """Declare a parameter; its value, checked, an integer for a number made a number."""
+    """Declare a parameter and return its validated value, with integers converted to numbers."""
     declared, given = PARAMETERS[name], node._parameter_overrides.get(name)
     value = declared.validate(default if given is None else given.value, name)
     return node.declare_parameter(name, value, _descriptor(declared), ignore_override=True).value
 
 
 def _descriptor(declared: Parameter) -> ParameterDescriptor:
-    """What ROS is told of a parameter.
+    """The ROS descriptor of a parameter.
 
-    Typed dynamically, so that an integer serves for a number; the type is checked here.
+    It is dynamically typed, so that integers are accepted as numbers; we check the type ourselves.
     """
     unit = f" ({declared.unit})" if declared.unit else ""
     choices = f": {declared.allowed}" if declared.choices else ""

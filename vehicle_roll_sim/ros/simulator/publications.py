@@ -1,4 +1,4 @@
-"""What a simulator publishes: a set of messages every period, and a few beside them."""
+"""What a simulator publishes: a set of messages every period, and a few other topics."""
 
 import time
 
@@ -32,18 +32,21 @@ from vehicle_roll_sim.ros.topics import is_installed, message_class, offered_qos
 from vehicle_roll_sim.simulation.description import describe
 
 LONGEST_UNNOTICED_NS = 50_000_000
-"""Wall time (ns) for which real time may not notice a new listener: looking costs like sending."""
+"""How long (wall ns) a new subscriber may go unnoticed in real time.
+
+Asking for the subscription count costs as much as publishing.
+"""
 
 
 def set_topics(settings: Settings) -> tuple[Topic, ...]:
-    """What is published every period, in this order."""
+    """The topics that are published every period, in order."""
     clock = (CLOCK,) if settings.has_own_clock else ()
     stamped = STAMPED if settings.publish_stamped else ()
     return (*clock, *STATE_SET, *stamped, *filter(is_installed, (TRANSFORMS,)))
 
 
 def published_topics(settings: Settings) -> tuple[Topic, ...]:
-    """All that a simulator publishes."""
+    """Every topic that a simulator publishes."""
     beside = (ROLLOVER, ROBOT_DESCRIPTION, SIMULATION_DESCRIPTION, DIAGNOSTICS)
     return (*set_topics(settings), *beside)
 
@@ -51,8 +54,8 @@ def published_topics(settings: Settings) -> tuple[Topic, ...]:
 class Publications:
     """The publishers of `node` for the messages of a session.
 
-    own_clock: stamps are simulated time and published on /clock; else they are the times on the
-    node's clock at which the sets are due (Stamps). sets: how many have been published.
+    own_clock: whether stamps are simulated time, published on /clock; otherwise they are the times
+    on the node's clock at which the sets are due (Stamps). sets: number of sets published so far.
     """
 
     def __init__(
@@ -83,19 +86,19 @@ class Publications:
         ]
 
     def _tell(self, topic: Topic, text: str):
-        """A latched publisher, to be kept, that has said `text`."""
+        """A latched publisher that has published `text`; keep a reference to it."""
         publisher = self.publisher(topic)
         publisher.publish(encode(topic.type, {"data": text}))
         return publisher
 
     def _prepare(self) -> None:
-        """Build everything once, so that nothing has to be compiled when time matters."""
+        """Build every message once, so that nothing is compiled when time matters."""
         for _, build in self._set.values():
             build()
         self.look_for_listeners()
 
     def publisher(self, topic: Topic):
-        """One without event handlers: each would be one more thing for every wait to watch."""
+        """A publisher without event handlers, which would add to the cost of every wait."""
         return make_publisher(
             self._node,
             message_class(topic.type),
@@ -105,7 +108,7 @@ class Publications:
         )
 
     def look_for_listeners(self) -> None:
-        """Find out to which topics of the set somebody listens."""
+        """Find out which topics of the set have subscribers."""
         self._heard = [
             (publisher, build)
             for publisher, build in self._set.values()
@@ -114,7 +117,7 @@ class Publications:
         self._looked_ns = time.monotonic_ns()
 
     def publish_set(self) -> None:
-        """The messages of the present that somebody listens to."""
+        """Publish the current set. Topics without subscribers are not serialized."""
         if time.monotonic_ns() - self._looked_ns >= self._unnoticed_ns:
             self.look_for_listeners()
             self._follow_clock()
@@ -126,45 +129,46 @@ class Publications:
         is_repeated = self.sets and stamp_ns == self._last_stamp_ns
         for publisher, build in self._heard:
             if is_repeated and publisher is self._tree:
-                continue  # tf2 complains of a transform that comes twice
+                continue  # tf2 warns about a transform that is repeated
             publisher.publish(build())
         self._last_stamp_ns = stamp_ns
         self.sets += 1
 
     def publish_rollover(self) -> None:
+        """Publish whether the vehicle has rolled over (latched)."""
         self._rollover.publish(encode(ROLLOVER.type, {"data": self._session.rolled_over}))
 
     def anchor(self, due_ns: int) -> None:
-        """Stamps go on from now, the present set being due at `due_ns` by the steady clock.
+        """Realign stamps with the clock: the current set is due at `due_ns` on the steady clock.
 
-        Unless they are simulated time, which begins anew with a reset.
+        This has no effect on stamps in simulated time.
         """
         if self._stamps:
             self._stamps.anchor(self._session.simulation.time_ns, due_ns)
 
     def _follow_clock(self) -> None:
-        """Where the clock was set ahead while it runs, so are the stamps."""
+        """If the clock has jumped forward during a run, move the stamps forward with it."""
         if self._stamps and not self._session.stopped and (gained := self._stamps.follow()):
             gain = f"{gained / NANOSECONDS:.3f} s"
-            self._node.get_logger().warning(f"the clock was set {gain} ahead: stamps follow")
+            self._node.get_logger().warning(f"the clock was set {gain} ahead: stamps follow it")
 
     def clock_trouble(self) -> str:
-        """What is wrong with the stamps, or ''."""
+        """A warning if the stamps differ from the clock, else ''."""
         lead_ns = self._stamps.lead_ns() if self._stamps else 0
         if lead_ns <= 0:
             return ""
         lead = f"{lead_ns / NANOSECONDS:.3f} s"
-        return f"the clock was set back: stamps go on rising, {lead} ahead of it"
+        return f"the clock was set back: stamps keep increasing, {lead} ahead of it"
 
     def present_stamp(self):
-        """For messages of no set: the time on the clock that subscribers go by."""
+        """The stamp for messages outside the sets: now, on the clock that subscribers use."""
         if self.own_clock:
             seconds, nanoseconds = self._messages.stamp
             return Time(sec=seconds, nanosec=nanoseconds)
         return self._node.get_clock().now().to_msg()
 
     def unreceived(self) -> list[str]:
-        """Topics of the set of which a reliable listener has not received everything."""
+        """Topics of the set on which a reliable subscriber has not yet acknowledged everything."""
         return [
             publisher.topic_name
             for publisher, _ in self._heard
@@ -172,5 +176,5 @@ class Publications:
         ]
 
     def listeners(self, name: str) -> int:
-        """How many listen to a topic of the set."""
+        """The number of subscriptions to a topic of the set."""
         return self._set[name][0].get_subscription_count()

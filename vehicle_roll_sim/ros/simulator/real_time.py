@@ -1,7 +1,7 @@
-"""Runs a simulator by the clock: one thread steps and publishes, another one answers.
+"""Runs a simulator in real time: one thread steps and publishes, another runs the callbacks.
 
-Publishing from a loop that sleeps to absolute deadlines costs half of what a timer in the executor
-does, and is on time more exactly (docs/performance.md).
+A loop that sleeps until absolute deadlines costs half as much as a timer in the executor, and is
+more punctual (docs/performance.md).
 """
 
 from concurrent.futures import ThreadPoolExecutor
@@ -12,15 +12,15 @@ from vehicle_roll_sim.live.pacing import Pacer
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 
 IDLE = 0.01
-"""s between two looks at a simulator that is paused."""
+"""Poll interval (s) while the simulator is paused."""
 MILLISECONDS = 1e3
-"""In a second."""
+"""Per second."""
 
 
 class RealTime:
-    """Periods of `period_ns` of simulated time, `factor` times as fast as time goes by.
+    """Runs periods of `period_ns` of simulated time at `factor` times real time.
 
-    catch_up: the most that is made up for (s).
+    catch_up: largest delay (s) that is made up for; further periods are skipped.
     """
 
     def __init__(self, period_ns: int, factor: float, catch_up: float):
@@ -28,7 +28,7 @@ class RealTime:
         self._overruns_told = 0
 
     def run(self, simulator, executor: Executor) -> None:
-        """Until the context is shut down; raises what goes wrong in either thread."""
+        """Run until the context is shut down; raise any exception of either thread."""
         simulator.begin()
         with ThreadPoolExecutor(1, "answers") as pool:
             answers = pool.submit(executor.spin)
@@ -44,7 +44,7 @@ class RealTime:
             self.pacer.sleep(IDLE)
             return
         if simulator.session.stopped and self.pacer.is_free:
-            self.pacer.sleep(self._period)  # the same state again need not come any faster
+            self.pacer.sleep(self._period)  # no need to repeat the same state any faster
         self.pacer.wait()
         with simulator.lock:
             overruns = self.pacer.overruns
@@ -53,25 +53,25 @@ class RealTime:
                 simulator.run_period(self.pacer.due_ns if is_behind else None)
 
     def restart(self) -> int:
-        """At the start, after a reset or a pause: what was missed is not made up for.
+        """Start pacing afresh, as after a reset or a pause: missed periods are not made up for.
 
-        Returns the present by the steady clock (ns).
+        Returns the current time of the steady clock (ns).
         """
         self.pacer.restart()
         return self.pacer.due_ns
 
     def timing(self) -> dict[str, str]:
-        """Lateness of the periods since the last call, and those given up so far."""
+        """Diagnostics: lateness of the periods since the last call, and periods skipped so far."""
         names = ("lateness p50 (ms)", "lateness p99 (ms)", "largest lateness (ms)")
         late = (f"{value * MILLISECONDS:.3f}" for value in self.pacer.lateness())
         return {**dict(zip(names, late, strict=True)), "overruns": str(self.pacer.overruns)}
 
     def trouble(self) -> str:
-        """What went wrong since the last call, or ''."""
-        given_up = self.pacer.overruns - self._overruns_told
+        """A warning if periods were skipped since the last call, else ''."""
+        skipped = self.pacer.overruns - self._overruns_told
         self._overruns_told = self.pacer.overruns
-        return f"too slow a machine: {given_up} periods given up" if given_up else ""
+        return f"the machine is too slow: {skipped} periods skipped" if skipped else ""
 
     def waiting(self, _publishers) -> str:
-        """Real time waits for nobody."""
+        """Always '': in real time, the simulator waits for nobody."""
         return ""

@@ -1,23 +1,23 @@
-"""Stamps of the sets where time is not the simulation's own: on the node's clock, always rising."""
+"""Stamps of sets that do not use simulated time: from the node's clock, never decreasing."""
 
 import math
 import time
 from collections.abc import Callable
 
 LARGEST_STEP_NS = 1_000_000
-"""What the clock may gain or lose (ns) before it counts as having been set."""
+"""How much the clock may gain or lose (ns) before it counts as having been set."""
 CLOSE_NS = 20_000
-"""Time (ns) between two readings of a clock; another one read in between was read well enough."""
+"""Two clocks are compared well enough if both are read within this time (ns)."""
 MOST_READINGS = 20
-"""Of which the closest counts: a thread may be interrupted in between."""
+"""Attempts, of which the closest counts: a thread may be interrupted between readings."""
 
 
 class Stamps:
-    """Gives each set the time on a clock at which it was due, and never an earlier one.
+    """Gives each set the clock time at which it was due, never earlier than the one before.
 
-    Between two anchors stamps are as far apart as simulated time is. now: the clock, which may be
-    set; steady: the one that periods are paced by, which may not, but stands still while the host
-    is suspended. Both in ns.
+    Between two anchors, stamps are spaced like simulated time. now: the clock, which may be set.
+    steady: the clock that paces periods; it cannot be set, but stops while the host is suspended.
+    Both return ns.
     """
 
     def __init__(self, now: Callable[[], int], steady: Callable[[], int] = time.monotonic_ns):
@@ -26,32 +26,35 @@ class Stamps:
         self.anchor(0, steady())
 
     def anchor(self, time_ns: int, due_ns: int) -> None:
-        """From now on the set of simulated time `time_ns` is due at `due_ns` by the steady clock.
+        """From now on, the set of simulated time `time_ns` is due at `due_ns` on the steady clock.
 
-        Where the clock was set back, the stamps go on from the last one.
+        If the clock was set back, the stamps continue from the last one.
         """
         stamp_ns = max(self._difference() + due_ns, self._last_ns + 1)
         self._begin_ns, self._difference_ns = stamp_ns - time_ns, stamp_ns - due_ns
 
     def of(self, time_ns: int) -> int:
-        """The stamp of the set of a simulated time; both ns."""
+        """The stamp (ns) of the set of a simulated time (ns)."""
         self._last_ns = self._begin_ns + time_ns
         return self._last_ns
 
     def lead_ns(self) -> int:
-        """How far stamps are ahead of the clock, since it was set; negative: behind it."""
+        """How far stamps are ahead (behind if negative) of a clock that was set (ns), else 0."""
         lead_ns = self._difference_ns - self._difference()
         return lead_ns if abs(lead_ns) > LARGEST_STEP_NS else 0
 
     def follow(self) -> int:
-        """Make up for what the clock has gained by being set, or on a suspended host; how much."""
+        """Move stamps forward with a clock that was set ahead; return by how much (ns).
+
+        A host that was suspended has the same effect.
+        """
         gained_ns = max(-self.lead_ns(), 0)
         self._begin_ns += gained_ns
         self._difference_ns += gained_ns
         return gained_ns
 
     def _difference(self) -> int:
-        """The clock less the steady one, which is read before and after it."""
+        """The clock minus the steady one (ns), which is read before and after it."""
         closest_ns, difference_ns = math.inf, 0
         for _ in range(MOST_READINGS):
             before, now, after = self._steady(), self._now(), self._steady()
