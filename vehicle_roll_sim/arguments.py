@@ -106,7 +106,7 @@ def add_declared(
         is_there = any(action.dest == parameter.name for action in parser._actions)
         if is_there or parameter.name in without:
             continue
-        about = parameter.description
+        about = parameter.description.replace("%", "%%")  # which argparse takes for a format
         if parameter.kind is bool:
             group.add_argument(option_name(parameter), action="store_true", help=about)
             continue
