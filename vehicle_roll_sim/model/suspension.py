@@ -1,9 +1,9 @@
-"""Struts and links: what the unsprung masses do to the body, and the body to them.
+"""Struts and links: the forces between the unsprung masses and the body.
 
-The longitudinal and lateral link forces (eqs 21, 22) hold the accelerations of the unsprung mass,
-which hold those of the body (eqs 54, 55, the first with the y term that the source omits). Each
-link force is therefore kept in two parts, `applied` less inertia times body acceleration, and the
-accelerations are found from one linear system (`rigid_body`).
+The longitudinal and lateral link forces (eqs 21, 22) contain the accelerations of the unsprung
+mass, which depend on those of the body (eqs 54, 55, the first with the y term that the paper
+omits). Each link force is therefore split into an `applied` part minus inertia times body
+acceleration, and the accelerations are solved for in one linear system (`rigid_body`).
 """
 
 from vehicle_roll_sim.model import records as at
@@ -15,8 +15,8 @@ from vehicle_roll_sim.model.records import DU, DV, DWX, DWY, DWZ, LF, LR, RF, RR
 def strut_kinematics(state, vehicle, options, outputs):
     """Strut length and rate, and the velocity of each unsprung mass (eqs 1, 9, 10, 12, 17).
 
-    Harmless simplifications of section 6.4: with `fixed_strut_length` the static length stands for
-    ls in 9 and 10, with `unsprung_moves_with_corner` the corner's velocity for both.
+    Admissible simplifications of section 6.4: `fixed_strut_length` replaces ls in equations 9 and
+    10 by the static length; `unsprung_moves_with_corner` replaces both by the corner's velocity.
     """
     u, v, w = state[at.U], state[at.V], state[at.W]
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
@@ -48,13 +48,13 @@ def strut_forces(state, command, vehicle, outputs):
 
 @kernel
 def carried_mass(i, vehicle, options):
-    """Unsprung mass whose inertia the links of corner i carry (kg): none in eqs 56, 57."""
+    """Unsprung mass whose inertia acts on the links of corner i (kg): 0 in eqs 56, 57."""
     return 0.0 if options.no_link_inertia else vehicle.unsprung_mass[i]
 
 
 @kernel
 def carried_weight(i, vehicle, options):
-    """Unsprung weight in the plane of the links of corner i (N): none in eq. 59."""
+    """Unsprung weight in the link forces of corner i (N): 0 in eq. 59."""
     if options.contact_forces_not_rotated:
         return 0.0
     return vehicle.unsprung_mass[i] * vehicle.gravity
@@ -62,7 +62,7 @@ def carried_weight(i, vehicle, options):
 
 @kernel
 def applied_link_forces(state, vehicle, options, attitude, outputs):
-    """Link forces of every corner but for the body's accelerations (eqs 21, 22, 54-57, 59)."""
+    """Link forces of every corner without the body's acceleration (N; eqs 21, 22, 54-57, 59)."""
     s_roll, _, s_pitch, c_pitch = attitude
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     wu = state[at.UNSPRUNG_VELOCITY]
@@ -80,7 +80,7 @@ def applied_link_forces(state, vehicle, options, attitude, outputs):
 
 @kernel
 def link_forces(vehicle, options, outputs):
-    """Fxs and Fys of every corner (N), once the accelerations are known (eqs 21, 22)."""
+    """Fxs and Fys of every corner (N), from the body's accelerations (eqs 21, 22)."""
     q = outputs.body_acceleration
     du, dv, dwx, dwy, dwz = q[DU], q[DV], q[DWX], q[DWY], q[DWZ]
     for i in range(WHEEL_COUNT):
@@ -91,7 +91,7 @@ def link_forces(vehicle, options, outputs):
 
 @kernel
 def link_moment(i, vehicle, outputs):
-    """Roll moment that the links of corner i pass on beside the roll centre (N m)."""
+    """Roll moment of the contact and link forces of corner i about the roll centre (N m)."""
     about_strut = outputs.rolling_force[i] * outputs.loaded_radius[i]
     arm = outputs.strut_length[i] - vehicle.roll_centre_depth[i]
     return about_strut + outputs.link_y[i] * arm
@@ -99,9 +99,9 @@ def link_moment(i, vehicle, outputs):
 
 @kernel
 def link_load_transfer(vehicle, options, outputs):
-    """Fdz of every corner (N): the roll centre's share of the load transfer (eq. 26).
+    """Fdz of every corner (N): load transfer through the links (eq. 26).
 
-    Symmetric over an axle, or each side by itself (section 7.3); none without a roll centre.
+    Symmetric for an axle, or each side separately (section 7.3); 0 without a roll centre.
     """
     for left, right in ((LF, RF), (LR, RR)):
         on_left, on_right = (
@@ -118,7 +118,7 @@ def link_load_transfer(vehicle, options, outputs):
 
 @kernel
 def unsprung_rates(state, vehicle, options, attitude, outputs, rates):
-    """Vertical acceleration of every unsprung mass, in frame 1 (eqs 11, 43, 58, 60)."""
+    """Vertical acceleration of every unsprung mass in frame 1 (m/s^2; eqs 11, 43, 58, 60)."""
     s_roll, c_roll, s_pitch, c_pitch = attitude
     wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
     for i in range(WHEEL_COUNT):
