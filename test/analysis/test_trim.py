@@ -116,7 +116,7 @@ REFUSED = {
     "too fast": ({"speed": 101.0}, "speed", "from 1 to 100 m/s"),
     "no number": ({"speed": math.nan}, "speed", "from 1 to 100 m/s"),
     "nan steering": ({"speed": SPEED, "steering": math.nan}, "steering", "finite"),
-    "inner wheel too slow": ({"speed": 1.05, "steering": 0.3}, "speed", "1 m/s or more"),
+    "inner wheel too slow": ({"speed": 1.05, "steering": 0.3}, "speed", "at least 1 m/s"),
     "too tight": ({"speed": SPEED, "steering": 0.3}, "steering", "at most"),
     "too hard": ({"speed": SPEED, "lateral_acceleration": 9.0}, "lateral_acceleration", "at most"),
     "too hard to the right": (
@@ -144,7 +144,7 @@ def test_with_steady_state_slip_the_slowest_is_that_of_a_run():
 @pytest.mark.parametrize("axle", ["front", "rear"])
 def test_where_a_wheel_would_lift_there_is_no_steady_turn(axle):
     vehicle = REFERENCE.with_values({f"{axle}_spring_stiffness": 4e5, f"{axle}_track": 1.0})
-    with pytest.raises(InputError, match=r"at most \d.* m/s\^2, further on a wheel lifts"):
+    with pytest.raises(InputError, match=r"at most \d.* m/s\^2, in tighter turns a wheel lifts"):
         find_trim(vehicle, speed=SPEED, lateral_acceleration=8.0)
 
 

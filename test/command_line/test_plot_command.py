@@ -176,8 +176,8 @@ def changed(folder, line: int, column: str, text: str) -> None:
 @pytest.mark.parametrize(
     ("line", "column", "text", "words"),
     [
-        (1, "roll", "bank", ("run.csv: line 1", "without roll", "`run --csv`")),
-        (1, "x", "roll", ("run.csv: line 1", "without x")),
+        (1, "roll", "bank", ("run.csv: line 1", "roll missing", "`run --csv`")),
+        (1, "x", "roll", ("run.csv: line 1", "x missing")),
         (5, "roll", "flat", ("run.csv: line 5: roll", "'flat'", "a number")),
         (5, "roll", "", ("run.csv: line 5: roll", "''", "a number")),
         (5, "time", "0.1", ("run.csv: line 5: time", "0.1", "at least 0.2")),
@@ -208,9 +208,9 @@ def test_a_file_that_was_cut_off_is_refused_at_its_last_line(refused, folder, hi
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (b"", ("without time, x, y and 49 more",)),
-        (b"time,steering\n0,0\n", ("without x, y, z and 47 more",)),
-        (b"time;x;y\n0;0;0\n", ("line 1: separated by semicolons", "commas must separate")),
+        (b"", ("time, x, y and 49 more missing",)),
+        (b"time,steering\n0,0\n", ("x, y, z and 47 more missing",)),
+        (b"time;x;y\n0;0;0\n", ("line 1: separated by semicolons", "separated by commas")),
         (",".join(COLUMNS).encode(), ("no rows", "at least one row")),
         (b"\x89PNG\r\n\xff\x00", ("binary data", "text file")),
     ],

@@ -56,7 +56,7 @@ def test_options_of_the_model_are_those_of_run(command):
         (("constant_radius",), ("constant_radius", "sine_with_dwell")),
         (("nhtsa_j_turn", "--scalar", "3"), ("--scalar",)),
         (("nhtsa_j_turn", "--lowest-speed", "9", "--speed", "3"), ("--speed",)),
-        (("j_turn", "--lowest-speed", "41"), ("--highest-speed", "more than the lowest")),
+        (("j_turn", "--lowest-speed", "41"), ("--highest-speed", "more than lowest_speed")),
         (("j_turn", "--resolution", "0"), ("--resolution", "from 0.001")),
         (("iso_double_lane_change", "--lowest-speed", "9"), ("MANOEUVRE", "lane_change")),
         (("nhtsa_j_turn", "--speed", "3"), ("--speed",)),

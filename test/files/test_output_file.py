@@ -80,7 +80,7 @@ def test_neither_is_a_name_in_a_folder_that_is_none(path, parent):
 
 def test_nor_a_folder_that_may_not_be_written(path, monkeypatch):
     monkeypatch.setattr(os, "access", lambda folder, how: how != os.W_OK)  # true for root, too
-    assert "can be written" in refused(path)
+    assert "not writable" in refused(path)
 
 
 def test_nor_what_is_no_file_such_as_a_pipe_or_a_device(path):

@@ -110,7 +110,7 @@ def test_where_one_file_cannot_take_its_place_no_other_does(path):
 @pytest.mark.parametrize("name", ["file", "file/results", "file/new/results"])
 def test_a_file_and_what_is_below_one_are_no_folders(path, name):
     Path("file").write_text(OLD)
-    assert "a folder that can be written to, or made" in refused(Path(name), check_folder)
+    assert "a folder that is writable or can be created" in refused(Path(name), check_folder)
 
 
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="no /proc on this system")

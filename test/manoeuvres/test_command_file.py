@@ -164,7 +164,7 @@ WRONG = {
     "semicolons": (
         "time;steering\n0;0\n1;0,05\n",
         1,
-        ["separated by semicolons", "commas must separate the columns", "points the decimals"],
+        ["separated by semicolons", "must be separated by commas", "decimal points"],
     ),
     "semicolons, one column, and a mark": ("\ufefftime;x\r\n0;0\r\n", 1, ["semicolons", "commas"]),
     "semicolons behind a line that says so": ("sep=;\ntime;steering\n0;0\n", 1, ["semicolons"]),

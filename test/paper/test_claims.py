@@ -1,4 +1,4 @@
-"""Each claim of the source holds, with the numbers of another implementation, and could fail."""
+"""Each claim of the paper holds, with the numbers of another implementation, and could fail."""
 
 import collections
 import dataclasses
@@ -38,21 +38,21 @@ HAS_ENGINE = importlib.util.find_spec("mujoco") is not None
 NUMBERS = [claim.number for claim in CLAIMS]
 CHECKED = [claim.number for claim in CLAIMS if HAS_ENGINE or not claim.needs_engine]
 SEEN = {
-    (1, "roll apart"): "0.02",
-    (2, "roll apart up to 8°"): "0.05",
+    (1, "roll difference"): "0.02",
+    (2, "roll difference up to 8°"): "0.05",
     (2, "at 15°"): "0.9",
     (3, "peak roll over 1a's"): "4.6",
     (4, "1b"): "5.41",
-    (5, "85° sooner than 1b"): "0.36",
+    (5, "85° earlier than 1b"): "0.36",
     (6, "peak roll over 1b's"): "16",
     (8, "peak roll of 1c-i"): "11.1",
-    (9, "steady loads under the weight"): "3.4",
+    (9, "steady loads below the weight"): "3.4",
     (9, "steady roll changed by"): "0.9",
-    (10, "steady loads over the weight"): "3.5",
+    (10, "steady loads above the weight"): "3.5",
     (10, "peak roll in the ramp"): "14.2",
-    (10, "yet lr lifts"): "3.30",
-    (12, "roll apart from 1b until lift-off"): "0.23",
-    (13, "roll apart from 1b until lift-off"): "0.06",
+    (10, "lift-off of lr"): "3.30",
+    (12, "roll difference from 1b until lift-off"): "0.23",
+    (13, "roll difference from 1b until lift-off"): "0.06",
     (14, "steady roll"): "21",
     (14, "rf's transient excess"): "38",
     (17, "steady roll"): "0.9",

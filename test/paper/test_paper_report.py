@@ -64,11 +64,14 @@ def test_a_number_holds_between_its_limits_which_its_criterion_says(
 @pytest.mark.parametrize(
     ("measured", "text"),
     [
-        (Measured("roll apart", 0.018912, "deg", below=0.05), "roll apart: 0.0189 deg (< 0.05)"),
+        (
+            Measured("roll difference", 0.018912, "deg", below=0.05),
+            "roll difference: 0.0189 deg (< 0.05)",
+        ),
         (Measured("roll", -4.899, "%", -5.0, 5.0), "roll: -4.9 % (-5 … 5)"),
         (Measured("1b", 5.411234, "s"), "1b: 5.41 s"),
         (Measured("85°", math.nan, "s", above=0.0), "85°: never (> 0)"),
-        (Measured("yet lr lifts", math.nan, "s"), "yet lr lifts: never"),
+        (Measured("lift-off of lr", math.nan, "s"), "lift-off of lr: never"),
     ],
 )
 def test_a_number_is_written_to_three_digits_with_unit_and_criterion(measured, text):
@@ -153,7 +156,7 @@ def test_a_claim_that_fails_is_shown_as_failing_with_its_numbers(study):
     found = check_claims(Rerun(study, {"1a": "1c-i"}))
     (apart,) = found[0].measured
     assert apart.value > 0.05
-    shown = f"roll apart: {apart.value:.3g} deg (< 0.05)"
+    shown = f"roll difference: {apart.value:.3g} deg (< 0.05)"
     first, second = as_text(found).splitlines()[:2]
     assert (first[:10].split(), second.strip()) == (["1", "fails"], shown)
     row = as_markdown(found).splitlines()[2]

@@ -23,8 +23,8 @@ lift-off rf:                none
 lift-off lr:                1.395 s
 lift-off rr:                3.120 s
 rollover:                   3.130 s
-slip ratio out of range:    from 1.700 s: beyond what the tire file covers
-tire load out of range:     from 2.250 s: beyond what the tire file covers
+slip ratio out of range:    from 1.700 s: outside the range of the tire file
+tire load out of range:     from 2.250 s: outside the range of the tire file
 end:                        3.131 s, rolled over"""
 
 

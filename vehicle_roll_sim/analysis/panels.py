@@ -1,4 +1,4 @@
-"""What the panels on the left of the standard figure show of a run: commands and signals."""
+"""The signals in the left panels of the standard figure: commands and responses."""
 
 import dataclasses
 import math
@@ -16,14 +16,15 @@ PANELS = (
     ("lateral_acceleration", "lateral acceleration\n(m/s²)", 1.0),
     ("yaw_rate", "yaw rate\n(deg/s)", DEGREES),
 )
-"""Column of a history, name with unit, and factor to that unit."""
+"""Column of a history, label with unit, and factor to that unit."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Signal:
-    """What a panel shows: its name with unit, and how it is had of a history, shape (n,).
+    """The signal of a panel.
 
-    is_command: (n, 4) for the wheels.
+    label: name with unit. of: function of a history that returns the values, shape (n,), or (n, 4)
+    for the wheels if is_command.
     """
 
     label: str
@@ -60,11 +61,11 @@ COMMANDS = (
     _command("brake_torque", "brake torque\n(N m)"),
     _command("active_force", "active force\n(N)"),
 )
-"""Shown where they are not 0 all the time."""
+"""Shown only if they are not 0 throughout."""
 
 
 def signals_of(histories: Iterable[History]) -> list[Signal]:
-    """The panels for some runs from the top down: steering, the other commands, what follows."""
+    """The panels for some runs, from the top: steering, other commands, responses."""
     histories = list(histories)
     given = [
         signal

@@ -1,4 +1,4 @@
-"""Writing results: a file or set of files appears when it is whole, or not at all."""
+"""Atomic writing of results: a file or set of files appears complete or not at all."""
 
 import contextlib
 import errno
@@ -14,42 +14,42 @@ FIGURE_FORMATS = (".png", ".svg", ".pdf")
 
 
 def check_writable(path: Path, field: str) -> None:
-    """Raise InputError naming `field` if no file can be made at `path`."""
+    """Raise InputError naming `field` if no file can be created at `path`."""
     try:
         _check_target(path, field)
         with _partial_file(_resolved(path)):
             pass
     except OSError as error:
-        wanted = "a file in a folder that can be written"
+        wanted = "a file in a writable folder"
         raise InputError(field, str(path), wanted, f"{path}: {error.strerror}") from None
 
 
 def _check_target(path: Path, field: str) -> None:
     folder = _resolved(path).parent
     if _exists(path) and not path.is_file():
-        raise InputError(field, str(path), "an ordinary file, no folder, pipe or device")
+        raise InputError(field, str(path), "a regular file, not a folder, pipe or device")
     if _exists(path) and not os.access(path, os.W_OK):
-        raise InputError(field, str(path), "a file that may be written")
+        raise InputError(field, str(path), "a writable file")
     if not folder.is_dir():
-        raise InputError(field, str(path), f"a file in a folder that exists, {folder} does not")
+        raise InputError(field, str(path), f"a file in an existing folder; {folder} does not exist")
     if not os.access(folder, os.W_OK):
-        raise InputError(field, str(path), f"a file in a folder that can be written, not {folder}")
+        raise InputError(field, str(path), f"a file in a writable folder; {folder} is not writable")
 
 
 def check_figure_format(path: Path, field: str) -> None:
-    """Raise InputError naming `field` if figures are not drawn in the format of `path`."""
+    """Raise InputError naming `field` if the suffix of `path` is not a supported figure format."""
     if path.suffix.lower() not in FIGURE_FORMATS:
-        raise InputError(field, str(path), "a name that ends in " + ", ".join(FIGURE_FORMATS))
+        raise InputError(field, str(path), "a file name ending in " + ", ".join(FIGURE_FORMATS))
 
 
 @contextlib.contextmanager
 def replaced_file(path: str | Path) -> Iterator[Path]:
-    """A path to write to, in the folder of `path` and with its suffix, moved there at the end.
+    """Yield a temporary path, in the same folder and with the same suffix; moved to `path` at exit.
 
-    Raises NotWrittenError if the system does not let it be written.
+    Raises NotWrittenError if the operating system refuses.
     """
     try:
-        path = _resolved(Path(path))  # a link stays, what it leads to is replaced
+        path = _resolved(Path(path))  # a link is kept, its target is replaced
         with _partial_file(path) as partial:
             yield partial
             mask = os.umask(0)
@@ -57,15 +57,15 @@ def replaced_file(path: str | Path) -> Iterator[Path]:
             partial.chmod(0o666 & ~mask)
             partial.replace(path)
     except OSError as error:
-        wanted = "a place that can be written to"
+        wanted = "a writable location"
         raise NotWrittenError(f"file {path}", "", wanted, error.strerror) from None
 
 
 @contextlib.contextmanager
 def _partial_file(path: Path) -> Iterator[Path]:
-    """A new, hidden file in the folder of `path`, gone in the end unless it was moved away."""
+    """Yield a new hidden file in the folder of `path`; removed at exit unless it was moved."""
     partial = _hidden(path.parent, path.suffix)
-    try:  # from before it is made: an interruption may come at any moment
+    try:  # begins before the file exists: an interruption may come at any moment
         partial.touch(mode=0o600, exist_ok=False)
         yield partial
     finally:
@@ -74,7 +74,7 @@ def _partial_file(path: Path) -> Iterator[Path]:
 
 @contextlib.contextmanager
 def _partial_folder(path: Path) -> Iterator[Path]:
-    """A new, hidden folder where `path` is to be, gone in the end with all that is still in it."""
+    """Yield a new hidden folder beside `path`; removed at exit with everything left in it."""
     partial = _hidden(_existing(path))
     try:
         partial.mkdir(mode=0o700)
@@ -85,39 +85,39 @@ def _partial_folder(path: Path) -> Iterator[Path]:
 
 
 def _hidden(folder: Path, suffix: str = "") -> Path:
-    """A path that nothing else has."""
+    """A unique hidden path."""
     return folder / f".partial-{uuid.uuid4().hex}{suffix}"
 
 
 def check_folder(path: Path, field: str) -> None:
-    """Raise InputError naming `field` if there can be no folder of results at `path`."""
+    """Raise InputError naming `field` if no folder of results can be created or used at `path`."""
     with _refusing_folder(path, field), _partial_folder(path):
         pass
 
 
 @contextlib.contextmanager
 def _refusing_folder(path: Path, field: str) -> Iterator[None]:
-    """Within, an OSError is an InputError that names `field`."""
+    """Convert an OSError in the context to an InputError naming `field`."""
     try:
         yield
     except OSError as error:
-        wanted = "a folder that can be written to, or made"
+        wanted = "a folder that is writable or can be created"
         raise InputError(field, str(path), wanted, f"{path}: {error.strerror}") from None
 
 
 def check_distinct(paths: dict[str, Path | None]) -> None:
-    """Raise InputError if two of these results, by the options that name them, are one."""
+    """Raise InputError if two of these results, by option, have the same path."""
     seen = {}
     for field, path in paths.items():
         if path is None:
             continue
         other = seen.setdefault(_resolved(path), field)
         if other != field:
-            raise InputError(field, str(path), f"another place than that of {other}")
+            raise InputError(field, str(path), f"a path different from that of {other}")
 
 
 def check_new_folder(path: Path, field: str) -> None:
-    """Raise InputError naming `field` if no new folder can be made at `path`."""
+    """Raise InputError naming `field` if no new folder can be created at `path`."""
     with _refusing_folder(path, field):
         is_there = path.is_symlink() or _exists(_resolved(path))
     if is_there:
@@ -127,10 +127,10 @@ def check_new_folder(path: Path, field: str) -> None:
 
 @contextlib.contextmanager
 def new_folder(path: Path, field: str) -> Iterator[Path]:
-    """Where to make a folder, under the name of `path`; in the end it is moved to `path`, whole.
+    """Yield a temporary path at which to create a folder; it is moved to `path` at exit.
 
-    Raises InputError naming `field` if there is something already, NotWrittenError if the system
-    does not let it.
+    Raises InputError naming `field` if `path` exists, NotWrittenError if the operating system
+    refuses.
     """
     check_new_folder(path, field)
     try:
@@ -141,16 +141,16 @@ def new_folder(path: Path, field: str) -> Iterator[Path]:
             (beside / path.name).rename(path)
     except OSError as error:
         raise NotWrittenError(
-            field, str(path), "a place to write to", f"{path}: {error.strerror}"
+            field, str(path), "a writable location", f"{path}: {error.strerror}"
         ) from None
 
 
 @contextlib.contextmanager
 def filled_folder(path: Path) -> Iterator[Path]:
-    """A new folder to write files to; in the end they move to the folder `path`.
+    """Yield a temporary folder to write files to; they are moved to the folder `path` at exit.
 
-    It is made if need be; what it holds already stays, but for files of the same names. Raises
-    NotWrittenError if the system does not let it be filled.
+    `path` is created if necessary. Files of the same names are replaced, others are kept. Raises
+    NotWrittenError if the operating system refuses.
     """
     try:
         path = _resolved(path)
@@ -164,11 +164,11 @@ def filled_folder(path: Path) -> Iterator[Path]:
             for file in files:
                 file.replace(path / file.name)
     except OSError as error:
-        raise NotWrittenError(f"folder {path}", "", "a place to write to", error.strerror) from None
+        raise NotWrittenError(f"folder {path}", "", "a writable location", error.strerror) from None
 
 
 def _existing(path: Path) -> Path:
-    """The folder itself, or the nearest above it that exists."""
+    """The path itself, or its nearest parent that exists."""
     path = _resolved(path)
     while not _exists(path):
         path = path.parent
@@ -176,9 +176,9 @@ def _existing(path: Path) -> Path:
 
 
 def _exists(path: Path) -> bool:
-    """Whether there is something; raises OSError for a name that nothing can have.
+    """Whether the path exists; raises OSError for an impossible name.
 
-    From Python 3.14 on `Path.exists` does not tell of that.
+    Unlike this function, `Path.exists` of Python 3.14 and later hides that error.
     """
     try:
         path.stat()
@@ -188,8 +188,8 @@ def _exists(path: Path) -> bool:
 
 
 def _resolved(path: Path) -> Path:
-    """Where a path leads; raises OSError also for links that lead in a circle."""
-    with contextlib.suppress(RuntimeError):  # of a circle, up to Python 3.12
+    """Resolve a path; raises OSError, also for circular links."""
+    with contextlib.suppress(RuntimeError):  # circular links, up to Python 3.12
         resolved = path.resolve()
         if not any(each.is_symlink() for each in (resolved, *resolved.parents)):
             return resolved

@@ -1,4 +1,4 @@
-"""Reading a CSV file of numbers: what is wrong with it is named, with its line."""
+"""Reading a CSV file of numbers; errors name the line."""
 
 import csv
 from collections.abc import Iterator
@@ -8,15 +8,15 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.text_file import read_text
 
 SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars", " ": "spaces"}
-"""What files have between their columns that have no commas there."""
+"""Column separators that are recognized but not accepted, with their names."""
 
 
 def read_table(path: Path, largest: int) -> tuple[list[str], Iterator[tuple[int, list[str]]]]:
-    """The names in the first line, and (line, texts) of every other one that is not empty.
+    """The column names, and an iterator of (line number, texts) over the non-empty lines.
 
-    largest: bytes of the file. Raises InputError, also while the rows are taken, for a file that
-    cannot be read or has no commas between its columns, and a line with more or fewer values than
-    there are names.
+    largest: maximum size of the file (bytes). Raises InputError, also during iteration, if the file
+    cannot be read or is not comma-separated, or if a line has more or fewer values than there are
+    names.
     """
     reader = csv.reader(read_text(path, largest).splitlines())
     header = [name.strip() for name in _next_line(path, reader) or []]
@@ -26,10 +26,10 @@ def read_table(path: Path, largest: int) -> tuple[list[str], Iterator[tuple[int,
 
 
 def _check_separator(path: Path, line: str) -> None:
-    """A first line that no comma divides must not be one that something else divides."""
+    """Raise InputError if a first line without commas has another separator."""
     for separator, name in SEPARATORS.items():
         if separator in line:
-            wanted = "commas must separate the columns, and points the decimals"
+            wanted = "columns must be separated by commas, with decimal points"
             raise InputError(f"{path}: line 1", line, wanted, f"separated by {name}")
 
 
@@ -48,9 +48,9 @@ def _counted(values: int) -> str:
 
 
 def _next_line(path: Path, reader) -> list[str] | None:
-    """The texts of the next line, None at the end."""
+    """The texts of the next line, or None at the end of the file."""
     try:
         return next(reader, None)
     except csv.Error as error:
         where = f"{path}: line {reader.line_num}"
-        raise InputError(where, "", "comma-separated values are wanted", str(error)) from None
+        raise InputError(where, "", "expected comma-separated values", str(error)) from None

@@ -1,4 +1,4 @@
-"""Commands from outside: checked on arrival, read once a period, given up when they grow old."""
+"""External commands: checked on arrival, read once per period, discarded after a timeout."""
 
 import dataclasses
 import math
@@ -11,19 +11,20 @@ from vehicle_roll_sim.simulation.command import NO_FORCE, Command
 
 HOLD, CENTRE = "hold", "centre"
 SPEED = "speed"
-"""The one channel that is no field of a Command: what it asks for is left to a controller."""
+"""The only channel that is not a field of a Command; the speed controller acts on it."""
 DEFAULT_TIMEOUT = 0.5
-"""s, simulated"""
+"""s of simulated time"""
 DROPPED, CLAMPED = "message dropped", "clamped"
-"""What a problem begins with, for what is done about it."""
+"""How the text of a problem begins: what was done with the message."""
 
 
 @dataclasses.dataclass
 class Channel:
-    """One command topic: what it sets, how many values it wants, what has come in.
+    """One command topic: its field, its number of values, and what has been received.
 
-    limit: name of its limit. value, arrival_ns: the last good message, and when it came.
-    answered: whether anything has come since commands were last read.
+    limit: name of its limit in CommandLimits. smallest: lower bound of the values. value,
+    arrival_ns: the last valid message and its simulated time of arrival (ns). received, dropped,
+    clamped: message counts. answered: whether any message arrived since commands were last read.
     """
 
     field: str
@@ -56,12 +57,12 @@ def channels() -> dict[str, Channel]:
 
 
 class CommandInbox:
-    """The newest good command of every topic.
+    """The latest valid command of every topic.
 
-    timeout: simulated time (s) after which a topic that has brought a message counts as silent, 0
-    for never. Torques and active forces are 0 from then on, a speed is given up; steering follows
-    `steering_policy`, `hold` or `centre`. limits: those in force when commands are read; the usual
-    ones if there are none.
+    timeout: simulated time (s) without a message after which a topic that had received one counts
+    as silent; 0: never. The torques and active forces of a silent topic become 0 and its speed
+    command ends; steering follows `steering_policy`, `hold` or `centre`. limits: the limits applied
+    when commands are read; by default those of CommandLimits().
     """
 
     def __init__(
@@ -76,7 +77,7 @@ class CommandInbox:
         self._values, self._command = {}, Command()
 
     def receive(self, topic: str, values: Sequence[float], now_ns: int) -> str:
-        """Keep a message come at simulated time `now_ns`; returns what is wrong with it, or ''."""
+        """Store a message that arrived at simulated time `now_ns`; returns its problem, or ''."""
         channel = self.channels[topic]
         channel.received += 1
         channel.answered = True
@@ -92,9 +93,9 @@ class CommandInbox:
         return ""
 
     def command(self, now_ns: int) -> Command:
-        """What to drive with in the period that begins at simulated time `now_ns`.
+        """The command for the period that begins at simulated time `now_ns`.
 
-        The same object as before, if it still says the same. Answers count anew from here.
+        Returns the same object as before if nothing has changed. Clears `answered` of all channels.
         """
         values = {}
         for channel in self.channels.values():
@@ -113,7 +114,7 @@ class CommandInbox:
         return self._command
 
     def speed(self, now_ns: int) -> float | None:
-        """The commanded speed (m/s); None where there is none or wheel torques are commanded."""
+        """The commanded speed (m/s), or None if there is none or wheel torques are commanded."""
         speed, torque = self.channels["speed_cmd"], self.channels["wheel_torque_cmd"]
         driven = torque.arrival_ns is not None and not self.is_silent(torque, now_ns)
         if speed.arrival_ns is None or self.is_silent(speed, now_ns) or driven:
@@ -121,23 +122,23 @@ class CommandInbox:
         return self.limits.clamped(speed.limit, speed.value)[0]
 
     def unanswered(self, topics: Sequence[str]) -> list[str]:
-        """Those of `topics` that have brought no message, not even a wrong one, since `command`."""
+        """Those of `topics` that received no message, not even an invalid one, since `command`."""
         return [topic for topic in topics if not self.channels[topic].answered]
 
     def is_silent(self, channel: Channel, now_ns: int) -> bool:
-        """Whether a topic has brought messages once, but none within the timeout."""
+        """Whether a topic has received a message before, but none within the timeout."""
         if channel.arrival_ns is None or self.timeout == 0.0:
             return False
         return now_ns - channel.arrival_ns > round(self.timeout * NANOSECONDS)
 
     def clear(self) -> None:
-        """Forget all commands; the counts go on."""
+        """Discard all commands; the message counts are kept."""
         for channel in self.channels.values():
             channel.value, channel.arrival_ns, channel.answered = (), None, False
 
 
 def _flaw(values: Sequence[float], channel: Channel) -> str:
-    """What is wrong with the values of a message, or ''."""
+    """The problem with the values of a message, or ''."""
     if len(values) != channel.size:
         return f"{len(values)} values, {channel.size} are expected"
     if not all(map(math.isfinite, values)):

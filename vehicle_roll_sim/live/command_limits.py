@@ -1,4 +1,4 @@
-"""How much of a command from outside is driven: the largest values, the fastest steering."""
+"""Limits of external commands: largest values, and steering rate."""
 
 import dataclasses
 import math
@@ -15,15 +15,15 @@ LARGEST_LIMIT = 1e6
 
 @dataclasses.dataclass
 class CommandLimits:
-    """What is beyond them is driven as the limit itself, of either sign.
+    """Commands beyond a limit are clamped to it, whatever their sign.
 
-    The default forces are a little above the static load of a wheel: with more the vehicle can be
-    thrown head over heels, which the models do not have. The default torques are several times what
-    tires can pass on to the road.
+    The default force limit is slightly above the static load of a wheel; larger active forces could
+    throw the vehicle over end to end, which the models do not cover. The default torque limits are
+    several times what the tires can transmit.
     """
 
     steering_limit: float = parameter(
-        "largest steering angle that is taken, front and rear",
+        "steering commands, front and rear, are clamped to this road-wheel angle",
         "rad",
         0.0,
         math.pi / 2,
@@ -31,7 +31,7 @@ class CommandLimits:
         default=LARGEST_STEERING,
     )
     steering_rate_limit: float = parameter(
-        "fastest change of a steering angle, front and rear, 0: any",
+        "largest rate of the road-wheel angles, front and rear; 0: no limit",
         "rad/s",
         0.0,
         1000.0,
@@ -39,7 +39,7 @@ class CommandLimits:
         default=0.0,
     )
     wheel_torque_limit: float = parameter(
-        "largest torque of wheel_torque_cmd that is taken, at each wheel",
+        "values of wheel_torque_cmd are clamped to this torque at each wheel",
         "N m",
         0.0,
         LARGEST_LIMIT,
@@ -47,7 +47,7 @@ class CommandLimits:
         default=5_000.0,
     )
     brake_torque_limit: float = parameter(
-        "largest torque of brake_torque_cmd that is taken, at each wheel",
+        "values of brake_torque_cmd are clamped to this torque at each wheel",
         "N m",
         0.0,
         LARGEST_LIMIT,
@@ -55,7 +55,7 @@ class CommandLimits:
         default=10_000.0,
     )
     normal_force_limit: float = parameter(
-        "largest force of normal_force_cmd that is taken, at each corner",
+        "values of normal_force_cmd are clamped to this force at each corner",
         "N",
         0.0,
         LARGEST_LIMIT,
@@ -63,7 +63,7 @@ class CommandLimits:
         default=5_000.0,
     )
     speed_limit: float = parameter(
-        "largest speed of speed_cmd that is taken, ahead or back",
+        "speed_cmd is clamped to this speed, forwards and backwards",
         "m/s",
         0.0,
         MAXIMUM_SPEED,
@@ -72,14 +72,14 @@ class CommandLimits:
     )
 
     def clamped(self, name: str, values: tuple[float, ...]) -> tuple[float, ...]:
-        """`values` within the limit of that name."""
+        """`values` clamped to the limit of that name, of either sign."""
         limit = getattr(self, name)
         if -limit <= min(values) and max(values) <= limit:
             return values
         return tuple(max(-limit, min(limit, value)) for value in values)
 
     def excess(self, name: str, values: Sequence[float]) -> str:
-        """Which value the limit of that name cuts, and to what; '' if none."""
+        """A text naming the value that exceeds the limit of that name; '' if none does."""
         limit = getattr(self, name)
         largest = max(values, key=abs)
         if abs(largest) <= limit:
@@ -87,7 +87,7 @@ class CommandLimits:
         return f"{float(largest):g} is beyond {name}, {limit:g} {UNITS[name]}"
 
     def steered(self, before: Command, wanted: Command, period: float) -> Command:
-        """`wanted` with the steering that can be reached from `before` within `period` (s)."""
+        """`wanted` with rate-limited steering: what is reached from `before` in `period` (s)."""
         if self.steering_rate_limit == 0.0:
             return wanted
         most = self.steering_rate_limit * period

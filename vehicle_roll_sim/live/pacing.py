@@ -1,4 +1,4 @@
-"""Keeping simulated time in step with a steady clock, or ahead of it."""
+"""Pacing of simulated time against a monotonic clock, in real time or scaled."""
 
 import math
 import time
@@ -12,24 +12,25 @@ from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 DEFAULT_CATCH_UP = 0.1
 """s"""
 LONGEST_NAP_NS = 100_000_000
-"""Sleep at a time (ns), so that a sleeper notices when it is to end."""
+"""ns: longest uninterrupted sleep, so that a request to stop is noticed in time."""
 LONGEST_BUSY_NS = 5_000_000
-"""Time without a sleep (ns) after which a rest lets other threads have their turn."""
+"""ns: time without a sleep after which a short sleep lets other threads run."""
 REST = 1e-4
-"""s"""
+"""s: duration of that short sleep."""
 KEPT = 10_000
-"""Periods whose lateness is remembered at most."""
+"""Maximum number of periods whose lateness is stored."""
 SLOWEST_FACTOR, FASTEST_FACTOR = 0.1, 100.0
 AS_FAST_AS_POSSIBLE = 0.0
 PERCENTILES = (50, 99, 100)
 
 
 class Pacer:
-    """When the periods of `period_ns` of simulated time are due, by absolute deadlines.
+    """Schedules periods of `period_ns` (ns of simulated time) by absolute deadlines.
 
-    factor: simulated over real time, AS_FAST_AS_POSSIBLE for no deadlines. catch_up: what is more
-    than this behind (s by the clock) is given up, so that simulated time never jumps; overruns: how
-    many periods. clock: returns ns and never goes back; sleep: takes s.
+    factor: ratio of simulated to real time; AS_FAST_AS_POSSIBLE: no deadlines. catch_up: largest
+    delay (s by the clock) that is made up for; deadlines further back are dropped, so that the
+    simulation does not race. `overruns`: number of deadlines dropped. clock: monotonic, returns ns.
+    sleep: takes s.
     """
 
     def __init__(
@@ -49,28 +50,28 @@ class Pacer:
         self.restart()
 
     def restart(self) -> None:
-        """The first period is due one period from now."""
+        """Restart the schedule: the first period is due one period from now."""
         self._next = (self.clock(), 1)
         self._late_ns.clear()
 
     @property
     def is_free(self) -> bool:
-        """Whether periods have no deadlines."""
+        """Whether periods run without deadlines."""
         return not self._period_ns
 
     @property
     def deadline_ns(self) -> int:
-        """When the next period is due; each is reckoned from the origin, so none drifts."""
+        """Deadline of the next period (ns), computed from the origin so that it does not drift."""
         origin_ns, count = self._next
         return origin_ns + round(count * self._period_ns)
 
     @property
     def due_ns(self) -> int:
-        """When the present period was due, those given up left out."""
+        """Deadline of the present period (ns), after any dropped ones."""
         return self.deadline_ns - round(self._period_ns)
 
     def due(self) -> bool:
-        """Whether to run a period now; it then counts as run."""
+        """Whether a period is due now; if so, it is counted as run."""
         if self.is_free:
             return True
         late = self.clock() - self.deadline_ns
@@ -84,7 +85,10 @@ class Pacer:
         return True
 
     def wait(self) -> None:
-        """Sleep until the next deadline, or a nap towards it; when busy, rest now and then."""
+        """Sleep until the next deadline, for LONGEST_NAP_NS at most.
+
+        If there is no time left, sleep for REST once every LONGEST_BUSY_NS.
+        """
         now = self.clock()
         ahead = 0 if self.is_free else self.deadline_ns - now
         if ahead > 0:
@@ -96,7 +100,7 @@ class Pacer:
         self._rested_ns = self.clock()
 
     def lateness(self) -> tuple[float, float, float]:
-        """Median, 99th percentile and maximum (s) since the last call; nan if nothing was run."""
+        """Median, 99th percentile and maximum lateness (s) since the last call; nan if none."""
         if not self._late_ns:
             return (math.nan,) * len(PERCENTILES)
         median, most, maximum = np.percentile(self._late_ns, PERCENTILES) / NANOSECONDS

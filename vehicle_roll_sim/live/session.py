@@ -1,4 +1,4 @@
-"""A simulation that is driven from outside, a publish period at a time. No ROS, no clock."""
+"""A simulation driven by external commands, one publish period at a time; no ROS, no clock."""
 
 from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
@@ -9,10 +9,11 @@ from vehicle_roll_sim.simulation.speed_controller import SpeedController
 
 
 class Session:
-    """A simulation, the commands that come in for it, and whether it is paused.
+    """A simulation, its incoming commands, and whether it is paused.
 
-    period_ns: publish period, a multiple of the step. controller: of the commanded speed; one with
-    the usual limits if there is none. `applied` is the command of the last period.
+    period_ns: publish period (ns), a multiple of the step. initial_speed: m/s. controller: speed
+    controller; by default one with the default torque limits. `applied`: the command applied in
+    the last period.
     """
 
     def __init__(
@@ -29,14 +30,14 @@ class Session:
         self.reset(initial_speed)
 
     def reset(self, speed: float) -> None:
-        """Static equilibrium at `speed` (m/s), time 0, no commands; a pause goes on."""
+        """Reset to static equilibrium at `speed` (m/s), time 0, no commands; a pause persists."""
         self.simulation.reset(speed)
         self.inbox.clear()
         self.controller.reset()
         self.applied = Command()
 
     def run_period(self) -> None:
-        """One publish period on, with the commands that hold now; nothing once it has stopped."""
+        """Advance by one publish period with the present commands, unless the model has stopped."""
         now, period = self.simulation.time_ns, self.period_ns / NANOSECONDS
         command = self.inbox.command(now)
         if self.stopped:

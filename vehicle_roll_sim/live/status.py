@@ -1,4 +1,4 @@
-"""How a session is doing, in words for whoever watches it."""
+"""Status of a session, in words, for diagnostics."""
 
 import enum
 from collections.abc import Mapping, Sequence
@@ -15,7 +15,7 @@ Publishers = Mapping[str, Sequence[str]]
 
 
 class Level(enum.IntEnum):
-    """How bad it is."""
+    """Severity of a status."""
 
     OK = 0
     WARN = 1
@@ -23,7 +23,10 @@ class Level(enum.IntEnum):
 
 
 def verdict(session: Session, troubles: Sequence[str]) -> tuple[Level, str]:
-    """The worst of it, and all of it in one line. troubles: what is wrong beside the model."""
+    """The severity of the status, and its message in one line.
+
+    troubles: problems other than those of the model.
+    """
     if session.stopped:
         return Level.ERROR, "; ".join([f"{ending(session)}: reset to go on", *troubles])
     if troubles:
@@ -32,7 +35,7 @@ def verdict(session: Session, troubles: Sequence[str]) -> tuple[Level, str]:
 
 
 def ending(session: Session) -> str:
-    """Why the model has stopped, and when."""
+    """The reason and the time at which the model stopped."""
     condition, time = session.simulation.condition, session.simulation.time
     cause = condition.name.lower().replace("_", " ")
     if condition is Condition.DIVERGED:
@@ -41,7 +44,7 @@ def ending(session: Session) -> str:
 
 
 def command_troubles(session: Session, publishers: Publishers) -> list[str]:
-    """What is wrong with the commands: a topic fell silent, or several nodes command it."""
+    """Problems with the commands: a topic is silent, or has several publishers."""
     troubles = []
     for topic, channel in session.inbox.channels.items():
         if session.inbox.is_silent(channel, session.simulation.time_ns):
@@ -55,7 +58,7 @@ def command_troubles(session: Session, publishers: Publishers) -> list[str]:
 
 
 def step_trouble(session: Session) -> str:
-    """What to say where the step has become too large since the start, else nothing."""
+    """A text if the step has become unstable since the start, else ''."""
     simulation = session.simulation
     step = simulation.step_ns / NANOSECONDS
     largest = simulation.largest_stable_step(session.applied)
@@ -63,13 +66,14 @@ def step_trouble(session: Session) -> str:
 
 
 def _instead(channel: Channel, session: Session) -> str:
-    """What a topic that fell silent has become."""
+    """What is applied instead of the command of a silent topic."""
     if channel.is_steering:
         return f"steering follows the policy {session.inbox.steering_policy}"
     return "no speed is held" if channel.field == SPEED else "0 is applied"
 
 
 def model_values(session: Session) -> dict[str, str]:
+    """Keys and values on the model, for diagnostics."""
     simulation = session.simulation
     return {
         "condition": simulation.condition.name.lower(),
@@ -80,7 +84,7 @@ def model_values(session: Session) -> dict[str, str]:
 
 
 def command_values(session: Session, publishers: Publishers) -> dict[str, str]:
-    """Of every command topic: its counts, its last problem, its age and who publishes it."""
+    """Counts, last problem, age and publishers of every command topic, for diagnostics."""
     values = {}
     for topic, channel in session.inbox.channels.items():
         names = publishers.get(topic, ())
@@ -97,7 +101,7 @@ def command_values(session: Session, publishers: Publishers) -> dict[str, str]:
 
 
 def _age(channel: Channel, now_ns: int) -> str:
-    """Simulated time (s) since the last good message since the reset."""
+    """Simulated time (s) since the last valid message; `none` if there was none since the reset."""
     if channel.arrival_ns is None:
         return NOTHING
     return f"{(now_ns - channel.arrival_ns) / NANOSECONDS:.3f}"

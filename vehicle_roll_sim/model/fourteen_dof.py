@@ -1,6 +1,6 @@
-"""The vehicle with 14 degrees of freedom of Shim and Ghike (2007): model 1, equations 1-37.
+"""The 14-degree-of-freedom vehicle of Shim and Ghike (2007): model 1, equations 1-37.
 
-The simplified models are the same stages with other forms of some terms, chosen by the options.
+The simplified models share these stages; the options select other forms of some terms.
 """
 
 from vehicle_roll_sim.model import records as at
@@ -33,7 +33,7 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 
 @kernel
 def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, rates):
-    """Rates of all states, and all that leads to them; see `derivatives`."""
+    """Rates of all states, and all intermediate quantities; see `derivatives`."""
     roll, pitch = state[at.ROLL], state[at.PITCH]
     heading, exact = heading_of(state[at.YAW]), attitude_of(roll, pitch)
     attitude = (roll, 1.0, pitch, 1.0) if options.small_angles else exact
@@ -73,7 +73,7 @@ def attitude_rates(state, options, attitude):
 
 @kernel
 def body_rates(state, options, heading, attitude, outputs, rates):
-    """Position, attitude and velocity of the sprung mass."""
+    """Rates of position, attitude and velocity of the sprung mass."""
     forward, left, rates[at.Z] = body_to_yawed(attitude, state[at.U], state[at.V], state[at.W])
     rates[at.X], rates[at.Y] = yawed_to_ground(heading, forward, left)
     turning = attitude_rates(state, options, attitude)
@@ -98,7 +98,7 @@ def compression_rates(state, options, attitude, outputs, rates):
 def accelerations(state, vehicle, attitude, outputs):
     """Acceleration of the sprung c.g. in frame 2, and its specific force in frame 1.
 
-    They are measurements: their axes are those of the exact attitude in every model.
+    They are measured quantities: in every model their axes are those of the exact attitude.
     """
     s_roll, c_roll, s_pitch, c_pitch = attitude
     q, u, v, w = outputs.body_acceleration, state[at.U], state[at.V], state[at.W]

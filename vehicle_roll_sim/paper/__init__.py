@@ -1,1 +1,1 @@
-"""The source rerun: its manoeuvres with all of its models, its figures, and each of its claims."""
+"""Reproduction of the paper: its manoeuvres with all of its models, its figures and its claims."""

@@ -62,7 +62,7 @@ def upright_tires_in_step(study: Study) -> list[Measured]:
 
 
 def upright_tires_in_ramp(study: Study) -> list[Measured]:
-    """An event that model 1 has and this one does not is later than any."""
+    """An event that occurs in model 1 but not here counts as infinitely late."""
     one, other = study.ramp(UPRIGHT_TIRES), study.ramp("1")
     lift_offs = np.nan_to_num(one.lift_offs, nan=math.inf) - other.lift_offs
     rollover = np.nan_to_num(one.rollover, nan=math.inf) - other.rollover
@@ -83,9 +83,9 @@ def link_load_transfer(study: Study) -> list[Measured]:
 
 
 def deviation(one: Response, other: Response, column: str) -> float:
-    """Root mean square of the difference of a column, in percent of the other's peak.
+    """RMS difference of a column, in percent of the peak of `other`.
 
-    nan of runs that do not end at the same time.
+    nan if the runs do not end at the same time.
     """
     if len(one.time) != len(other.time):
         return math.nan
@@ -123,12 +123,12 @@ def multibody(study: Study) -> list[Measured]:
         return float(np.abs(one.history[column][:rows] - other.history[column][:rows]).max())
 
     return [
-        Measured("roll apart", np.degrees(apart("roll")), "deg", below=1e-6),
+        Measured("roll difference", np.degrees(apart("roll")), "deg", below=1e-6),
         Measured("yaw rate", np.degrees(apart("yaw_rate")), "deg/s", below=1e-4),
         Measured("lateral acceleration", apart("lateral_acceleration"), "m/s²", below=1e-4),
         Measured("a load", max(apart(f"normal_force_{w}") for w in WHEELS), "N", below=1e-3),
         Measured("85°", abs(one.rollover - other.rollover), "s", below=1e-6),
-        Measured("what the roll centre adds: 85° later by", full.rollover - one.rollover, "s"),
+        Measured("effect of the roll centre: 85° later by", full.rollover - one.rollover, "s"),
     ]
 
 
@@ -178,7 +178,7 @@ CLAIMS = (
     Claim(
         21,
         "8, fig. 18",
-        "8 DOF: cannot follow it beyond lift-off",
+        "8 DOF: cannot follow model 1 beyond lift-off",
         eight_dof_in_ramp,
     ),
     Claim(

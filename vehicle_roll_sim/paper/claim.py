@@ -1,4 +1,4 @@
-"""A claim of the source: what it says, what is measured, and whether that is what it says."""
+"""A claim of the paper, the measurements that test it, and the verdict."""
 
 import dataclasses
 import math
@@ -13,10 +13,10 @@ HOLDS, FAILS, NOT_CHECKED = "holds", "fails", "not checked"
 
 @dataclasses.dataclass(frozen=True)
 class Measured:
-    """A number that a claim is judged by: it must lie between its limits.
+    """A measured value that must lie between its limits for the claim to hold.
 
-    Without limits it is reported only. One that is nan fails: an event (in s) that never came, or
-    what cannot be measured on these runs.
+    Without limits it is only reported. With limits, nan fails: an event (s) that never occurred, or
+    a quantity that cannot be measured on these runs.
     """
 
     name: str
@@ -56,7 +56,7 @@ class Measured:
 
 @dataclasses.dataclass(frozen=True)
 class Claim:
-    """number, place (section and figures) and text of a claim, and what is measured of it."""
+    """A claim: number, place (section and figures), text, and the function that measures it."""
 
     number: int
     place: str
@@ -73,7 +73,7 @@ class Claim:
 
 @dataclasses.dataclass(frozen=True)
 class Finding:
-    """What came out of a claim: `verdict` is HOLDS, FAILS or NOT_CHECKED."""
+    """The result for a claim; verdict: HOLDS, FAILS or NOT_CHECKED."""
 
     claim: Claim
     verdict: str
@@ -81,15 +81,15 @@ class Finding:
 
 
 def driven_to_the_end(response: Response) -> Measured:
-    """For a claim that a vehicle stays upright: a run that broke off shows nothing."""
-    return Measured("runs broken off", 0.0 if response.is_complete else 1.0, "", below=1.0)
+    """For claims that a vehicle stays upright, which a run that stopped early cannot show."""
+    return Measured("runs stopped early", 0.0 if response.is_complete else 1.0, "", below=1.0)
 
 
 def largest(values: np.ndarray) -> float:
-    """nan where there are none."""
+    """The largest value; nan if there is none."""
     return float(values.max()) if len(values) else math.nan
 
 
 def percent_more(value: float, other: float) -> float:
-    """By how many percent `value` is above `other`."""
+    """By how many percent `value` exceeds `other`."""
     return 100 * (value / other - 1)

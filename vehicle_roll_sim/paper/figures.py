@@ -1,4 +1,4 @@
-"""The figures of the source, drawn anew, with the data that is in them."""
+"""The figures of the paper, reproduced, with their data."""
 
 import csv
 import dataclasses
@@ -29,9 +29,9 @@ from vehicle_roll_sim.vehicle.parameters import GRAVITY
 
 LOADS = tuple((f"normal_force_{wheel}", f"{wheel} load\n(kN)", 1 / KILO) for wheel in WHEELS)
 DATA = ("time", *(name for name, _, _ in (*PANELS, *LOADS)))
-"""Columns of the data; SI units and radians."""
+"""Columns of the data: SI units and radians."""
 EVERY = 10
-"""Rows of a run of which one goes into the data: 10 ms."""
+"""Every tenth row of a run (10 ms) is written to the data."""
 IN_WORDS = {STEP_STEER: "step steer", RAMP_STEER: "ramp steer", J_TURN: "J-turn"}
 MULTIBODY_CASES = ("1", SAME_AS_ENGINE, ENGINE)
 COLOURS = ("black", "tab:orange", "tab:blue")
@@ -40,9 +40,9 @@ STYLES = ("-", "-", "--")
 
 @dataclasses.dataclass(frozen=True)
 class PaperFigure:
-    """A figure of the source: its number, one manoeuvre, several models, two columns of panels.
+    """A figure of the paper: its number, one manoeuvre, several models, columns of panels.
 
-    Number 0 is the one figure that the source does not have: the lag of the tires.
+    Number 0 is a figure that the paper does not have, on tire lag.
     """
 
     number: int
@@ -75,13 +75,13 @@ FIGURES = (
     PaperFigure(17, STEP_STEER, ("1", "8dof")),
     PaperFigure(18, RAMP_STEER, ("1", "8dof")),
 )
-"""All but 1 to 5 and 16, which are drawings."""
+"""All figures with results; 1 to 5 and 16 are drawings."""
 LAG = PaperFigure(0, STEP_STEER, ("1", TRANSIENT))
 ROLL_PLANE = "roll_plane"
 
 
 def in_words(case: str) -> str:
-    """A case in a legend; the bare name of a model is too short for one."""
+    """The name of a case in a legend; `model` precedes the bare name of a model."""
     return f"model {case}" if case[0].isdigit() else case
 
 
@@ -104,7 +104,7 @@ def draw(figure: PaperFigure, study: Study, folder: Path) -> None:
 
 
 def _draw_panel(axis, panel: tuple, responses: dict[str, Response]) -> None:
-    """One signal of all cases, with lift-offs where it is a load, the rollover where it is roll."""
+    """Draw one signal of all cases; mark lift-offs in loads and the rollover in the roll angle."""
     name, label, scale = panel
     for (case, response), colour, style in zip(responses.items(), COLOURS, STYLES, strict=False):
         signal = response.history[name] * scale
@@ -118,13 +118,13 @@ def _draw_panel(axis, panel: tuple, responses: dict[str, Response]) -> None:
 
 
 def _samples(response: Response) -> list[np.ndarray]:
-    """DATA of every 10 ms and of the end."""
+    """DATA columns every 10 ms and at the end."""
     last = len(response.time) - 1
     return [response.history[name][[*range(0, last, EVERY), last]] for name in DATA]
 
 
 def _write_table(path: Path, header: tuple[str, ...], curves: dict) -> None:
-    """Rows of each curve one after the other, its name in the first column."""
+    """Write the rows of all curves one after the other, with their names in the first column."""
     with path.open("w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(header)
@@ -134,7 +134,7 @@ def _write_table(path: Path, header: tuple[str, ...], curves: dict) -> None:
 
 
 def load_transfer_curves(study: Study) -> dict[str, tuple[np.ndarray, np.ndarray]]:
-    """Lateral acceleration (m/s^2) and load transfer ratio: roll planes, ramp up to lift-off."""
+    """Lateral acceleration (m/s^2) and load transfer ratio: roll-plane models, and ramp steer."""
     acceleration, curves = np.linspace(0.0, 12.0, 121), {}
     for suspended, label in ((False, "rigid roll plane"), (True, "suspended roll plane")):
         model = RollPlane(study.vehicle.record(), suspended)

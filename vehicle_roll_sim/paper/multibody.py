@@ -1,10 +1,10 @@
-"""The vehicle once more, in an independent multibody engine (MuJoCo).
+"""The vehicle in an independent multibody engine (MuJoCo), for verification.
 
-One free body and four point masses that slide along the body's z axis. The engine knows the masses
-and joints and does all of the mechanics; from here come the forces only, evaluated at every stage
-of the integration from the engine's own state: springs and dampers along the struts, and at the
-contact points the loads of the tires and the forces of the Magic Formula. The spins of the wheels
-are variables beside the engine's, without brakes or rolling resistance; there is no drag.
+One free body and four point masses that slide along its z axis. The engine has the masses and
+joints and computes all of the mechanics. Only the forces come from this module, evaluated at every
+stage of the integration from the engine's own state: springs and dampers along the struts, and at
+the contact points the normal loads and the forces of the Magic Formula. The wheel spins are
+integrated along with the engine's state, without brakes or rolling resistance; there is no drag.
 """
 
 import math
@@ -34,17 +34,18 @@ from vehicle_roll_sim.simulation.simulation import (
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 
 MASSLESS = 1e-9
-"""kg m^2, of the point masses: the engine wants something, and this is 1e-12 of the body's."""
+"""kg m^2: inertia of the point masses; the engine requires one, this is 1e-12 of the body's."""
 POSE = 7
-"""Places of the body: position, then quaternion; those of the four slides follow."""
+"""Number of coordinates of the body: position, then quaternion; those of the slides follow."""
 TWIST = 6
-"""Speeds of the body: linear ones over the ground, then body rates; those of the slides follow."""
+"""Number of velocities of the body: linear (ground frame), then body rates; then the slides."""
 PLACES = slice(0, POSE + WHEEL_COUNT)
 SPEEDS = slice(PLACES.stop, PLACES.stop + TWIST + WHEEL_COUNT)
 SPINS = slice(SPEEDS.stop, SPEEDS.stop + WHEEL_COUNT)
-"""Parts of the vector that is integrated: the engine's two, and the spins of the wheels (rad/s)."""
+"""Parts of the integrated vector: the engine's positions and velocities, and the wheel spins
+(rad/s)."""
 BODY, FIRST_WHEEL = 1, 2
-"""Numbers of the bodies in the engine."""
+"""Indices of the bodies in the engine."""
 
 BODIES = """
 <mujoco>
@@ -65,11 +66,10 @@ WHEEL = """
 
 
 class Multibody(Simulation):
-    """A Simulation, for `run` and the like, with the engine in place of the model's equations.
+    """A Simulation, usable in `run`, with the engine in place of the model's equations.
 
-    It has the states of the model and the outputs that a row of a history shows. A tire's
-    compression is what the height of its wheel says, whatever `state` said before; the spin angles
-    of the wheels are nan.
+    It has the states of the model and the outputs that a history contains. Tire compressions follow
+    from the heights of the wheels, whatever `state` contained before; the wheel angles are nan.
     """
 
     def __init__(
@@ -97,7 +97,7 @@ class Multibody(Simulation):
         return {name: value for name, value in super()._arguments().items() if name in kept}
 
     def _advance(self, commands: np.ndarray, steps: int) -> None:
-        """As in Simulation: 2 * steps + 1 commands, or one that is held."""
+        """Advance as in Simulation: 2 * steps + 1 COMMAND records, or one that is held."""
         commands = np.broadcast_to(commands, 2 * steps + 1)
         coordinates, step = self.coordinates(), self.step_ns / NANOSECONDS
         slope = self._arrive(coordinates, commands[0], 0.0)
@@ -113,7 +113,7 @@ class Multibody(Simulation):
                 break
 
     def _stepped(self, start, first, midway, after, step: float) -> np.ndarray:
-        """Coordinates one Runge-Kutta step (s) later; `first` is the slope at the start.
+        """Coordinates after one Runge-Kutta step (s); `first` is the slope at the start.
 
         midway, after: COMMAND records of the middle and the end of the step.
         """
@@ -125,7 +125,7 @@ class Multibody(Simulation):
         return coordinates
 
     def _arrive(self, coordinates: np.ndarray, command: np.record, step: float) -> np.ndarray:
-        """Have state, outputs and events be those after a step (s); returns the slope there."""
+        """Update state, outputs and events after a step (s); returns the slope there."""
         start, roll_before = self.time - step, float(self.state["roll"])
         slope = self.rates(coordinates, command)
         self._show(coordinates)
@@ -136,7 +136,7 @@ class Multibody(Simulation):
         return slope
 
     def coordinates(self) -> np.ndarray:
-        """PLACES, SPEEDS and SPINS in the state."""
+        """The vector of PLACES, SPEEDS and SPINS that corresponds to `state`."""
         car, state, coordinates = self._car, self.state, np.zeros(SPINS.stop)
         places, speeds, rotation = coordinates[PLACES], coordinates[SPEEDS], np.zeros(9)
         places[:3] = state.x, state.y, state.z
@@ -151,7 +151,7 @@ class Multibody(Simulation):
         return coordinates
 
     def _show(self, coordinates: np.ndarray) -> None:
-        """Have `state` be that of the coordinates, at which the engine stands."""
+        """Set `state` from the coordinates, which the engine must have been evaluated at."""
         rotation, state, velocity = self._rotation, self.state, np.zeros(6)
         places, speeds = coordinates[PLACES], coordinates[SPEEDS]
         state["x"], state["y"], state["z"] = places[:3]
@@ -169,7 +169,7 @@ class Multibody(Simulation):
         state["wheel_speed"], state["wheel_angle"] = coordinates[SPINS], math.nan
 
     def rates(self, coordinates: np.ndarray, command: np.record) -> np.ndarray:
-        """Time derivative of coordinates under a COMMAND record; `outputs` then belong to them."""
+        """Time derivative of coordinates under a COMMAND record; also updates `outputs`."""
         engine, data, rates = self._engine, self._data, np.empty_like(coordinates)
         data.qpos[:], data.qvel[:] = coordinates[PLACES], coordinates[SPEEDS]
         mujoco.mj_fwdPosition(engine, data)
@@ -185,13 +185,13 @@ class Multibody(Simulation):
         return rates
 
     def _strut_forces(self, command: np.record) -> np.ndarray:
-        """Forces of springs, dampers and actuators that push body and wheels apart (N; eq. 23)."""
+        """Strut forces: spring, damper and active force, positive in compression (N; eq. 23)."""
         car, slides, speeds = self._car, self._data.qpos[POSE:], self._data.qvel[TWIST:]
         compression = car.static_suspension_compression + slides
         return car.spring_stiffness * compression + car.damping * speeds + command["normal_force"]
 
     def _apply_contact_forces(self, spins: np.ndarray, command: np.record) -> np.ndarray:
-        """Apply what the road does to the bodies; returns the rates of the spins (rad/s^2)."""
+        """Apply the contact forces to the bodies; returns the spin accelerations (rad/s^2)."""
         car, data, rotation, frame_2 = self._car, self._data, self._rotation, self._frame_2()
         compression = car.tire_radius - self._wheel_centres[:, 2]
         self.outputs["support"] = support = car.tire_stiffness * compression
@@ -210,7 +210,7 @@ class Multibody(Simulation):
         return torques / car.wheel_inertia
 
     def _tire_forces(self, velocities, spins, radius) -> tuple[np.ndarray, np.ndarray]:
-        """Fxt of the wheels, and what the road does to them in frame 2, one a row (N)."""
+        """Fxt of the wheels (4,), and the contact forces in frame 2 (4, 3) (N)."""
         outputs, (seen,) = self.outputs, kernel_argument(self._outputs)
         s, c = np.sin(outputs["steering"]), np.cos(outputs["steering"])
         ug, vg = velocities[:, 0], velocities[:, 1]
@@ -224,14 +224,14 @@ class Multibody(Simulation):
         return along, np.column_stack((ahead, left, outputs["normal_force"]))
 
     def _frame_2(self) -> np.ndarray:
-        """The axes ahead, left and up over the ground, one a row."""
+        """The axes of frame 2 (forward, left, up) in the ground frame as rows, shape (3, 3)."""
         yaw = math.atan2(self._rotation[1, 0], self._rotation[0, 0])
         s, c = math.sin(yaw), math.cos(yaw)
         return np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 def engine_model(car: np.record) -> mujoco.MjModel:
-    """Body and wheels of a VEHICLE; the slides are at 0 where the struts are as long as at rest."""
+    """The engine's model of a VEHICLE record; the slides are at 0 at static strut length."""
     wheels = "".join(
         WHEEL.format(x=x, y=y, z=-length, mass=mass, inertia=MASSLESS)
         for x, y, length, mass in zip(

@@ -1,4 +1,4 @@
-"""The findings as text and as Markdown."""
+"""The findings, as text and as Markdown."""
 
 import textwrap
 
@@ -13,21 +13,21 @@ from vehicle_roll_sim.paper.study import Study
 from vehicle_roll_sim.vehicle.parameters import GRAVITY
 
 CLAIMS = (*simplified_models.CLAIMS, *assumptions.CLAIMS)
-HEADER = ("#", "section, figures", "claim of the source", "measured (criterion)", "")
+HEADER = ("#", "section, figures", "claim of the paper", "measured (criterion)", "")
 THRESHOLDS = ("first lift-off", "lateral acceleration (g)")
 WIDTH = 100
-"""Characters of a line of numbers."""
+"""Line width of the text report (characters)."""
 MARGIN = " " * 5
 NO_ENGINE = "the multibody engine is not installed: pip install mujoco"
 
 
 def check_claims(study: Study) -> list[Finding]:
-    """Every claim of the source against the runs of `study`."""
+    """Check every claim of the paper against the runs of `study`."""
     return [claim.check(study) for claim in CLAIMS]
 
 
 def as_text(findings: list[Finding]) -> str:
-    """Claim and verdict in a line, the numbers below."""
+    """The findings as text: claim and verdict in one line, the measurements below it."""
     lines = []
     for finding in findings:
         claim = finding.claim
@@ -39,7 +39,7 @@ def as_text(findings: list[Finding]) -> str:
 
 
 def as_markdown(findings: list[Finding]) -> str:
-    """A table with a claim in each row."""
+    """The findings as a Markdown table, one claim per row."""
     rows = [
         (
             str(finding.claim.number),
@@ -54,7 +54,7 @@ def as_markdown(findings: list[Finding]) -> str:
 
 
 def tally(findings: list[Finding]) -> str:
-    """How many claims hold, fail and were not checked, in a line."""
+    """How many claims hold, fail and were not checked, in one line."""
     verdicts = [finding.verdict for finding in findings]
     hold, fail, unchecked = (verdicts.count(v) for v in (HOLDS, FAILS, NOT_CHECKED))
     return f"{len(findings)} claims: {hold} hold, {fail} fail, {unchecked} not checked"
@@ -67,7 +67,7 @@ def _measured(finding: Finding) -> str:
 
 
 def lift_off_thresholds(study: Study) -> dict[str, float]:
-    """Lateral acceleration (g) at which a wheel lifts: what is predicted, what model 1 does."""
+    """Lateral acceleration (g) at first lift-off: predicted by simpler models, and of model 1."""
     rigid, suspended = (RollPlane(study.vehicle.record(), s) for s in (False, True))
     thresholds = {
         "rigid roll plane (static stability factor)": rigid.lift_off_threshold / GRAVITY,
@@ -82,13 +82,13 @@ def lift_off_thresholds(study: Study) -> dict[str, float]:
 
 
 def numbers_as_text(study: Study) -> str:
-    """The responses of all models, then the predictors of lift-off, in columns."""
+    """The responses of all models and the lift-off thresholds, as text in columns."""
     responses, thresholds = _numbers(study)
     return "\n".join([*_columns(*responses), "", *_columns(*thresholds)])
 
 
 def numbers_as_markdown(study: Study) -> str:
-    """The same two tables."""
+    """The responses of all models and the lift-off thresholds, as Markdown tables."""
     responses, thresholds = _numbers(study)
     return f"{_table(*responses)}\n\n{_table(*thresholds)}"
 
@@ -100,7 +100,7 @@ def _numbers(study: Study) -> tuple[tuple, tuple]:
 
 
 def _columns(header: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
-    """Lines of columns: names to the left, numbers to the right; units below the headings."""
+    """Aligned lines: names left, numbers right, units below the headings."""
     headings = [name.partition(" (") for name in header]
     units = tuple(f"({rest}" if rest else "" for _, _, rest in headings)
     lines = [tuple(name for name, _, _ in headings), units, *rows]

@@ -1,4 +1,4 @@
-"""The numbers of every model side by side, as they are read off the step and the ramp steer."""
+"""Response metrics of every model in the step steer and the ramp steer, side by side."""
 
 import numpy as np
 
@@ -17,13 +17,13 @@ HEADER = (
     *("roll gradient (deg/g)", "understeer (deg/g)", "first lift-off (s)", "85° of roll (s)"),
 )
 LINEAR_RANGE = 1.0, 4.0
-"""m/s^2 of lateral acceleration: where the gradients are taken in the ramp steer."""
+"""m/s^2: range of lateral acceleration for the gradients in the ramp steer."""
 PER_G = np.degrees(GRAVITY)
-"""deg/g in a rad/(m/s^2)."""
+"""deg/g per rad/(m/s^2)."""
 
 
 def response_rows(study: Study) -> list[tuple[str, ...]]:
-    """A row of HEADER for each model: four numbers of the step steer, four of the ramp steer."""
+    """One row of HEADER per model: four values from the step steer, four from the ramp steer."""
     wheelbase = study.vehicle.cg_to_front_axle + study.vehicle.cg_to_rear_axle
     rows = []
     for case in (*SIMPLIFIED, *VARIANTS):
@@ -39,7 +39,7 @@ def _of_step(response: Response) -> tuple[float, ...]:
 
 
 def _of_ramp(response: Response, wheelbase: float) -> tuple[float, ...]:
-    """Gradients in LINEAR_RANGE, then events."""
+    """Roll and understeer gradient (deg/g) in LINEAR_RANGE, then times of events (s)."""
     names = ("lateral_acceleration", "roll", "steering", "yaw_rate", "u")
     lowest, highest = LINEAR_RANGE
     acceleration = response.history["lateral_acceleration"]

@@ -1,4 +1,4 @@
-"""Claims 1 to 13 of the source: what each simplification of model 1 does."""
+"""Claims 1 to 13 of the paper: the effect of each simplification of model 1."""
 
 import math
 
@@ -15,19 +15,19 @@ from vehicle_roll_sim.paper.study import Response, Study
 
 
 def difference(one: Response, other: Response) -> np.ndarray:
-    """Of the roll angles (deg), at the samples that both have."""
+    """Magnitude of the difference of the roll angles (deg), over the common samples."""
     both = min(len(one.roll), len(other.roll))
     return np.abs(one.roll[:both] - other.roll[:both])
 
 
 def peak_load_transfer(response: Response) -> np.ndarray:
-    """Front and rear (N)."""
+    """Peak load transfer, front and rear (N), shape (2,)."""
     return response.load_transfer.max(axis=0)
 
 
 def small_angles_in_step(study: Study) -> list[Measured]:
     apart = difference(study.step("1a"), study.step("1")).max()
-    return [Measured("roll apart", apart, "deg", below=0.05)]
+    return [Measured("roll difference", apart, "deg", below=0.05)]
 
 
 def small_angles_in_ramp(study: Study) -> list[Measured]:
@@ -35,7 +35,7 @@ def small_angles_in_ramp(study: Study) -> list[Measured]:
     over_8, over_15 = (np.logical_or.accumulate(roll[: len(apart)] > angle) for angle in (8, 15))
     at_15 = apart[over_15][0] if over_15.any() else math.nan
     return [
-        Measured("roll apart up to 8°", largest(apart[~over_8]), "deg", below=0.1),
+        Measured("roll difference up to 8°", largest(apart[~over_8]), "deg", below=0.1),
         Measured("at 15°", at_15, "deg", above=0.5),
     ]
 
@@ -61,7 +61,7 @@ def unsprung_inertia_in_ramp(study: Study) -> list[Measured]:
 
 def turning_kept(study: Study) -> list[Measured]:
     sooner = study.ramp("1b").rollover - study.ramp("1b-turning-kept").rollover
-    return [Measured("85° sooner than 1b", sooner, "s", above=0.2)]
+    return [Measured("85° earlier than 1b", sooner, "s", above=0.2)]
 
 
 def mass_lumped(study: Study) -> list[Measured]:
@@ -96,7 +96,7 @@ def unsprung_forces(study: Study) -> list[Measured]:
     missing = -percent_more(one.steady(one.loads).sum(), study.weight)
     roll = abs(percent_more(one.steady_roll, other.steady_roll))
     return [
-        Measured("steady loads under the weight", missing, "%", above=2.0),
+        Measured("steady loads below the weight", missing, "%", above=2.0),
         Measured("steady roll changed by", roll, "%", below=missing),
     ]
 
@@ -105,10 +105,10 @@ def rates(study: Study) -> list[Measured]:
     step, ramp = study.step("1c-iii"), study.ramp("1c-iii")
     excess = percent_more(step.steady(step.loads).sum(), study.weight)
     return [
-        Measured("steady loads over the weight", excess, "%", above=2.0),
+        Measured("steady loads above the weight", excess, "%", above=2.0),
         Measured("peak roll in the ramp", ramp.peak_roll, "deg", below=20.0),
         driven_to_the_end(ramp),
-        Measured("yet lr lifts", float(ramp.lift_offs[2]), "s"),
+        Measured("lift-off of lr", float(ramp.lift_offs[2]), "s"),
     ]
 
 
@@ -131,14 +131,14 @@ def until_lift_off(study: Study, case: str) -> float:
 
 def contact_velocity_in_ramp(study: Study) -> list[Measured]:
     apart = until_lift_off(study, "1c-iv")
-    return [Measured("roll apart from 1b until lift-off", apart, "deg", below=0.3)]
+    return [Measured("roll difference from 1b until lift-off", apart, "deg", below=0.3)]
 
 
 def struts_without_length(study: Study) -> list[Measured]:
     frequency = percent_more(study.step("1b-no-strut").frequency, study.step("1b").frequency)
     apart = until_lift_off(study, "1b-static-strut")
     return [
-        Measured("roll apart from 1b until lift-off", apart, "deg", below=0.1),
+        Measured("roll difference from 1b until lift-off", apart, "deg", below=0.1),
         Measured("frequency of the second step", frequency, "%", -3.0, 3.0),
     ]
 
@@ -168,7 +168,7 @@ CLAIMS = (
         "1b: in the ramp steer rolls over at almost the same time as model 1",
         unsprung_inertia_in_ramp,
     ),
-    Claim(5, "5", "56 and 57 without the change in 58: rolls over sooner", turning_kept),
+    Claim(5, "5", "equations 56 and 57 without 58: rolls over sooner", turning_kept),
     Claim(6, "5", "unsprung mass lumped into m in 48, 49: responses deviate", mass_lumped),
     Claim(
         7,
@@ -179,7 +179,7 @@ CLAIMS = (
     Claim(
         8,
         "6.1, fig. 11",
-        "1c-i: in the ramp steer, stability instead of a rollover",
+        "1c-i: stays upright in the ramp steer instead of rolling over",
         contact_forces_in_ramp,
     ),
     Claim(
@@ -197,19 +197,19 @@ CLAIMS = (
     Claim(
         11,
         "6.4, fig. 12",
-        "1c-iv: another roll frequency; steady roll and loads stay",
+        "1c-iv: different roll frequency; steady roll and loads unchanged",
         contact_velocity_in_step,
     ),
     Claim(
         12,
         "6.4, fig. 13",
-        "1c-iv: the ramp steer is 1b's up to lift-off",
+        "1c-iv: same as 1b in the ramp steer up to lift-off",
         contact_velocity_in_ramp,
     ),
     Claim(
         13,
         "6.4",
-        "static strut lengths: no error before lift-off; none at all: a small one in frequency",
+        "static strut lengths: no error before lift-off; no strut: a small error in frequency",
         struts_without_length,
     ),
 )

@@ -1,4 +1,4 @@
-"""The runs that the figures and claims of the source are made of, each made once."""
+"""The runs behind the figures and claims of the paper, each simulated once."""
 
 import dataclasses
 import functools
@@ -31,7 +31,7 @@ OPTIONS = {
     SAME_AS_ENGINE: MULTIBODY,
     TRANSIENT: Options(),
 }
-"""Variants of model 1; every other case but the engine bears the name of its model."""
+"""Variants of model 1; every other case, except the engine, is named after its model."""
 VARIANTS = (NO_ROLL_CENTRE, UPRIGHT_TIRES, ASYMMETRIC_LINKS, "8dof")
 SIMPLIFIED = ("1", "1a", "1b", "1c-i", "1c-ii", "1c-iii", "1c-iv")
 RUNS = (
@@ -46,15 +46,15 @@ RUNS = (
 )
 """(manoeuvre, case) of every run."""
 SAMPLE = 0.001
-"""s: every step, for peaks and the moments of events."""
+"""s: every integration step, for exact peaks and event times."""
 _STEP = STANDARD[STEP_STEER]
 STEERING_HELD = _STEP.start + _STEP.amplitude / _STEP.rate
-"""s: from here on the step steer holds its angle."""
+"""s: time from which the steering angle of the step steer is constant."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Response:
-    """A run: its history, a row a step, its EVENTS record and how it ended."""
+    """A run: its history with one row per step, its EVENTS record, and how it ended."""
 
     history: History
     events: np.record
@@ -66,17 +66,17 @@ class Response:
 
     @functools.cached_property
     def roll(self) -> np.ndarray:
-        """Degrees."""
+        """Roll angle (deg), shape (rows,)."""
         return np.degrees(self.history["roll"])
 
     @functools.cached_property
     def loads(self) -> np.ndarray:
-        """N, shape (rows, 4)."""
+        """Normal loads (N), shape (rows, 4)."""
         return self.history.wheels("normal_force")
 
     @functools.cached_property
     def load_transfer(self) -> np.ndarray:
-        """From the left to the right wheel (N), shape (rows, 2): front, rear."""
+        """Load transfer from left to right (N), shape (rows, 2): front, rear."""
         return metrics.load_transfer(self.loads)
 
     @property
@@ -90,7 +90,7 @@ class Response:
         return self.condition is Condition.RUNNING
 
     def steady(self, values: np.ndarray):
-        """Mean of a signal of this run over the last half second."""
+        """Mean of a signal of this run over the last 0.5 s."""
         return metrics.steady(self.time, values)
 
     @property
@@ -99,12 +99,12 @@ class Response:
 
     @property
     def frequency(self) -> float:
-        """Damped frequency of the roll after the step steer (Hz)."""
+        """Damped roll frequency after the step steer (Hz)."""
         return metrics.damped_frequency(self.time, self.history["roll_rate"], STEERING_HELD)
 
     @property
     def lift_offs(self) -> np.ndarray:
-        """Times of lf, rf, lr, rr (s), nan where a wheel stays down."""
+        """Lift-off times of lf, rf, lr, rr (s), shape (4,); nan for a wheel that does not lift."""
         return self.events["lift_off_time"]
 
     @property
@@ -114,12 +114,12 @@ class Response:
 
     @property
     def rollover(self) -> float:
-        """When the roll passes 85 degrees (s), nan if it does not."""
+        """Time at which the roll angle passes 85 degrees (s); nan if it does not."""
         return float(self.events["rollover_time"][0])
 
 
 class Study:
-    """All runs of one vehicle; `done` is called after each that is made."""
+    """All runs of one vehicle; `done` is called after each simulated run."""
 
     def __init__(self, vehicle: Vehicle, done: Callable[[], None] = lambda: None):
         self.vehicle, self._done = vehicle, done
@@ -128,16 +128,16 @@ class Study:
 
     @property
     def runs(self) -> list[tuple[str, str]]:
-        """RUNS, without those of the multibody engine where it is not installed."""
+        """RUNS, without those of the multibody engine if it is not installed."""
         return [(name, case) for name, case in RUNS if case != ENGINE or self.has_engine]
 
     @property
     def weight(self) -> float:
-        """Of the whole vehicle (N)."""
+        """Weight of the whole vehicle (N)."""
         return RollPlane(self.vehicle.record()).weight
 
     def response(self, manoeuvre: str, case: str) -> Response:
-        """The run of a case through a manoeuvre of the source, made when first asked for."""
+        """The run of a case in a manoeuvre of the paper, simulated on first access."""
         key = (manoeuvre, case)
         if key not in self._responses:
             self._responses[key] = self._run(manoeuvre, case)

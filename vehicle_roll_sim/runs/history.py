@@ -1,4 +1,4 @@
-"""What a run was: one row of named signals for each sample, in memory and as CSV."""
+"""The history of a run: one row of named signals per sample, in memory and as CSV."""
 
 import math
 from collections.abc import Sequence
@@ -14,9 +14,9 @@ from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, f
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 LARGEST_FILE = 500_000_000
-"""Bytes: an hour with a row every 10 ms takes 360 million."""
+"""Bytes; an hour at 10 ms per row takes 360 million."""
 MISSING_SHOWN = 3
-"""Missing columns that a refusal names."""
+"""Maximum number of missing columns named in an error message."""
 
 OUTPUT_QUANTITIES = (
     "normal_force",
@@ -34,33 +34,36 @@ COLUMNS = (
     "steering",
     *ACCELERATIONS,
 )
-"""Names of the columns; SI units and radians, forces and accelerations in frame 2."""
+"""Names of the columns: SI units and radians; forces and accelerations in frame 2."""
 UNITS = {
     name: "s"
     if name == "time"
     else (STATE_SIGNALS | OUTPUT_SIGNALS | _ACCELERATIONS)[field_of(name)].unit
     for name in COLUMNS
 }
-"""Of each column, '' for a ratio."""
+"""Unit of each column; '' for a ratio."""
 COMMANDS = (
     "rear_steering",
     *(f"{command}_{wheel}" for command in ("wheel_torque", "brake_torque") for wheel in WHEELS),
     *(f"active_force_{wheel}" for wheel in WHEELS),
 )
-"""Names of the commands beside the steering: what the period that ends with a row was driven with,
-or, where commands vary within periods, those at its time."""
-WITH_COMMANDS = "in the CSV also every command beside the steering, which `plot` then draws"
-"""What the option of that name does."""
+"""Names of the commands other than the steering.
+
+If commands are held over periods, those of the period that ends with the row; else those at the
+time of the row.
+"""
+WITH_COMMANDS = "add all commands to the CSV, not only the steering; `plot` then draws them"
+"""Help text of the option of that name."""
 
 
 def check_with_commands(wanted: bool, csv: Path | None) -> None:
-    """Raise InputError where commands are wanted in a file that is not."""
+    """Raise InputError if commands are requested without a CSV file to write them to."""
     if wanted and csv is None:
         raise InputError("--with-commands", "", "together with --csv", "without a file")
 
 
 def row_of(simulation: Simulation) -> np.ndarray:
-    """The columns at the present simulated time."""
+    """The values of COLUMNS at the present simulated time, shape (len(COLUMNS),)."""
     outputs = simulation.outputs
     return np.concatenate(
         (
@@ -74,9 +77,10 @@ def row_of(simulation: Simulation) -> np.ndarray:
 
 
 class History:
-    """Rows of `COLUMNS`; history["roll"] is a column, history.wheels("normal_force") four.
+    """Samples of a run; `history["roll"]` is one column, shape (rows,).
 
-    commands: rows of `COMMANDS`, where they are known, or None; nan then.
+    rows: values of COLUMNS, shape (rows, columns). commands: values of COMMANDS, shape (rows,
+    commands), or None if they are unknown.
     """
 
     def __init__(self, rows: list[np.ndarray] | np.ndarray, commands: np.ndarray | None = None):
@@ -84,11 +88,11 @@ class History:
 
     @classmethod
     def read_csv(cls, path: Path) -> "History":
-        """The rows of a file of `write_csv`; raises InputError naming line and column.
+        """Read a file written by `write_csv`; raises InputError naming line and column.
 
-        Columns may stand in any order, and others beside them. All but the time may be nan. A time
-        may come twice, as the last one of a run that diverged does, but none may fall. Those of
-        `COMMANDS` are read where all are there.
+        Columns may be in any order, and further columns are ignored. COMMANDS are read if all of
+        them are present. All values except the time may be nan. Times must not decrease; a time may
+        occur twice, like the last one of a run that diverged.
         """
         header, lines = read_table(path, LARGEST_FILE)
         has_commands = set(COMMANDS) <= set(header)
@@ -97,7 +101,7 @@ class History:
         for line, texts in lines:
             row = [_number(path, line, header[place], texts[place]) for place in places]
             if not (time <= row[0] and math.isfinite(row[0])):
-                wanted = f"a finite number, at least {time!r}" if rows else "a finite number"
+                wanted = f"a finite number of at least {time!r}" if rows else "a finite number"
                 raise InputError(f"{path}: line {line}: {COLUMNS[0]}", row[0], wanted)
             rows.append(np.array(row))
             time = row[0]
@@ -111,12 +115,15 @@ class History:
         return self.rows[:, COLUMNS.index(name)]
 
     def wheels(self, quantity: str) -> np.ndarray:
-        """A quantity of all wheels, shape (rows, 4)."""
+        """A quantity at all wheels (lf, rf, lr, rr), shape (rows, 4)."""
         first = COLUMNS.index(f"{quantity}_{WHEELS[0]}")
         return self.rows[:, first : first + len(WHEELS)]
 
     def command(self, name: str) -> np.ndarray:
-        """One of `COMMANDS`, or those of all wheels without a wheel's name, shape (rows, 4)."""
+        """One column of COMMANDS, shape (rows,); nan if the commands are unknown.
+
+        Without the name of a wheel, such as `wheel_torque`: those of all wheels, shape (rows, 4).
+        """
         wanted = [name] if name in COMMANDS else [f"{name}_{wheel}" for wheel in WHEELS]
         if self.commands is None:
             found = np.full((len(self.rows), len(wanted)), np.nan)
@@ -125,14 +132,14 @@ class History:
         return found[:, 0] if name in COMMANDS else found
 
     def part(self, chosen: np.ndarray) -> "History":
-        """The rows that are chosen: a boolean for each."""
+        """The selected rows; chosen: a boolean for each row, shape (rows,)."""
         commands = None if self.commands is None else self.commands[chosen]
         return History(self.rows[chosen], commands)
 
     def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
-        """Write all rows in full precision; the file appears whole or not at all.
+        """Write all rows in full precision; the file is written completely or not at all.
 
-        with_commands: with `COMMANDS` behind the other columns, nan where they are not known.
+        with_commands: append COMMANDS to the columns; nan if they are unknown.
         """
         names, rows = COLUMNS, self.rows
         if with_commands:
@@ -148,13 +155,13 @@ class History:
 
 
 def _places(path: Path, header: list[str], columns: Sequence[str]) -> list[int]:
-    """Where each of the columns stands in a line."""
+    """The index of each of the columns in a line of the file; raises InputError."""
     missing = [name for name in COLUMNS if name not in header]
     if missing:
         more = len(missing) - MISSING_SHOWN
         names = ", ".join(missing[:MISSING_SHOWN]) + (f" and {more} more" if more > 0 else "")
-        wanted = "the columns of a file of `run --csv`"
-        raise InputError(f"{path}: line 1", "", wanted, f"without {names}")
+        wanted = "all columns that `run --csv` writes"
+        raise InputError(f"{path}: line 1", "", wanted, f"{names} missing")
     for name in columns:
         if header.count(name) > 1:
             raise InputError(f"{path}: line 1: column", name, "each column once")

@@ -1,10 +1,10 @@
-"""The numbers that are read off a run: peaks, events, oscillation, load transfer and gradients.
+"""Metrics of a run: peaks, events, oscillation, load transfer and gradients.
 
-`time` is ascending (s), shape (n,), and the signals are sampled at these times: (n,), or (n, 4) for
-the wheels lf, rf, lr, rr. Signs as everywhere: left turns give positive lateral acceleration and
-positive roll (left side up); right turns give the same numbers with the other sign. What is not
-found is nan. Samples that are nan are passed over where a peak, an extremum or an event is looked
-for; a mean or slope of them is nan. Lengths that do not fit raise what numpy raises.
+`time` is ascending (s), shape (n,). Signals are sampled at these times: shape (n,), or (n, 4) for
+the wheels lf, rf, lr, rr. A left turn gives positive lateral acceleration and positive roll (left
+side up); a right turn gives the same values with the opposite sign. The result is nan if there is
+none. Samples that are nan are ignored in the search for peaks, extrema and events, but make a mean
+or slope nan. Mismatched lengths raise numpy's exceptions.
 """
 
 import math
@@ -15,18 +15,18 @@ import numpy as np
 from vehicle_roll_sim.model.records import LF, RF
 
 LEFT, RIGHT = slice(LF, None, 2), slice(RF, None, 2)
-"""Wheels of a side, front and rear."""
+"""Wheels of each side, front and rear."""
 ROUNDING = 5e-7
-"""s: more than times are rounded by, also those that count from 1970."""
+"""s: larger than the rounding error of times, including times since 1970."""
 STRAIGHT = 1e-6
-"""m/s^2: a span of lateral accelerations below it is rounding; a slope over it would be noise."""
+"""m/s^2: a smaller range of lateral acceleration is rounding; a slope over it would be noise."""
 STANDSTILL = 0.1
 """m/s"""
 CROSSINGS_OF_A_PERIOD = 3
 
 
 def peak(time: np.ndarray, values: np.ndarray) -> tuple[float, float]:
-    """The value of the largest magnitude with its sign, the first of equals, and its time (s).
+    """The signed value of the largest magnitude, and its time (s); the first one of equals.
 
     (nan, nan) without samples.
     """
@@ -38,23 +38,23 @@ def peak(time: np.ndarray, values: np.ndarray) -> tuple[float, float]:
 
 
 def steady(time: np.ndarray, values: np.ndarray, window: float = 0.5) -> float | np.ndarray:
-    """Mean over the last `window` seconds, the sample at their very beginning not included.
+    """Mean over the last `window` (s), excluding a sample exactly at its beginning.
 
-    values: (n,), or (n, 4), for which the result is (4,). Of a shorter run the mean of all.
+    values: (n,), or (n, 4), for which the result is (4,). For a shorter run, the mean of all.
     """
     return _mean(values[time > time[-1:] - window + ROUNDING])
 
 
 def rms(values: np.ndarray) -> float | np.ndarray:
-    """Root of the mean square of evenly spaced samples; values and result as for `steady`."""
+    """Root mean square of evenly spaced samples; values and result as for `steady`."""
     return np.sqrt(_mean(np.square(values)))
 
 
 def crossing_times(time: np.ndarray, values: np.ndarray, level: float = 0.0) -> np.ndarray:
-    """All times (s) at which values pass the level from one side to the other, shape (crossings,).
+    """All times (s) at which values cross the level, shape (crossings,), interpolated linearly.
 
-    Interpolated linearly. Values that touch the level and turn back, or that begin or end on it,
-    do not cross it; of several samples on the level between the two sides the first is the time.
+    Touching the level and turning back, or beginning or ending on it, is not a crossing. If several
+    samples lie on the level between the two sides, the time is that of the first.
     """
     time, above = _known(time, values - level)
     last, _ = _changes_of_sign(above)
@@ -63,9 +63,10 @@ def crossing_times(time: np.ndarray, values: np.ndarray, level: float = 0.0) -> 
 
 
 def damped_frequency(time: np.ndarray, roll_rate: np.ndarray, since: float) -> float:
-    """Damped frequency of the roll (Hz): one period, from its first to its third extremum.
+    """Damped roll frequency (Hz), from one period between the first and the third extremum.
 
-    The extrema are the zero crossings of the roll rate after `since` (s); nan if there are fewer.
+    The extrema are zero crossings of the roll rate (any unit) after `since` (s); nan if there are
+    fewer than three.
     """
     crossings = crossing_times(time, roll_rate)
     crossings = crossings[crossings > since][:CROSSINGS_OF_A_PERIOD]
@@ -77,10 +78,10 @@ def damped_frequency(time: np.ndarray, roll_rate: np.ndarray, since: float) -> f
 def damping_ratio(time: np.ndarray, roll: np.ndarray, since: float, final: float) -> float:
     """Damping ratio of the oscillation of the roll angle (rad) about `final` (rad).
 
-    From the logarithmic decrement of two extrema half a period apart: the first after `since` (s)
-    and beyond `final`, that is, after the roll angle has passed it; and the next, on the other
-    side. Each is the vertex of the parabola through three samples. Negative if the oscillation
-    grows, nan if there are not two extrema.
+    From the logarithmic decrement of two extrema half a period apart: the first one after `since`
+    (s) and after the roll angle has crossed `final`, and the next one on the other side. Each is
+    the vertex of a parabola through three samples. Negative if the oscillation grows; nan if there
+    are not two extrema.
     """
     time, beyond = _known(time, roll - final)
     last, first = _changes_of_sign(beyond)
@@ -95,17 +96,17 @@ def damping_ratio(time: np.ndarray, roll: np.ndarray, since: float, final: float
 
 
 def load_transfer(loads: np.ndarray) -> np.ndarray:
-    """Load that has moved from left to right, front and rear (N): (..., 4) to (..., 2).
+    """Lateral load transfer from left to right, front and rear (N): (..., 4) to (..., 2).
 
-    loads: tire normal forces (N). Positive in a left turn.
+    loads: normal loads (N). Positive in a left turn.
     """
     return (loads[..., RIGHT] - loads[..., LEFT]) / 2
 
 
 def load_transfer_ratio(loads: np.ndarray) -> float | np.ndarray:
-    """(right - left) / total of the tire loads (N), -1 to 1: (..., 4) to (...).
+    """(right - left) / total of the normal loads (N), -1 to 1: (..., 4) to (...).
 
-    0 where no tire carries load; a float for a single set of four.
+    0 if no tire carries load; a float for a single set of four.
     """
     left, right = loads[..., LEFT].sum(axis=-1), loads[..., RIGHT].sum(axis=-1)
     total = left + right
@@ -113,10 +114,10 @@ def load_transfer_ratio(loads: np.ndarray) -> float | np.ndarray:
 
 
 def sideslip_angle(velocity: Sequence[np.ndarray], roll: np.ndarray, pitch: np.ndarray):
-    """Angle (rad) from the heading to the way over the ground, left positive, shape (n,).
+    """Sideslip angle (rad): from the heading to the course over ground, left positive, shape (n,).
 
-    velocity: u, v and w along the body's axes (m/s). nan for w and pitch is that of a model without
-    heave and pitch, where both are 0. nan in standstill, where it is not defined.
+    velocity: u, v and w along the body axes (m/s). roll, pitch: rad. nan for w and pitch, as in a
+    model without heave and pitch, counts as 0. The result is nan at standstill.
     """
     u, v, w = velocity
     w, pitch = np.nan_to_num(w), np.nan_to_num(pitch)
@@ -127,9 +128,9 @@ def sideslip_angle(velocity: Sequence[np.ndarray], roll: np.ndarray, pitch: np.n
 
 
 def lift_off_times(time: np.ndarray, loads: np.ndarray) -> np.ndarray:
-    """Time (s) of the first sample at which each load is 0 after it was above, shape (4,).
+    """Time (s) of the first sample at which each load is 0 after being positive, shape (4,).
 
-    loads: tire normal forces (N), (n, 4). nan for a wheel that does not lift.
+    loads: normal loads (N), (n, 4). nan for a wheel that does not lift off.
     """
     lifted = np.logical_or.accumulate(loads > 0.0) & (loads <= 0.0)
     first = np.where(lifted, time[:, np.newaxis], np.inf).min(axis=0, initial=np.inf)
@@ -137,9 +138,9 @@ def lift_off_times(time: np.ndarray, loads: np.ndarray) -> np.ndarray:
 
 
 def rollover_time(time: np.ndarray, roll: np.ndarray, angle: float) -> float:
-    """First time (s) at which the magnitude of roll reaches angle (both rad), else nan.
+    """First time (s) at which the magnitude of the roll angle reaches `angle` (both rad), else nan.
 
-    Interpolated linearly; the first sample's time if it is there from the beginning.
+    Interpolated linearly; the time of the first sample if it is reached from the beginning.
     """
     time, roll = _known(time, roll)
     reached = np.flatnonzero(np.abs(roll) >= angle)
@@ -151,9 +152,9 @@ def rollover_time(time: np.ndarray, roll: np.ndarray, angle: float) -> float:
 
 
 def roll_gradient(lateral_acceleration: np.ndarray, roll: np.ndarray) -> float:
-    """Slope of the least-squares line of roll (rad) over lateral acceleration (m/s^2).
+    """Least-squares slope of roll angle (rad) over lateral acceleration (m/s^2), both (n,).
 
-    rad/(m/s^2); nan without a turn.
+    In rad/(m/s^2); nan without a turn.
     """
     return _slope(lateral_acceleration, roll)
 
@@ -165,11 +166,10 @@ def understeer_gradient(
     speed: np.ndarray | float,
     wheelbase: float,
 ) -> float:
-    """Slope of the least-squares line of steering - wheelbase * yaw_rate / speed.
+    """Least-squares slope of steering - wheelbase * yaw_rate / speed over lateral acceleration.
 
-    Over lateral acceleration (m/s^2), thus rad/(m/s^2): positive if the vehicle understeers, nan
-    without a turn. steering: road-wheel angle (rad); yaw_rate (rad/s); speed (m/s), not 0;
-    wheelbase (m).
+    In rad/(m/s^2): positive if the vehicle understeers, nan without a turn. lateral_acceleration:
+    m/s^2. steering: road-wheel angle (rad). yaw_rate: rad/s. speed: m/s, not 0. wheelbase: m.
     """
     return _slope(lateral_acceleration, steering - wheelbase * yaw_rate / speed)
 
@@ -180,12 +180,12 @@ def _known(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray
 
 
 def _mean(values: np.ndarray) -> float | np.ndarray:
-    """Over the first axis; nan, without a warning, of nothing."""
+    """Mean over the first axis; nan, without a warning, if it is empty."""
     return values.mean(axis=0) if len(values) else np.full(values.shape[1:], np.nan)[()]
 
 
 def _changes_of_sign(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """For each change, the last sample of the one sign and the first of the other."""
+    """For each change of sign, the last sample before it and the first after it."""
     signed = np.flatnonzero(values)
     changes = np.flatnonzero(np.diff(np.sign(values[signed])))
     return signed[changes], signed[changes + 1]

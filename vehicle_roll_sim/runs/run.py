@@ -1,4 +1,4 @@
-"""A run from beginning to end, without ROS: drive, sample, stop where the model stops."""
+"""A run from beginning to end without ROS: drive, sample, and stop when the model stops."""
 
 import bisect
 from collections.abc import Callable, Sequence
@@ -14,19 +14,19 @@ from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, co
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
 
 DEFAULT_SAMPLE = 0.01
-"""s between two rows"""
+"""s between rows of the history."""
 HELD_PERIOD = 0.01
-"""s for which commands are held where nothing else is asked for: the period of the node."""
+"""s: default period for which commands are held, that of the node."""
 
 
 class Witness(Protocol):
-    """Sees a run as one who listens to a node does."""
+    """Observer of a run, called when a node would publish or apply something."""
 
     def sees_set(self) -> None:
-        """A period is over, or at the beginning none has passed yet."""
+        """Called at the beginning of the run and at the end of each period."""
 
     def sees_command(self, command: Command) -> None:
-        """What the next period is driven with."""
+        """Called with the command that is applied in the next period."""
 
 
 def run(
@@ -39,14 +39,14 @@ def run(
     witness: Witness | None = None,
     progress: Callable[[float], None] = lambda seconds: None,
 ) -> History:
-    """Drive from the present state for `duration` (s), a row every `sample` (s) and at the end.
+    """Drive from the present state for `duration` (s); a row every `sample` (s) and at the end.
 
-    A programme is evaluated at every stage of the integration or, with `command_period` (s), at
-    the beginning of each period and then held, as a node does. What it has in `steps_at` is
-    integrated as a step, at times that are multiples of the step of integration; the row of that
-    time shows the commands before. Feedback is always held, and so is whatever a witness sees, for
-    10 ms unless told otherwise. `progress` is told the simulated time (s) of every stretch.
-    Raises InputError for times that are no multiples of the step.
+    A Programme is evaluated at every stage of the integration or, with `command_period` (s), at the
+    beginning of each period and then held, as a node does. The steps in its `steps_at` are exact at
+    multiples of the integration step; the row at the time of a step shows the commands before it.
+    The commands of a Feedback, and all commands if there is a witness, are held for
+    `command_period`, by default 10 ms. `progress` is called with each increment of simulated time
+    (s). Raises InputError for times that are not multiples of the integration step.
     """
     step_ns = simulation.step_ns
     every = whole_steps(sample, step_ns, "sample") * step_ns
@@ -72,7 +72,7 @@ def run(
             until = min(until, steps_at[following])
         simulation.step(held or driver, (until - now) / NANOSECONDS)
         ended = simulation.time_ns == end or simulation.condition is not Condition.RUNNING
-        has_moved = simulation.time_ns > now  # not where its first step was given up
+        has_moved = simulation.time_ns > now  # unless its first step diverged
         if has_moved and (ended or simulation.time_ns % every == 0):
             rows.append(row_of(simulation))
             driven.append(held)
@@ -85,7 +85,7 @@ def run(
 def _with_commands(
     history: History, driven: list[Command | None], driver: Programme | Feedback
 ) -> History:
-    """The history with the command of each row; None: the programme's at its time."""
+    """Add the commands to the history; driven: the command of each row, None if not held."""
     if None in driven:
         records = np.broadcast_to(driver(history["time"]), len(history.rows))
         torque = records["wheel_torque"].copy()
@@ -100,11 +100,11 @@ def _with_commands(
 
 
 def _in_whole_steps(times: Sequence[float], step_ns: int) -> list[int]:
-    """Those of `times` (s) at which a step of integration can end (ns)."""
+    """Those of `times` (s) that are multiples of the integration step, in ns."""
     nanoseconds = [round(time * NANOSECONDS) for time in times]
     return [time for time in nanoseconds if time % step_ns == 0]
 
 
 def _next(now: int, interval: int) -> int:
-    """The first multiple of `interval` after `now`."""
+    """The next multiple of `interval` after `now`."""
     return (now // interval + 1) * interval

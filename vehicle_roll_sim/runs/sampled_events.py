@@ -1,4 +1,4 @@
-"""What happened in a run of which only the samples are known."""
+"""Events of a run of which only samples are known."""
 
 import numpy as np
 
@@ -9,10 +9,10 @@ from vehicle_roll_sim.runs.metrics import peak, rollover_time
 
 
 def events_of(history: History, rollover_angle: float) -> np.record:
-    """Lift-offs, rollover and peaks as the samples show them (an EVENTS record).
+    """Lift-offs, rollover and peaks from samples, as an EVENTS record.
 
-    Lift-offs are interpolated where the model has tire compressions, else those of the first sample
-    without load. rollover_angle: rad.
+    Lift-off times are interpolated if the model has tire compressions; otherwise they are those of
+    the first sample without load. rollover_angle: rad.
     """
     events = no_events()
     seen, time = kernel_argument(events)[0], history["time"]

@@ -1,4 +1,4 @@
-"""The numbers that people look at when a run is over."""
+"""The summary printed at the end of a run."""
 
 import math
 
@@ -12,10 +12,9 @@ LABEL_WIDTH = 28
 
 
 def summary_lines(events: np.record, time: float, condition: Condition, note: str = "") -> list:
-    """Lift-offs, rollover, peaks and how the run ended, one line each.
+    """Peaks, lift-offs, rollover and how the run ended, one line each.
 
-    events: an EVENTS record. time: the end of the run (s). note: what was implausible, if it
-    diverged.
+    events: an EVENTS record. time: end of the run (s). note: the implausible state if it diverged.
     """
     roll, acceleration = events.peak_roll, events.peak_lateral_acceleration
     lift_offs = zip(WHEELS, events.lift_off_time, strict=True)
@@ -30,7 +29,7 @@ def summary_lines(events: np.record, time: float, condition: Condition, note: st
 
 
 def line(label: str, value) -> str:
-    """A line of the summary."""
+    """A line of the summary: label, colon and value."""
     return f"{label + ':':{LABEL_WIDTH}}{value}"
 
 
@@ -46,7 +45,7 @@ def _peak(value: float, unit: str, peak: np.ndarray) -> str:
 def _ranges_left(events: np.record):
     for quantity, time in zip(RANGES, events.out_of_range_time, strict=True):
         if not math.isnan(time):
-            note = f"from {time:.3f} s: beyond what the tire file covers"
+            note = f"from {time:.3f} s: outside the range of the tire file"
             yield line(f"{quantity} out of range", note)
 
 
@@ -54,8 +53,8 @@ def _ending(condition: Condition, note: str) -> str:
     if condition is Condition.ROLLED_OVER:
         return "rolled over"
     if condition is Condition.TOO_SLOW:
-        return f"too slow: the forward speed fell to {MINIMUM_SPEED:g} m/s, the model's lowest"
+        return f"too slow: the speed fell to {MINIMUM_SPEED:g} m/s, the minimum of the model"
     if condition is Condition.DIVERGED:
-        cause = "torques, forces or parameters of no vehicle, or too large a step"
+        cause = "unrealistic torques, forces or parameters, or too large a step"
         return f"diverged: {note} is not plausible ({cause})"
     return "complete"

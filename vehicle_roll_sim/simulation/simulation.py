@@ -1,4 +1,4 @@
-"""The simulated vehicle: reset it, step it, look at it. Everything else is built on this."""
+"""The simulated vehicle: reset it, step it, read its state. Everything else builds on this."""
 
 import math
 
@@ -41,17 +41,17 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 DEFAULT_STEP, SHORTEST_STEP, LONGEST_STEP = 0.001, 1e-6, 0.1
 """s"""
 DEFAULT_SPEED = 50 / 3.6
-"""m/s: the 50 km/h of the source's manoeuvres."""
+"""m/s: 50 km/h, as in the manoeuvres of the paper."""
 MAXIMUM_SPEED = 100.0
 """m/s"""
 DEFAULT_ROLLOVER_DEGREES = 85.0
 DEFAULT_ROLLOVER_ANGLE = math.radians(DEFAULT_ROLLOVER_DEGREES)
 ROLLOVER_ANGLES = (1e-6, math.pi / 2)
-"""rad: the least and the largest that may be set."""
+"""rad: allowed range of the rollover angle."""
 
 
 def whole_steps(duration: float, step_ns: int, field: str) -> int:
-    """How many steps make `duration` (s); raises InputError naming `field` if no whole number."""
+    """The number of steps in `duration` (s); raises InputError naming `field` if not whole."""
     allowed = f"a multiple of the step, {step_ns / NANOSECONDS:g} s"
     duration = number_of(duration, field, allowed)
     wanted = duration * NANOSECONDS / step_ns if math.isfinite(duration) else math.nan
@@ -61,7 +61,7 @@ def whole_steps(duration: float, step_ns: int, field: str) -> int:
 
 
 def _within(field: str, value, least: float, most: float, unit: str) -> float:
-    """A number in a range; raises InputError."""
+    """Return `value` as a float if it is within the range; raises InputError naming `field`."""
     allowed = f"a number from {least:g} to {most:g} {unit}"
     number = number_of(value, field, allowed)
     if not least <= number <= most:
@@ -70,26 +70,27 @@ def _within(field: str, value, least: float, most: float, unit: str) -> float:
 
 
 class Simulation(Restorable):
-    """A model of one vehicle: that with 14 degrees of freedom, unless the options say otherwise.
+    """A simulation of one vehicle, by default with the 14-degree-of-freedom model.
 
-    vehicle: what is simulated. options: variants of the equations. step: integration step (s),
-    rounded to whole nanoseconds. rollover_angle: roll angle (rad) at which a run stops. road: its
-    slope. check_step: whether `reset`, or the first `step` without one, refuses a step too large.
+    vehicle: the vehicle to simulate. options: model and variants of the equations. step:
+    integration step (s), rounded to whole nanoseconds. rollover_angle: roll angle at which a run
+    stops (rad). road: slope of the road. check_step: whether `reset`, or a first `step` without
+    `reset`, refuses an unstable step. Raises InputError for invalid arguments.
 
-    It starts in static equilibrium at 50 km/h. Attributes, all of the present simulated time:
+    It starts in static equilibrium at 50 km/h. Attributes, all at the present simulated time:
 
-    - `time` (s) and `time_ns`: since the last reset, an exact multiple of the step
+    - `time` (s) and `time_ns` (ns): since the last reset, an exact multiple of the step
     - `state`: a STATE record: `.roll`, `.u`, `.wheel_speed[LF]`, ... (model.records)
     - `outputs`: an OUTPUTS record: `.normal_force`, `.slip_angle`, `.acceleration`, ...
     - `model_state`, `state_names`: the states of the chosen model and their names
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.integration.events)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
-    The records are views of memory that the next step changes: copy what is to be kept, or take a
-    `snapshot`. A copied or pickled simulation is independent of the first and goes on to the same
-    bits. States and outputs that the model does not have are nan. With the 8 DOF model x, y, u and
-    v are those of the point of the roll axis below the c.g.; `cg_motion` has the c.g. itself in
-    every model.
+    Units are SI and radians. The records are views of memory that the next step overwrites: copy
+    values to keep them, or take a `snapshot`. A copied or pickled simulation is independent of the
+    original and continues bit for bit like it. States and outputs that the model does not have are
+    nan. In the 8 DOF model x, y, u and v are those of the point of the roll axis below the c.g.;
+    `cg_motion` gives the c.g. itself in every model.
     """
 
     def __init__(
@@ -138,23 +139,24 @@ class Simulation(Restorable):
 
     @property
     def time(self) -> float:
+        """Simulated time since the last reset (s)."""
         return self.time_ns / NANOSECONDS
 
     @property
     def state_vector(self) -> np.ndarray:
-        """The state as a flat vector of the elements STATE_NAMES (a view)."""
+        """The state as a flat vector (a view), shape (STATE_SIZE,), named by STATE_NAMES."""
         return self._vector
 
     @property
     def model_state(self) -> np.ndarray:
-        """The states of the model in the order of its equations, named by `state_names`."""
+        """The states of the model in the order of its equations, shape (n,), see `state_names`."""
         return self.state_vector[self._places]
 
     @property
     def cg_motion(self) -> tuple[float, ...]:
-        """Position of the sprung c.g. on the ground's axes (m), its velocity on the body's (m/s).
+        """x, y, z of the sprung c.g. in the ground frame (m), and u, v, w in the body frame (m/s).
 
-        nan for what the model does not have: in the 8 DOF model the c.g. keeps its height.
+        nan for components that the model does not have: z and w in the 8 DOF model.
         """
         now = self.state
         if not self.options.has_eight_dof:
@@ -163,18 +165,21 @@ class Simulation(Restorable):
         return x, y, math.nan, ahead, left, math.nan
 
     def _without_absent(self, states: np.ndarray) -> np.ndarray:
-        """STATE records with nan for what the model does not have."""
+        """Set the states that the model does not have to nan in STATE records; returns them."""
         for name in self._absent:
             states[name] = np.nan
         return states
 
     @property
     def static_suspension_compression(self) -> np.ndarray:
-        """Compression of the suspension springs at rest, shape (4,) (m; eq. 19)."""
+        """Static compression of the suspension springs, shape (4,) (m; eq. 19)."""
         return self._vehicle[0]["static_suspension_compression"]
 
     def reset(self, speed: float = DEFAULT_SPEED) -> None:
-        """Back to time 0, static equilibrium and free rolling straight ahead at `speed` (m/s)."""
+        """Reset to time 0 and static equilibrium, rolling freely straight ahead at `speed` (m/s).
+
+        Raises InputError for an invalid speed, and for a step that is unstable at this speed.
+        """
         speed = _within("speed", speed, self._slowest, MAXIMUM_SPEED, "m/s")
         self._check_start(speed)
         self._start(self._equilibrium(speed))
@@ -183,7 +188,7 @@ class Simulation(Restorable):
         return self._without_absent(equilibrium(self._vehicle, speed))
 
     def _check_start(self, speed: float) -> None:
-        """Raise InputError if a run cannot begin at this speed (m/s) with this step."""
+        """Raise InputError if a run cannot start at this speed (m/s) with the integration step."""
         if self._checks_step and speed != self._checked_speed:
             start = self._equilibrium(speed).view(np.float64)
             self._modes.check_start(start, self.step_ns / NANOSECONDS)
@@ -197,11 +202,11 @@ class Simulation(Restorable):
         self._advance(Command().records(), 0)
 
     def step(self, command: Command | Programme, duration: float) -> Condition:
-        """Go on for `duration` (s, a multiple of the step) or until the run must stop.
+        """Advance by `duration` (s, a multiple of the step), or until the run must stop.
 
-        A Command is held; a Programme is evaluated at every stage of the integration, its times
-        being seconds since the reset (one that gives a single record is held, too). A run that
-        has stopped stays where it is until a reset.
+        A Command is held. A Programme is evaluated at every stage of the integration, with times
+        since the reset (s); if it returns a single record, that is held. A run that has stopped
+        remains as it is until a reset. Returns the condition. Raises InputError.
         """
         steps = whole_steps(duration, self.step_ns, "duration")
         if self._checked_speed is None:
@@ -211,7 +216,7 @@ class Simulation(Restorable):
         return self.condition
 
     def _stage_times(self, steps: int) -> np.ndarray:
-        """Times (s) at the ends and middles of the steps to come, shape (2 * steps + 1,)."""
+        """Times of the ends and midpoints of the next steps (s), shape (2 * steps + 1,)."""
         halves = np.arange(2 * steps + 1)
         return (self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS
 
@@ -219,7 +224,7 @@ class Simulation(Restorable):
         Simulation.__init__(self, **arguments)
 
     def _arguments(self) -> dict:
-        """What to build another one with that takes snapshots of this one."""
+        """Constructor arguments of a simulation that accepts snapshots of this one."""
         return {
             "vehicle": self.vehicle,
             "options": self.options,
@@ -230,9 +235,9 @@ class Simulation(Restorable):
         }
 
     def largest_stable_step(self, command: Command | None = None) -> float:
-        """Largest step (s), up to 0.1, for the quickest mode about the present state.
+        """Largest step (s), up to 0.1, at which the fastest mode about the present state is stable.
 
-        command: what is held there. nan where numbers are such that there are no modes.
+        command: the command held; by default none. nan if the linearization is not finite.
         """
         return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
 
@@ -248,7 +253,7 @@ class Simulation(Restorable):
             kernel_argument(self._events),
             self._stages,
         )
-        with silently():  # divergence is found by its result
+        with silently():  # divergence is detected from the result
             taken, condition, culprit = interruptible(advance, arguments)
         self.time_ns += taken * self.step_ns
         self.condition = Condition(condition)

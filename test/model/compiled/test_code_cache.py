@@ -71,7 +71,7 @@ def test_damaged_code_is_made_anew_with_one_line(folder, capsys, kind, damage):
     file.write_bytes(damage(file.read_bytes()))
     assert not is_from_cache(compiled_kernel())
     (line,) = capsys.readouterr().err.splitlines()
-    assert "is damaged and made anew" in line
+    assert "is damaged and is recompiled" in line
     assert is_from_cache(compiled_kernel())
     assert capsys.readouterr().err == ""
 

@@ -158,7 +158,7 @@ def test_ctrl_c_ends_every_node_that_it_started(begin, script, peer, domain):
         (("yaw_control", "--plot", "a.gif"), "--plot: 'a.gif' is not allowed"),
         (("yaw_control", "--plot", "a.png", "--size", "9x9"), "--size: '9x9' is not allowed: WID"),
         (("yaw_control", "--size", "170x200"), "--size: '170x200' is not allowed: together with"),
-        (("yaw_control", "--csv", "a", "a"), "another place than that of"),
+        (("yaw_control", "--csv", "a", "a"), "a path different from that of"),
         (("yaw_control", "--domain", "233"), "--domain: '233' is not allowed: a whole number"),
     ],
 )

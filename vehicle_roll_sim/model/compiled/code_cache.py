@@ -1,8 +1,8 @@
-"""Compiled code on disk: a folder that is sound, or a program that compiles in memory and says so.
+"""Verified cache of compiled code on disk; without a usable one the model is compiled in memory.
 
-numba's own cache trusts what it reads: a truncated file raises whatever pickle makes of it, a
-changed byte may be loaded as machine code, and a full disk ends the program. Here every file
-carries a digest, and trouble with the folder costs time, never a run.
+numba's own cache trusts its files: a truncated file raises an arbitrary pickle error, a changed
+byte may be loaded as machine code, and a full disk ends the program. Here every file carries a
+digest, and problems with the folder cost time but never a run.
 """
 
 import hashlib
@@ -16,19 +16,19 @@ import numba
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 COMPLETE = "complete"
-"""A file that is there once everything has been compiled."""
+"""Name of the file that marks the cache as complete."""
 ROOM = 30_000_000
-"""Bytes: some four times what the compiled code takes."""
+"""Bytes of free space required: about four times the size of the compiled code."""
 DIGEST = hashlib.sha256
 WRONG_CODE = (OSError, ValueError, RuntimeError, pickle.PickleError)
-"""What writing may raise: the system's refusals, and those of numba and pickle."""
+"""Exceptions that saving may raise: from the operating system, numba and pickle."""
 
 
 def source_fingerprint(folder: Path) -> str:
-    """Hash of every source file of the model, of where they lie and of the version of numba.
+    """Hash of all source files of the model, their location and the version of numba.
 
-    numba renews its cache when the file of a function changes, but not when a function that it
-    calls, in another file, does; a folder named after all of the sources does both.
+    numba recompiles a function when its own file changes, but not when a function that it calls in
+    another file changes; a cache folder named by the hash of all sources covers both.
     """
     digest = hashlib.sha256(f"{numba.__version__} {folder}".encode())
     for source in sorted(folder.rglob("*.py")):
@@ -37,9 +37,9 @@ def source_fingerprint(folder: Path) -> str:
 
 
 def writable_folder(fingerprint: str) -> Path | None:
-    """The folder for compiled code, made if need be; None where none can be written to.
+    """The folder for compiled code, created if necessary; None if it is not writable.
 
-    Until everything is compiled it must also have room for it.
+    Until the cache is complete it must also have enough free space.
     """
     home = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
     chosen = numba.config.CACHE_DIR or os.path.join(home, "vehicle_roll_sim")
@@ -51,31 +51,31 @@ def writable_folder(fingerprint: str) -> Path | None:
                 os.posix_fallocate(file.fileno(), 0, ROOM)
         return folder
     except OSError as error:
-        what = "the model is compiled at every start, which takes up to 30 s"
-        say(f"{folder} cannot keep compiled code ({error.strerror}): {what}")
+        effect = "the model is compiled at every start, which takes up to 30 s"
+        say(f"{folder} cannot store compiled code ({error.strerror}): {effect}")
         return None
 
 
 _said: set[str] = set()
 
 
-def say(what: str) -> None:
-    """Tell the user, once in a process."""
-    if what not in _said:
-        _said.add(what)
-        print(what, file=sys.stderr, flush=True)
+def say(text: str) -> None:
+    """Print a line to stderr, each text once per process."""
+    if text not in _said:
+        _said.add(text)
+        print(text, file=sys.stderr, flush=True)
 
 
 def troubled() -> bool:
-    """Whether anything has gone wrong with the cache in this process."""
+    """Whether there was any problem with the cache in this process."""
     return bool(_said)
 
 
 class _CheckedFile(IndexDataCacheFile):
-    """An index and its data, each file with a digest in front; nothing raises."""
+    """An index and its data; each file begins with a digest. Nothing raises."""
 
     def load(self, key):
-        """The entry of a key, None where there is none that is whole."""
+        """The entry of a key; None if it is missing or damaged."""
         name = self._load_index().get(key)
         return None if name is None else self._read(self._data_path(name))
 
@@ -84,7 +84,7 @@ class _CheckedFile(IndexDataCacheFile):
             super().save(key, data)
         except WRONG_CODE as error:
             reason = getattr(error, "strerror", None) or error
-            say(f"compiled code cannot be kept in {self._cache_path}: {reason}")
+            say(f"compiled code cannot be stored in {self._cache_path}: {reason}")
 
     def _load_index(self):
         version, stamp, overloads = self._read(self._index_path) or (None, None, {})
@@ -103,28 +103,28 @@ class _CheckedFile(IndexDataCacheFile):
             file.write(_digest(path, data) + data)
 
     def _read(self, path: str):
-        """What a file holds; None where it is missing, cannot be read or is damaged."""
+        """The content of a file; None if it is missing, unreadable or damaged."""
         try:
             whole = Path(path).read_bytes()
         except FileNotFoundError:
             return None
         except OSError as error:
-            say(f"compiled code cannot be read and is made anew: {error}")
+            say(f"compiled code cannot be read and is recompiled: {error}")
             return None
         size = DIGEST().digest_size
         if _digest(path, whole[size:]) != whole[:size]:
-            say(f"compiled code in {self._cache_path} is damaged and made anew")
+            say(f"compiled code in {self._cache_path} is damaged and is recompiled")
             return None
         return pickle.loads(whole[size:])
 
 
 def _digest(path: str, data: bytes) -> bytes:
-    """Of the name and what is under it: two files that changed places are damaged, too."""
+    """Digest of file name and content, so that swapped files are detected as well."""
     return DIGEST(os.path.basename(path).encode() + data).digest()
 
 
 class CheckedCache(FunctionCache):
-    """numba's cache of one function, on files that are checked."""
+    """numba's cache of one function, with verified files."""
 
     def __init__(self, function):
         super().__init__(function)
@@ -135,5 +135,5 @@ class CheckedCache(FunctionCache):
     def save_overload(self, signature, data):
         try:
             super().save_overload(signature, data)
-        except OSError as error:  # the folder itself was removed, or is full
-            say(f"compiled code cannot be kept in {self._cache_path}: {error.strerror}")
+        except OSError as error:  # the folder was removed, or the disk is full
+            say(f"compiled code cannot be stored in {self._cache_path}: {error.strerror}")

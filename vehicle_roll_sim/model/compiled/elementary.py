@@ -1,33 +1,33 @@
-"""Arc tangent, sine and cosine of arithmetic alone, right to about the last digit.
+"""Arc tangent, sine and cosine from basic arithmetic, accurate to about the last digit.
 
-Without calls, and with a choice of values where others branch, a loop over wheels becomes a few
-instructions that work on all of them at once. The same operations give plain Python the same bits.
+Without function calls and branches, a loop over the wheels can be vectorized. The same operations
+in plain Python give the same bits.
 """
 
 from vehicle_roll_sim.model.compiled.jit import math, square_root, term
 
 TAN_PI_8, TAN_3_PI_8 = math.sqrt(2) - 1, math.sqrt(2) + 1
-"""Beyond the first the arc tangent is pi / 4 + atan[(x - 1) / (x + 1)]; beyond the second it is
-pi / 2 - atan(1 / x)."""
+"""Limits of the argument reduction: above the first the arc tangent is computed as
+pi / 4 + atan[(x - 1) / (x + 1)], above the second as pi / 2 - atan(1 / x)."""
 PI_HALVES_REST = 6.123233995736766e-17
-"""pi / 2 less the number that stands for it."""
+"""pi / 2 minus its floating-point representation."""
 PI, PI_REST = 3.1415926534682512, 1.2154201013012384e-10
-"""pi in two parts, the first of 33 bits: its product with a number of up to 20 bits is exact."""
+"""pi in two parts; the first has 33 bits, so its product with an integer of 20 bits is exact."""
 HALF_TURNS = 1 / math.pi
-"""In a radian."""
+"""Half turns per radian."""
 ROUNDING = 1.5 * 2**52
-"""Added and taken away again it leaves the nearest whole number, up to 2^51."""
+"""Adding and subtracting this constant rounds to the nearest integer, up to 2^51."""
 
 
 @term
 def cubic(x, a, b, c, d):
-    """a + b x + c x^2 + d x^3, both halves at the same time."""
+    """a + b x + c x^2 + d x^3, in two independent halves."""
     return (a + b * x) + (x * x) * (c + d * x)
 
 
 @term
 def arctan_of_small(z):
-    """atan z - z for |z| up to tan(pi / 8): interpolated at Chebyshev's points, to 7e-18."""
+    """atan z - z for |z| up to tan(pi / 8): Chebyshev interpolation, accurate to 7e-18."""
     q = z * z
     q4 = (q * q) * (q * q)
     low = cubic(
@@ -55,7 +55,7 @@ def arctan(x):
 
 @term
 def nearest(x):
-    """The nearest whole number."""
+    """The nearest integer, as a float."""
     return (x + ROUNDING) - ROUNDING
 
 
@@ -72,13 +72,13 @@ def sine_within_half_turn(r):
 
 @term
 def alternating(half_turns, value):
-    """Value after a whole number of half turns, each of which changes its sign."""
+    """`value`, with the opposite sign for an odd number of half turns."""
     return value if nearest(half_turns / 2) == half_turns / 2 else -value
 
 
 @term
 def sine(x):
-    """sin x; from some 10^6 rad on as exact as x itself is."""
+    """sin x (x in rad); beyond some 10^6 rad as accurate as x itself."""
     half_turns = nearest(x * HALF_TURNS)
     rest = (x - half_turns * PI) - half_turns * PI_REST
     return alternating(half_turns, sine_within_half_turn(rest))
@@ -86,7 +86,7 @@ def sine(x):
 
 @term
 def cosine(x):
-    """cos x = -sin(x - pi / 2); from some 10^6 rad on as exact as x itself is."""
+    """cos x = -sin(x - pi / 2) (x in rad); beyond some 10^6 rad as accurate as x itself."""
     size = abs(x)
     half_turns = nearest(size * HALF_TURNS - 0.5)
     rest = (size - (half_turns + 0.5) * PI) - (half_turns + 0.5) * PI_REST

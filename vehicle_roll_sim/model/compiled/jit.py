@@ -1,7 +1,7 @@
-"""One source for compiled and plain Python: the `kernel` decorator and the arguments it takes.
+"""The `kernel` decorator and its arguments: the same source runs compiled or as plain Python.
 
-With numba installed (and NUMBA_DISABLE_JIT unset) a kernel is compiled once and kept in a cache on
-disk; without it the same function runs as ordinary Python, slower.
+With numba installed (and NUMBA_DISABLE_JIT unset) a kernel is compiled once and cached on disk;
+without it the same function runs as plain Python, slower.
 """
 
 import contextlib
@@ -18,7 +18,7 @@ try:
 except ImportError as error:
     numba = None
     is_missing = isinstance(error, ModuleNotFoundError) and error.name == "numba"
-    reason = str(error).partition("\n")[0]  # such as a numpy that is too new for it
+    reason = str(error).partition("\n")[0]  # for example an unsupported numpy version
     NOT_USED = "is not installed" if is_missing else f"cannot be imported ({reason})"
 
 COMPILED = numba is not None and not numba.config.DISABLE_JIT
@@ -27,7 +27,7 @@ REMEDY = "install python3-numba, or numba with pip in a virtual environment"
 
 
 def _quiet(function):
-    """`function` as compiled code has it: nan instead of an exception."""
+    """Make `function` behave as in compiled code: it returns nan instead of raising."""
 
     @functools.wraps(function)
     def call(*arguments):
@@ -46,7 +46,7 @@ def _quiet_math() -> SimpleNamespace:
 
 
 math = standard_math if COMPILED else _quiet_math()
-"""The mathematical functions for kernels."""
+"""The math module as used in kernels."""
 
 
 CACHE = None
@@ -57,7 +57,7 @@ if COMPILED:
 
 
 def kernel(function, **options):
-    """Compile `function` where numba is there; division by zero then gives inf or nan."""
+    """Compile `function` if numba is available; division by zero then gives inf or nan."""
     if not COMPILED:
         return function
     compiled = functools.partial(numba.njit, error_model="numpy", no_cfunc_wrapper=True, **options)
@@ -75,12 +75,14 @@ def kernel(function, **options):
 
 
 term = functools.partial(kernel, forceinline=True, no_cpython_wrapper=True)
-"""A kernel that is made part of every kernel that calls it, and that Python cannot call when it is
-compiled: for terms of one wheel, and for loops that are worth it."""
+"""A kernel that is inlined into every kernel that calls it, for terms of one wheel and short loops.
+
+If it is compiled, it cannot be called from Python.
+"""
 
 
 def _square_root():
-    """math.sqrt; in compiled code as the instruction, which math.sqrt there hides in a call."""
+    """math.sqrt; in compiled code the machine instruction instead of numba's function call."""
     if not COMPILED:
         return math.sqrt
 
@@ -99,11 +101,11 @@ square_root = _square_root()
 
 
 def constants(values: type):
-    """A function for kernels that copies the fields named in a named tuple from a record into one.
+    """Returns a function for kernels that copies fields of a record into the named tuple `values`.
 
-    Compiled code reads a record anew after every write into another one, as they might overlap;
-    copies it reads once, so that a loop over the wheels can work on all of them at the same time.
-    Plain Python needs no copies and keeps the record.
+    Compiled code must reload a record after every write to another one, since they might overlap.
+    Copies are loaded once, so that a loop over the wheels can be vectorized. Plain Python uses the
+    record itself.
     """
     if not COMPILED:
         return lambda record: record
@@ -126,16 +128,16 @@ def constants(values: type):
 
 
 def silently():
-    """A context in which plain Python, as compiled code, does not warn of nan and overflow."""
+    """Context in which plain Python, like compiled code, does not warn of nan and overflow."""
     return contextlib.nullcontext() if COMPILED else np.errstate(all="ignore")
 
 
 def kernel_argument(records: np.ndarray):
-    """The form in which a kernel takes `records`, a one-element array of a structured dtype.
+    """The form in which kernels take `records`, a one-element array of a structured dtype.
 
-    Compiled code takes the array itself. Plain Python gets an object with the same fields, some
-    twenty times faster to read than a numpy record; its arrays share memory with `records`, its
-    scalars are copies, so a kernel writes only into array fields.
+    Compiled code takes the array itself. Plain Python gets an object with the same fields, which is
+    some twenty times faster to read than a numpy record. Its arrays share memory with `records`,
+    its scalars are copies; kernels therefore write to array fields only.
     """
     if COMPILED:
         return records
@@ -149,7 +151,7 @@ def _plain(value):
 
 
 def interruptible(function, arguments: tuple):
-    """function(*arguments); what a signal raises in compiled code comes as what it is."""
+    """Call function(*arguments); exceptions from signals in compiled code are raised unwrapped."""
     try:
         return function(*arguments)
     except SystemError as error:
@@ -159,27 +161,27 @@ def interruptible(function, arguments: tuple):
 
 
 def is_to_be_compiled() -> bool:
-    """Whether the first call of a kernel will have to compile it."""
+    """Whether kernels still have to be compiled on their first call."""
     return COMPILED and not (CACHE and (CACHE / code_cache.COMPLETE).exists())
 
 
 def note_complete() -> None:
-    """Note in the cache that everything has been compiled and is in it."""
+    """Mark the cache as complete: everything has been compiled and saved."""
     if CACHE and not code_cache.troubled():
         (CACHE / code_cache.COMPLETE).touch()
 
 
 def why_slow() -> str:
-    """One line on why nothing is compiled, with the remedy; empty where the model is compiled."""
+    """One line on why the model is not compiled, with the remedy; '' if it is compiled."""
     if numba is None:
         return f"numba {NOT_USED}: {SLOWER}; {REMEDY}"
     return "" if COMPILED else f"NUMBA_DISABLE_JIT is set: {SLOWER}; unset it"
 
 
 def describe() -> str:
-    """One line on how the model runs here, for start-up messages."""
+    """One line on how the model runs (compiled, cached or plain Python), for start-up messages."""
     if not COMPILED:
         return why_slow()
     if CACHE is None:
-        return "no folder for compiled code can be written: the model is compiled at every start"
+        return "the folder for compiled code is not writable: the model is compiled at every start"
     return f"compiled model, cached in {CACHE}"

@@ -1,4 +1,4 @@
-"""Several steps at once, in one call of compiled code."""
+"""Integration of several steps in one call of compiled code."""
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
@@ -24,24 +24,23 @@ from vehicle_roll_sim.model.integration.integrator import (
 from vehicle_roll_sim.model.wheel import note_turning, stop_reversed
 
 NANOSECONDS = 1_000_000_000
-"""Nanoseconds, the unit of simulated time, in a second. Dividing by them rounds correctly."""
+"""Nanoseconds, the unit of simulated time, per second; division by it rounds correctly."""
 
 
 @kernel
 def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, stages):
-    """Integrate up to `steps` steps; return how many were taken, the condition and the culprit.
+    """Integrate up to `steps` steps; returns the number taken, the condition and the culprit.
 
-    state: flat vector laid out as STATE, changed in place. commands: 2 * steps + 1 records, one
-    for the beginning, the middle and the end of each step, or a single one that is held.
-    start_ns, step_ns: simulated time and step (ns). plant: vehicle, tire, options, limits and a
-    command of no force; they, outputs and events are one-element arrays of records. stages: work
-    space.
+    state: flat vector laid out as STATE, changed in place. commands: 2 * steps + 1 records, for the
+    beginning, the middle and the end of each step, or a single one that is held. start_ns, step_ns:
+    simulated time and step (ns). plant: vehicle, tire, options, limits and a zero command; these,
+    outputs and events are one-element arrays of records. stages: work space.
 
-    Of a state that is implausible to begin with, or has a rate that is not finite, no step is
-    taken; a step after which that is so is taken back. The index of that state is the culprit, else
-    -1. In the place of an implausible state comes the one that the call before has left, which is
-    kept in `stages`. At the end `outputs` belong to the final state and the last command or, since
-    that may be what made it diverge, to none.
+    If the initial state is implausible or has a non-finite rate, no step is taken; a step that
+    leads to such a state is undone. The culprit is the index of the state concerned, else -1. An
+    implausible initial state is replaced by the final state of the previous call, stored in
+    `stages`. At the end `outputs` correspond to the final state and the last command or, after
+    divergence, which the command may have caused, to the zero command.
     """
     vehicle, tire, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
     idle = plant[4][0]
@@ -91,10 +90,10 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
 
 @kernel
 def diverged(state, step, stages, limits):
-    """Index of the most implausible state after a step (s), -1 if all are plausible.
+    """Index of the most implausible state after a step (s); -1 if all are plausible.
 
-    Where a state is not finite, the others are not either: then it is the one that the slope before
-    the step would have taken furthest.
+    If one state is not finite, the others soon are not either; the index is then that of the most
+    implausible state after an Euler step from the state before.
     """
     culprit = most_implausible(state, limits.largest)
     if culprit >= 0 and not math.isfinite(state[culprit]):

@@ -1,4 +1,4 @@
-"""What happens on the way: wheels lift, the vehicle rolls over, a run must stop; and the peaks."""
+"""Events and peaks of a run: wheel lift-off, rollover, and the conditions that stop it."""
 
 import enum
 
@@ -9,13 +9,13 @@ from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import STATE, STATE_SIZE, WHEEL_COUNT, per_wheel, record_dtype
 
 MINIMUM_SPEED = 3.5
-"""Lowest forward speed (m/s) of the model: the slip of equation 5 divides by it."""
+"""m/s: minimum forward speed with steady-state slip, since equation 5 divides by the speed."""
 SPEED_ROUNDING = 1e-9
-"""Relative allowance for rounding, so that a run at exactly the lowest speed goes on."""
+"""Relative rounding tolerance, so that a run at exactly the minimum speed continues."""
 
 
 class Condition(enum.IntEnum):
-    """Whether a run can go on, and if not, why."""
+    """Whether a run can continue, and if not, why."""
 
     RUNNING = 0
     ROLLED_OVER = 1
@@ -34,22 +34,25 @@ EVENTS = record_dtype(
     ("peak_lateral_acceleration", 2),
     ("out_of_range_time", 3),
 )
-"""Times (s) are nan until the event. lift_off_time: the first time that Fz reaches 0, and
-rollover_time: that the roll angle reaches its limit, both interpolated linearly between steps.
-support: of each wheel (N), as last noted. Peaks are (value, time) of the largest magnitude at the
-steps. out_of_range_time: when slip ratio, slip angle or load of any loaded tire first left the
-range of the tire file."""
+"""Events and peaks of a run; times (s) are nan until the event.
+
+lift_off_time: first time at which the normal load of each wheel reaches 0. rollover_time: time at
+which the roll angle reaches its limit. Both are interpolated linearly between steps. support: of
+each wheel at the last step (N). peak_roll, peak_lateral_acceleration: signed value (rad, m/s^2) and
+time of the largest magnitude at the steps. out_of_range_time: first time at which the slip ratio,
+slip angle or load of any loaded tire leaves the range of the tire file.
+"""
 
 LIMITS = record_dtype("rollover_angle", "minimum_speed", ("largest", STATE_SIZE))
-"""Where a run stops: roll angle (rad), forward speed (m/s) and the largest plausible magnitude of
-every state."""
+"""Limits at which a run stops: roll angle (rad), forward speed (m/s), and the largest plausible
+magnitude of every state (SI units)."""
 
 
 def plausible_magnitudes() -> np.ndarray:
-    """Largest magnitude of each state that a road vehicle can show: one STATE record in an array.
+    """Largest plausible magnitude of each state for a road vehicle: an array of one STATE record.
 
-    Beyond it is divergence. Distances and angles that only add up have one, too: a day at their
-    largest rates is less, and where a double has steps of 0.1 mm nothing is integrated any more.
+    Larger magnitudes count as divergence. Accumulating distances and angles have limits as well: a
+    day at their largest rates stays below, and at the limit the resolution of a double is 0.1 mm.
     """
     largest = np.zeros(1, STATE)
     bound = largest[0]
@@ -67,7 +70,7 @@ def plausible_magnitudes() -> np.ndarray:
 
 
 def no_events() -> np.ndarray:
-    """An EVENTS record, in an array, in which nothing has happened yet."""
+    """An array of one EVENTS record without any event."""
     events = np.full(1, np.nan, EVENTS)
     events[0].peak_roll = events[0].peak_lateral_acceleration = 0.0
     return events
@@ -75,13 +78,13 @@ def no_events() -> np.ndarray:
 
 @kernel
 def crossing_time(time, step, before, after):
-    """When a quantity that is `before` at `time` and `after` a step later passes 0 (s)."""
+    """Time (s) at which a quantity crosses 0, from its values before and after a step (s)."""
     return time + step * before / (before - after)
 
 
 @kernel
 def note_peaks(time, state, tire, outputs, events):
-    """Largest roll angle and lateral acceleration so far, and tires beyond their ranges."""
+    """Update the peaks of roll angle and lateral acceleration, and the tire range events."""
     keep_peak(time, state[at.ROLL], events.peak_roll)
     keep_peak(time, outputs.acceleration[1], events.peak_lateral_acceleration)
     for i in range(WHEEL_COUNT):
@@ -108,7 +111,10 @@ def note_range(time, value, lowest, highest, noted, quantity):
 
 @kernel
 def note_lift_offs(time, step, support, events):
-    """Wheels whose support passed 0 in the step (s) from `time` on; 0: at once, by a command."""
+    """Record the wheels that lifted off during a step (s) from `time` (s) on.
+
+    step: 0 for a lift-off caused by a step of a command.
+    """
     for i in range(WHEEL_COUNT):
         before = events.support[i]
         if support[i] <= 0.0 < before and math.isnan(events.lift_off_time[i]):
@@ -118,7 +124,7 @@ def note_lift_offs(time, step, support, events):
 
 @kernel
 def note_rollover(time, step, roll_before, roll, rollover_angle, events):
-    """Rollover during the step that began at `time` with the roll angle `roll_before` (rad)."""
+    """Record a rollover during a step (s) from `time` (s) on; angles in rad."""
     left, gone = rollover_angle - abs(roll_before), rollover_angle - abs(roll)
     if gone <= 0.0 < left:
         events.rollover_time[0] = crossing_time(time, step, left, gone)
@@ -126,9 +132,9 @@ def note_rollover(time, step, roll_before, roll, rollover_angle, events):
 
 @kernel
 def most_implausible(state, largest):
-    """Index of the state furthest beyond its bound, or not finite; -1 if all are plausible.
+    """Index of the state that exceeds its limit most, or is not finite; -1 if all are plausible.
 
-    A state without a bound (nan) is one that the model does not have.
+    A limit of nan marks a state that the model does not have.
     """
     worst, culprit = 1.0, -1
     for i in range(len(state)):
@@ -153,7 +159,7 @@ def without_rate(rates, largest):
 
 @kernel
 def condition_of(state, limits):
-    """Whether the run can go on from `state`."""
+    """The condition of a run at a flat state vector, divergence aside."""
     if abs(state[at.ROLL]) >= limits.rollover_angle:
         return Condition.ROLLED_OVER
     if state[at.U] < limits.minimum_speed * (1 - SPEED_ROUNDING):

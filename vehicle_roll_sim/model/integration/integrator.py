@@ -1,17 +1,17 @@
-"""Classical Runge-Kutta integration of fourth order with a fixed step."""
+"""Classical fourth-order Runge-Kutta integration with a fixed step."""
 
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.integration.derivatives import derivatives
 
 STAGE_VECTORS = 7
-"""Rows of work space: four slopes, the trial state, the state before the step, and that which the
-last call of `advance` has left."""
+"""Rows of the work space: four slopes, the trial state, the state before the step, and the state at
+the end of the last call of `advance`."""
 K1, K2, K3, K4, TRIAL, BEFORE, KEPT = range(STAGE_VECTORS)
 
 
 @kernel
 def copy(state, result):
-    """result = state; element by element, which compiles in a tenth of the time of a slice."""
+    """result = state; element by element, which compiles ten times as fast as a slice."""
     for i in range(len(state)):
         result[i] = state[i]
 
@@ -25,10 +25,10 @@ def along(state, slope, interval, result):
 
 @kernel
 def rk4_step(state, midway, after, step, car, stages):
-    """Advance `state` in place by one step (s), its first slope being in stages[K1] already.
+    """Advance `state` in place by one step (s); stages[K1] must contain its first slope.
 
-    `midway` and `after` are the commands at the middle and the end of the step; `car` holds the
-    vehicle, tire, options and outputs of `derivatives`.
+    midway, after: commands at the middle and the end of the step. car: vehicle, tire, options and
+    outputs, as for `derivatives`.
     """
     vehicle, tire, options, outputs = car
     trial = stages[TRIAL]

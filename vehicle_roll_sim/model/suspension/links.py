@@ -1,9 +1,9 @@
 """Suspension links: horizontal forces between body and wheels, and the roll centres.
 
-The longitudinal and lateral link forces (eqs 21, 22) hold the accelerations of the unsprung mass,
-which hold those of the body (eqs 54, 55, the first with the y term that the source omits). Each
-link force is therefore kept in two parts, `applied` less inertia times body acceleration, and the
-accelerations are found from one linear system (`rigid_body`).
+The longitudinal and lateral link forces (eqs 21, 22) contain the accelerations of the unsprung
+mass, which depend on those of the body (eqs 54, 55, the first with the y term that the paper
+omits). Each link force is therefore split into an `applied` part minus inertia times body
+acceleration, and the accelerations are solved for in one linear system (`rigid_body`).
 """
 
 from vehicle_roll_sim.model import records as at
@@ -13,13 +13,13 @@ from vehicle_roll_sim.model.records import DU, DV, DWX, DWY, DWZ, LF, LR, RF, RR
 
 @kernel
 def carried_mass(i, vehicle, options):
-    """Unsprung mass whose inertia the links of corner i carry (kg): none in eqs 56, 57."""
+    """Unsprung mass whose inertia acts on the links of corner i (kg): 0 in eqs 56, 57."""
     return 0.0 if options.no_link_inertia else vehicle.unsprung_mass[i]
 
 
 @kernel
 def carried_weight(i, vehicle, options):
-    """Unsprung weight in the plane of the links of corner i (N): none in eq. 59."""
+    """Unsprung weight in the link forces of corner i (N): 0 in eq. 59."""
     if options.contact_forces_not_rotated:
         return 0.0
     return vehicle.unsprung_mass[i] * vehicle.gravity
@@ -27,7 +27,7 @@ def carried_weight(i, vehicle, options):
 
 @kernel
 def applied_link_forces(state, vehicle, options, attitude, outputs):
-    """Link forces of every corner but for the body's accelerations (eqs 21, 22, 54-57, 59)."""
+    """Link forces of every corner without the body's acceleration (N; eqs 21, 22, 54-57, 59)."""
     s_roll, _, s_pitch, c_pitch = attitude
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     wu = state[at.UNSPRUNG_VELOCITY]
@@ -45,7 +45,7 @@ def applied_link_forces(state, vehicle, options, attitude, outputs):
 
 @kernel
 def link_forces(vehicle, options, outputs):
-    """Fxs and Fys of every corner (N), once the accelerations are known (eqs 21, 22)."""
+    """Fxs and Fys of every corner (N), from the body's accelerations (eqs 21, 22)."""
     q = outputs.body_acceleration
     du, dv, dwx, dwy, dwz = q[DU], q[DV], q[DWX], q[DWY], q[DWZ]
     for i in range(WHEEL_COUNT):
@@ -56,7 +56,7 @@ def link_forces(vehicle, options, outputs):
 
 @kernel
 def link_moment(i, vehicle, outputs):
-    """Roll moment that the links of corner i pass on beside the roll centre (N m)."""
+    """Roll moment of the contact and link forces of corner i about the roll centre (N m)."""
     about_strut = outputs.rolling_force[i] * outputs.loaded_radius[i]
     arm = outputs.strut_length[i] - vehicle.roll_centre_depth[i]
     return about_strut + outputs.link_y[i] * arm
@@ -64,9 +64,9 @@ def link_moment(i, vehicle, outputs):
 
 @kernel
 def link_load_transfer(vehicle, options, outputs):
-    """Fdz of every corner (N): the roll centre's share of the load transfer (eq. 26).
+    """Fdz of every corner (N): load transfer through the links (eq. 26).
 
-    Symmetric over an axle, or each side by itself (section 7.3); none without a roll centre.
+    Symmetric for an axle, or each side separately (section 7.3); 0 without a roll centre.
     """
     for left, right in ((LF, RF), (LR, RR)):
         on_left, on_right = (

@@ -1,4 +1,4 @@
-"""Struts: their length and rate, the forces of spring, damper and actuator, the unsprung masses."""
+"""Struts: length and rate, forces of spring, damper and actuator, and the unsprung masses."""
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel
@@ -9,8 +9,8 @@ from vehicle_roll_sim.model.records import WHEEL_COUNT
 def strut_kinematics(state, vehicle, options, outputs):
     """Strut length and rate, and the velocity of each unsprung mass (eqs 1, 9, 10, 12, 17).
 
-    Harmless simplifications of section 6.4: with `fixed_strut_length` the static length stands for
-    ls in 9 and 10, with `unsprung_moves_with_corner` the corner's velocity for both.
+    Admissible simplifications of section 6.4: `fixed_strut_length` replaces ls in equations 9 and
+    10 by the static length; `unsprung_moves_with_corner` replaces both by the corner's velocity.
     """
     u, v, w = state[at.U], state[at.V], state[at.W]
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
@@ -42,7 +42,7 @@ def strut_forces(state, command, vehicle, outputs):
 
 @kernel
 def unsprung_rates(state, vehicle, options, attitude, outputs, rates):
-    """Vertical acceleration of every unsprung mass, in frame 1 (eqs 11, 43, 58, 60)."""
+    """Vertical acceleration of every unsprung mass in frame 1 (m/s^2; eqs 11, 43, 58, 60)."""
     s_roll, c_roll, s_pitch, c_pitch = attitude
     wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
     for i in range(WHEEL_COUNT):

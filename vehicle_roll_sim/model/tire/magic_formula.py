@@ -1,14 +1,14 @@
 """Magic Formula 5.2 with combined slip (Pacejka, Tire and Vehicle Dynamics, 2002, section 4.3).
 
-Steady-state slip, no inclination, no turn slip. Coefficients and scaling factors bear the names of
+Steady-state slip, no inclination, no turn slip. Coefficients and scaling factors have the names of
 the .tir file. ISO axes of the contact patch: positive lateral slip gives a negative lateral force.
-A shift counts only where its scaling factor is not 0, which is a product with that factor here;
-RHX1, RHY1 and RHY2 have none and always count.
+Shifts are multiplied by their scaling factors and vanish if these are 0; RHX1, RHY1 and RHY2 have
+no scaling factor and always apply.
 
-All is made of one curve, sin[C atan{B x - E (B x - atan B x)}]: the forces of pure slip, their
-weights (cosines, 1 - 2 sin^2 of half the angle) and the lateral force that longitudinal slip brings
-along. So x, B, C and E of all curves of all wheels come first, then all the sines, in loops that
-the processor works through several at a time, and then the forces.
+Everything is built from one curve, sin[C atan{B x - E (B x - atan B x)}]: the forces at pure slip,
+their weighting functions (cosines, as 1 - 2 sin^2 of half the angle), and the lateral force induced
+by longitudinal slip. Therefore x, B, C and E of all curves of all wheels are computed first, then
+all sines in vectorized loops, and then the forces.
 """
 
 from collections import namedtuple
@@ -55,11 +55,11 @@ OPTIONAL = (
 RANGES = ("KPUMIN", "KPUMAX", "ALPMIN", "ALPMAX", "FZMIN", "FZMAX")
 
 TIRE = record_dtype(*SCALING, *REQUIRED, *OPTIONAL, *RANGES, *per_wheel("side"))
-"""Coefficients of the tire; side is -1 at the wheels where it runs mirrored, else +1."""
+"""Coefficients of the tire; side is -1 at the wheels where the tire is mirrored, else +1."""
 
 TireConstants = namedtuple("TireConstants", (*SCALING, *REQUIRED, *OPTIONAL))
 tire_constants = constants(TireConstants)
-"""The coefficients of a TIRE record as values."""
+"""Copies the coefficients of a TIRE record."""
 
 
 @term
@@ -69,27 +69,27 @@ def sign(value):
 
 @term
 def relative_load(fz, tire):
-    """dfz: how far the load is above the nominal one, relative to that."""
+    """dfz: normal load (N) above the nominal load, relative to the nominal load (-)."""
     nominal = tire.LFZO * tire.FNOMIN
     return (fz - nominal) / nominal
 
 
 @term
 def friction(coefficient, load_slope, dfz):
-    """Friction coefficient at a load; it keeps the sign of the file's and never passes 0."""
+    """Friction coefficient at a load; clipped at 0, so that it keeps the sign of the file's."""
     value = coefficient + load_slope * dfz
     return value if value * coefficient > 0 else 0.0
 
 
 @term
 def stiffness_factor(slope, shape, peak):
-    """B of a curve with that slope at zero slip; 0 where friction is used up."""
+    """B of a curve from its slope at zero slip; 0 if the peak is 0."""
     return slope / (shape * peak) if peak != 0.0 else 0.0
 
 
 @term
 def longitudinal_curve(kappa, fz, dfz, stiffening, peak, tire):
-    """x, B, C and E of Fx0, pure longitudinal slip. stiffening: exp(PKX3 dfz)."""
+    """x, B, C and E of Fx0, the force at pure longitudinal slip. stiffening: exp(PKX3 dfz)."""
     slip = kappa + (tire.PHX1 + tire.PHX2 * dfz) * tire.LHX
     shape = tire.PCX1 * tire.LCX
     slope = fz * (tire.PKX1 + tire.PKX2 * dfz) * stiffening * tire.LKX
@@ -100,7 +100,7 @@ def longitudinal_curve(kappa, fz, dfz, stiffening, peak, tire):
 
 @term
 def lateral_curve(alpha, fz, dfz, peak, tire):
-    """x, B, C and E of Fy0, pure lateral slip."""
+    """x, B, C and E of Fy0, the force at pure lateral slip."""
     nominal = tire.LFZO * tire.FNOMIN
     slip = alpha + (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
     shape = tire.PCY1 * tire.LCY
@@ -112,7 +112,7 @@ def lateral_curve(alpha, fz, dfz, peak, tire):
 
 @term
 def longitudinal_weight_curve(alpha, kappa, dfz, tire):
-    """x, B, half of C, and E of Gx alpha: what lateral slip leaves of the longitudinal force."""
+    """x, B, half of C, and E of Gx alpha, the weighting function of the longitudinal force."""
     stiffness = tire.RBX1 * cosine_of_arctan(tire.RBX2 * kappa) * tire.LXAL
     curvature = min(tire.REX1 + tire.REX2 * dfz, 1.0)
     return alpha + tire.RHX1, stiffness, tire.RCX1 / 2, curvature
@@ -120,7 +120,7 @@ def longitudinal_weight_curve(alpha, kappa, dfz, tire):
 
 @term
 def lateral_weight_curve(alpha, kappa, dfz, tire):
-    """x, B, half of C, and E of Gy kappa: what longitudinal slip leaves of the lateral force."""
+    """x, B, half of C, and E of Gy kappa, the weighting function of the lateral force."""
     stiffness = tire.RBY1 * cosine_of_arctan(tire.RBY2 * (alpha - tire.RBY3)) * tire.LYKA
     curvature = min(tire.REY1 + tire.REY2 * dfz, 1.0)
     return kappa + (tire.RHY1 + tire.RHY2 * dfz), stiffness, tire.RCY1 / 2, curvature
@@ -128,14 +128,14 @@ def lateral_weight_curve(alpha, kappa, dfz, tire):
 
 @term
 def slip_ply_steer(alpha, dfz, peak, tire):
-    """DVy kappa: the largest lateral force that longitudinal slip brings along (N)."""
+    """DVy kappa: peak of the lateral force induced by longitudinal slip (N)."""
     reach = peak * (tire.RVY1 + tire.RVY2 * dfz) * cosine_of_arctan(tire.RVY4 * alpha)
     return reach * tire.LVYKA
 
 
 @term
 def keep_curve(curve, i, parts, outputs):
-    """Keep x, B, C and E of a curve of wheel i in `outputs`."""
+    """Store x, B, C and E of a curve of wheel i in `outputs`."""
     slip, stiffness, shape, curvature = parts
     place = curve * WHEEL_COUNT + i
     outputs.curve_slip[place], outputs.curve_stiffness[place] = slip, stiffness
@@ -144,7 +144,7 @@ def keep_curve(curve, i, parts, outputs):
 
 @kernel
 def peaks_and_shifts(tire, outputs):
-    """Of the forces of pure slip (N), and what else depends on the load alone."""
+    """Peaks and vertical shifts of the forces at pure slip (N), and other functions of load."""
     for i in range(WHEEL_COUNT):
         fz = outputs.normal_force[i]
         dfz = relative_load(fz, tire)
@@ -159,7 +159,7 @@ def peaks_and_shifts(tire, outputs):
 
 @kernel
 def curves(tire, outputs):
-    """x, B, C and E of every curve of every wheel; the slip angles (rad) from their tangents."""
+    """x, B, C and E of every curve of every wheel, and slip angles (rad) from their tangents."""
     tire = tire_constants(tire)
     for i in range(WHEEL_COUNT):
         outputs.slip_angle[i] = arctan(outputs.slip_tangent[i])
@@ -182,14 +182,14 @@ def curves(tire, outputs):
 
 @kernel
 def has_main_curves_only(tire):
-    """Whether the weights have no shift, and longitudinal slip brings no lateral force along."""
+    """Whether weighting functions have no shift and slip ratio induces no lateral force."""
     shifts = abs(tire.RHX1) + abs(tire.RHY1) + abs(tire.RHY2)
     return shifts == 0.0 and tire.LVYKA == 0.0
 
 
 @term
 def sines_of_curves(count, outputs):
-    """sin[C atan{B x - E (B x - atan B x)}] of the first `count` curves of all wheels, else 0."""
+    """sin[C atan{B x - E (B x - atan B x)}] of the first `count` elements; the others are 0."""
     for k in range(count):
         stretched = outputs.curve_stiffness[k] * outputs.curve_slip[k]
         excess = stretched - arctan(stretched)
@@ -204,20 +204,22 @@ def sines_of_curves(count, outputs):
 
 @term
 def weight(half, half_at_shift):
-    """G, a ratio of cosines, from the sines of half the angles: 1 where the other slip is 0."""
+    """G, a ratio of cosines, from the sines of half the angles; 1 if the other slip is 0."""
     return (1 - 2 * half * half) / (1 - 2 * half_at_shift * half_at_shift)
 
 
 @term
 def sine_of(curve, i, outputs):
-    """Of a curve of wheel i."""
+    """The sine of a curve of wheel i."""
     return outputs.curve_sine[curve * WHEEL_COUNT + i]
 
 
 @kernel
 def tire_forces(tire, outputs):
-    """Longitudinal and lateral force of every tire (N), along and across its wheel, from load, slip
-    ratio and the tangent of the slip angle. Without load there is no force."""
+    """Longitudinal and lateral force of every tire (N), along and across its wheel.
+
+    From normal load, slip ratio and tangent of the slip angle in `outputs`; 0 without load.
+    """
     peaks_and_shifts(tire, outputs)
     curves(tire, outputs)
     if has_main_curves_only(tire):

@@ -1,15 +1,16 @@
-"""Transient slip: tires that answer over a distance, from standstill to any speed.
+"""Transient slip with relaxation lengths, valid from standstill to any speed.
 
 The single contact point model (Pacejka, Tire and Vehicle Dynamics, 2002, chapter 7). Its states are
-the slips that the contact patch has already: one for the slip ratio and one for the tangent of the
-slip angle. With the rolling speed V and a sliding speed Vs of the wheel (rw - V along, or across),
+the slips developed in the contact patch: one for the slip ratio and one for the tangent of the slip
+angle. With the rolling speed V and a sliding speed Vs of the wheel (rw - V along, or across),
 
     dx/dt = (Vs - |V| x) / SIGMA - w sgn(x) max(|x| - XMAX, 0) / RELEASE,
 
-and the Magic Formula gets x + TAU w dx/dt. At speed w is 0: x goes to the steady-state slip
-Vs / |V| over the relaxation length SIGMA. Towards standstill, where rolling does not let the tire
-forget, w goes to 1: a tire that has slid gives back what is beyond XMAX, and its spring is damped,
-with TAU = SIGMA / 15 m/s, along the wheel less where that would stop a light wheel within 1 ms.
+and the input of the Magic Formula is x + TAU w dx/dt. At speed w is 0: x approaches the
+steady-state slip Vs / |V| over the relaxation length SIGMA. Towards standstill, where there is no
+relaxation by rolling, w approaches 1: slip beyond XMAX is released, and the tire's spring is damped
+with TAU = SIGMA / 15 m/s (longitudinally with less, where that would stop a light wheel within
+1 ms).
 """
 
 from vehicle_roll_sim.model import records as at
@@ -19,15 +20,15 @@ from vehicle_roll_sim.model.records import WHEEL_COUNT, vehicle_constants
 from vehicle_roll_sim.model.tire.magic_formula import tire_constants
 
 LOW_SPEED = 1.0
-"""m/s of rolling speed below which the terms for standstill come in, w."""
+"""m/s: rolling speed below which the standstill terms (w) act."""
 LARGEST_AT_REST = 0.06
-"""XMAX: slip that a tire keeps at standstill, a little short of the largest force of most."""
+"""XMAX: slip that a tire retains at standstill, slightly below that at peak force for most."""
 DAMPING_SPEED = 15.0
-"""m/s: relaxation length over TAU, the damper of the tire at standstill over its spring (s)."""
+"""m/s: relaxation length over TAU, the damping time of the tire at standstill (s)."""
 QUICKEST_DAMPING = 1000.0
-"""1/s: largest rate at which that damper may slow a wheel down."""
+"""1/s: largest rate at which that damping may decelerate a wheel."""
 RELEASE_TIME = 0.02
-"""RELEASE (s): time in which slip decays beyond XMAX at standstill, and off the ground."""
+"""RELEASE (s): time constant of the decay of slip beyond XMAX at standstill, and off the ground."""
 
 
 @term
@@ -47,7 +48,7 @@ def relaxation_lengths(fz, vehicle, tire):
 
 @term
 def standstill(rolling):
-    """w: 1 at standstill, 0 from LOW_SPEED on, smooth in between."""
+    """w: 1 at standstill, 0 from LOW_SPEED on, smooth in between; rolling: speed (m/s)."""
     speed = abs(rolling)
     return 0.5 + 0.5 * cosine(math.pi * speed / LOW_SPEED) if speed < LOW_SPEED else 0.0
 
@@ -61,7 +62,7 @@ def slip_rate(slip, rolling, sliding, length, weight):
 
 @kernel
 def transient_slip(state, vehicle, tire, outputs):
-    """Slip ratio and slip angle (rad) for the tire of every wheel, and the rates of its states."""
+    """Slip ratio and tangent of the slip angle of every wheel, and the rates of its slip states."""
     along, across = state[at.LONGITUDINAL_SLIP], state[at.LATERAL_SLIP]
     for i in range(WHEEL_COUNT):
         outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
@@ -84,10 +85,10 @@ def transient_slip(state, vehicle, tire, outputs):
 
 @term
 def damped_slip(along, across, rolling, sliding, tread, fz, vehicle, tire):
-    """Rates of the slips along and across (1/s), and the slips that the Magic Formula gets.
+    """Rates of the longitudinal and lateral slip (1/s), and the slips for the Magic Formula.
 
-    rolling, sliding: velocity of the contact point along and across the wheel (m/s); tread: of
-    the tread over the wheel (m/s). Without load slips decay.
+    rolling, sliding: velocity of the contact point along and across the wheel (m/s). tread: spin
+    times loaded radius (m/s). Without load the slips decay.
     """
     if fz <= 0.0:
         return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across
