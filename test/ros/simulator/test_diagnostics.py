@@ -12,7 +12,7 @@ from std_msgs.msg import Float64
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, STATE_SET
 from vehicle_roll_sim.ros.compatibility import other_publishers
 
-CONTROLLER = Path(__file__).with_name("steady_controller.py")
+CONTROLLER = Path(__file__).parents[1] / "steady_controller.py"
 STEERING = next(topic for topic in COMMANDS if topic.name == "steering_cmd")
 
 
