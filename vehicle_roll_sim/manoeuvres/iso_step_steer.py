@@ -44,7 +44,7 @@ class IsoStepSteer(HandwheelProgramme):
         LARGEST_HANDWHEEL,
         default=0.0,
     )
-    rise: float = parameter("rise time of the handwheel angle, 0 to 100 %", "s", 1e-3, LONGEST)
+    rise: float = parameter("time in which the full handwheel angle is reached", "s", 1e-3, LONGEST)
 
     @property
     def amplitude(self) -> float:
