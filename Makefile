@@ -1,12 +1,12 @@
-# Everything runs in a virtual environment of its own: Python 3.11 is all that a machine needs.
-# DISTRO=kilted takes ROS 2 Kilted in place of Jazzy.
+# Everything runs in a virtual environment: a machine needs only Python 3.11.
+# DISTRO=kilted uses ROS 2 Kilted instead of Jazzy.
 PYTHON ?= python3
 DISTRO ?= jazzy
 VENV := $(if $(filter jazzy,$(DISTRO)),.venv,.venv-$(DISTRO))
 BIN := $(VENV)/bin
-# Nodes wait for one another most of the time: three tests at once for two cores.
+# Nodes mostly wait for one another, so three test processes suit two cores.
 PYTEST_OPTIONS := --numprocesses 3 --dist loadfile --no-loadscope-reorder
-# Done once, and not by each of them at the same time.
+# Compile the model once, rather than in every test process at the same time.
 COMPILE := 'from vehicle_roll_sim.simulation.compilation import compile_model; compile_model()'
 OLDEST := test/vehicle test/model/test_reference_conditions.py test/analysis/test_linear_model.py \
 	$(patsubst %,test/command_line/test_%.py,version run_results run_refusals plot_command \
@@ -28,7 +28,7 @@ $(VENV)/.ready: requirements/build.txt $(PINNED) setup.py setup.cfg
 run: setup
 	$(BIN)/demo
 
-# With COVERAGE=yes also which lines and branches of the package run, in processes of their own, too.
+# COVERAGE=yes also measures line and branch coverage of the package, including subprocesses.
 test: setup
 	$(BIN)/python -c $(COMPILE)
 ifdef COVERAGE
@@ -43,7 +43,7 @@ endif
 coverage:
 	$(MAKE) test COVERAGE=yes
 
-# Files, simulation and command line with the oldest versions that setup.py allows, without ROS.
+# Test files, simulation and command line with the oldest versions that setup.py allows, without ROS.
 oldest:
 	$(PYTHON) -m venv .venv-oldest
 	.venv-oldest/bin/pip install --quiet --requirement requirements/oldest.txt
@@ -51,29 +51,29 @@ oldest:
 	.venv-oldest/bin/pip check
 	.venv-oldest/bin/python -m pytest -q --disable-warnings $(OLDEST)
 
-# Published vulnerabilities of what comes from the package index, with what that needs in turn; fails
-# also if one could not be looked up. ROS and its messages come from its distribution.
+# Check the packages from the package index, and their dependencies, for known vulnerabilities; a
+# failed lookup is an error. ROS and its messages come from the distribution and are not checked.
 audit:
 	$(PYTHON) -m venv .venv-audit
 	.venv-audit/bin/pip install --quiet --requirement requirements/audit.txt
 	grep --no-filename --invert-match '^ros-' requirements/base.txt requirements/test.txt > .venv-audit/audited
 	.venv-audit/bin/pip-audit --strict --requirement .venv-audit/audited
 
-# Ten minutes; OPTIONS=--quick is rougher, --only NAME ... does a part.
+# Takes ten minutes. OPTIONS=--quick gives rougher numbers, OPTIONS="--only NAME ..." runs a part.
 bench: setup
 	$(BIN)/python -m benchmarks $(OPTIONS)
 
-# A million random messages, then a hundred times as many random cases of the models' properties.
+# A million random messages, then a hundred times the usual random cases for the model properties.
 soak: setup
 	$(BIN)/python -m benchmarks.soak $(OPTIONS)
 	$(BIN)/python -m pytest --hypothesis-profile soak test/model/test_properties_of_rates.py \
 		test/model/test_properties_of_runs.py
 
-# Deliberate faults, and whether a test catches each: some fifteen minutes.
+# Check that the tests catch deliberate faults: about fifteen minutes.
 mutations: setup
 	$(BIN)/python -m benchmarks.mutations $(OPTIONS)
 
-# What each example controller does, in lockstep; brings the README's table up to date.
+# Measure the effect of each example controller in lockstep, and update the table in the README.
 controllers: setup
 	$(BIN)/python -m benchmarks.controllers README.md
 

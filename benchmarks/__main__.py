@@ -1,4 +1,4 @@
-"""`python -m benchmarks`: measures speed and accuracy on this machine; see docs/performance.md."""
+"""`python -m benchmarks`: measure speed and accuracy on this machine; see docs/performance.md."""
 
 import importlib
 import json
@@ -18,15 +18,20 @@ PROGRAM = "benchmarks"
 
 
 def main(words: list[str] | None = None) -> int:
-    """Run the benchmarks that `words` ask for; the exit status."""
+    """Run the benchmarks chosen in `words` (default: `sys.argv[1:]`); return the exit status."""
     parser = OneLineParser(
-        prog=PROGRAM, description="Measure the simulator on this machine: tables and JSON."
+        prog=PROGRAM,
+        description="Measure the simulator on this machine; print tables and write JSON.",
     )
     parser.add_argument(
-        "--json", metavar="FILE", default="bench.json", help="where the numbers go (%(default)s)"
+        "--json", metavar="FILE", default="bench.json", help="file for the numbers (%(default)s)"
     )
     parser.add_argument(
-        "--only", metavar="NAME", nargs="+", default=BENCHMARKS, help=", ".join(BENCHMARKS)
+        "--only",
+        metavar="NAME",
+        nargs="+",
+        default=BENCHMARKS,
+        help="benchmarks to run: " + ", ".join(BENCHMARKS),
     )
     parser.add_argument("--quick", action="store_true", help="shorter runs, rougher numbers")
     signal.signal(signal.SIGTERM, signal.default_int_handler)
@@ -49,7 +54,7 @@ def main(words: list[str] | None = None) -> int:
 
 
 def measure(names: list[str], quick: bool, file: Path) -> None:
-    """Print a table for each benchmark as it is done, and write all of their rows to `file`."""
+    """Print the table of each benchmark when it is done, and write the rows of all to `file`."""
     here = machine.describe()
     print(report.as_lines(here), end="\n\n", flush=True)
     results = {}

@@ -1,7 +1,7 @@
-"""`python -m benchmarks.controllers [README.md]`: what each example controller does, as a table.
+"""`python -m benchmarks.controllers [FILE]`: a table of the effect of each example controller.
 
-Runs in lockstep without it and with it. In the file that is named, the table between its header and
-the next empty line is brought up to date, and the lines below it.
+The effect is measured in lockstep runs without and with the controller. In FILE, the existing table
+is replaced, and so are the lines below it.
 """
 
 import math
@@ -9,8 +9,15 @@ import os
 import sys
 from pathlib import Path
 
-from vehicle_roll_sim.ros.comparison import Chain, Outcome, Scenario, distance, drive, ros_words
-from vehicle_roll_sim.ros.domains import own_domain
+from vehicle_roll_sim.ros.orchestration.comparison import (
+    Chain,
+    Outcome,
+    Scenario,
+    distance,
+    drive,
+    ros_words,
+)
+from vehicle_roll_sim.ros.orchestration.domains import own_domain
 from vehicle_roll_sim.ros.script_texts import EXAMPLES
 from vehicle_roll_sim.simulation.compilation import compile_model
 
@@ -21,7 +28,7 @@ HEADER = (
 
 
 def program(name: str, *parameters: str) -> tuple[str, ...]:
-    """The script of an example, and words that give it parameters."""
+    """The script of an example, and the arguments that set its parameters."""
     return (str(EXAMPLES / f"{name}.py"), *ros_words(parameters))
 
 
@@ -33,11 +40,11 @@ SCENARIOS = {
         ("vehicle.cg_height:=0.62",),
     ),
 }
-"""The source's at 50 km/h with the reference vehicle; NHTSA's at 45 mph with its c.g. lower."""
+"""The J-turn of the paper at 50 km/h; NHTSA's fishhook at 45 mph, with a lower c.g."""
 WARNING = program("rollover_warning")
 BRAKES = ("brake_torque_cmd",)
 WITHOUT = Chain(BRAKES, (WARNING, program("roll_braking", "largest_torque:=0.0")))
-"""Warned, but not braked."""
+"""With warnings, but without braking."""
 CONTROLLERS = {
     "active_roll_bar": Chain(("normal_force_cmd",), (program("active_roll_bar"),)),
     "roll_braking": Chain(BRAKES, (WARNING, program("roll_braking"))),
@@ -46,7 +53,7 @@ CONTROLLERS = {
 
 
 def row(controller: str, manoeuvre: str, without: Outcome, found: Outcome) -> list[str]:
-    """Cells of the table, without the controller and with it, up to the rollover without it."""
+    """A table row: figures without and with the controller, up to the rollover without it."""
     end = without.rollover
     pairs = (
         (f"{without.peak_roll:.1f}", f"{found.peak_roll:.1f}°"),
@@ -63,9 +70,9 @@ def row(controller: str, manoeuvre: str, without: Outcome, found: Outcome) -> li
 
 
 def warning_line(manoeuvre: str, without: Outcome) -> str:
-    """How long before what the warning comes."""
+    """A line on how long before each event the warning comes."""
     leads = (
-        ("neither inner wheel carries anything", without.inner_wheels_off),
+        ("both inner wheels are unloaded", without.inner_wheels_off),
         ("the two-wheel lift", without.two_wheel_lift),
         ("the rollover", without.rollover),
     )
@@ -78,7 +85,7 @@ def moment(time: float) -> str:
 
 
 def compare(manoeuvre: str) -> tuple[list[list[str]], str]:
-    """Rows of the table for one manoeuvre, and the line on the warning."""
+    """The rows of the table for one manoeuvre, and the line about its warning."""
     scenario = SCENARIOS[manoeuvre]
     without = drive(scenario, WITHOUT)
     rows = [
@@ -93,10 +100,10 @@ def as_table(rows: list[list[str]], lines: list[str]) -> str:
 
 
 def replaced(text: str, table: str) -> str:
-    """A text with the table and the lines below it brought up to date."""
+    """The text with the table, and the lines below it, replaced; exits if there is no table."""
     before, header, rest = text.partition("| " + " | ".join(HEADER) + " |")
     if not header:
-        raise SystemExit("controllers: error: no table to bring up to date")
+        raise SystemExit("controllers: error: no table to replace")
     return before + table + "\n\n" + rest.split("\n\n", 2)[2]
 
 

@@ -1,12 +1,12 @@
-"""What the benchmarks of the model drive: the reference vehicle through a slalom."""
+"""The driving task of the model benchmarks: the reference vehicle in a slalom."""
 
 import time
 
 import numpy as np
 
 from vehicle_roll_sim import Options, Simulation, preset
-from vehicle_roll_sim.model.derivatives import derivatives
-from vehicle_roll_sim.model.jit import kernel, kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel
+from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.records import COMMAND
 
 SPEED = 20.0
@@ -18,7 +18,10 @@ SLIPS = {"transient": Options(), "steady-state": Options(steady_state_slip=True)
 
 
 def slalom(times: np.ndarray, torque: float = 0.0) -> np.ndarray:
-    """COMMAND records: the steering, and a torque at each wheel that swings twice as fast (N m)."""
+    """COMMAND records: steering, and a torque at each wheel at twice the frequency.
+
+    times: s, shape (n,). torque: amplitude, N m. Returns shape (n,).
+    """
     commands = np.zeros(len(times), COMMAND)
     phase = 2 * np.pi * times / PERIOD
     commands["steering"] = AMPLITUDE * np.sin(phase)
@@ -27,29 +30,22 @@ def slalom(times: np.ndarray, torque: float = 0.0) -> np.ndarray:
 
 
 def slalom_start(options: Options, step: float = 1e-3) -> Simulation:
-    """The vehicle at the entry of the slalom; with a step that may be too large, to show it."""
+    """The vehicle at the entry of the slalom; the step may be too large, to show the effect."""
     simulation = Simulation(preset(), options, step=step, check_step=False)
     simulation.reset(SPEED)
     return simulation
 
 
-def plant(options: Options) -> tuple:
-    """Vehicle, tire and options as the equations take them."""
-    vehicle = preset()
-    parts = (vehicle.record(), vehicle.tire.record(), options.record())
-    return tuple(kernel_argument(part) for part in parts)
-
-
 @kernel
 def evaluate(states, commands, plant, outputs, rates):
-    """Derivatives at each of the states under the command beside it; `rates` are the last."""
+    """Evaluate the derivatives at each state with its command; `rates` keeps those of the last."""
     vehicle, tire, options = plant[0][0], plant[1][0], plant[2][0]
     for k in range(len(states)):
         derivatives(states[k], commands[k], vehicle, tire, options, outputs[0], rates)
 
 
 def repeated(call, repetitions: int, prepare=lambda: None) -> np.ndarray:
-    """How long `call` takes (s), every time; what `prepare` takes before is not counted."""
+    """The time (s) that each call of `call` takes, without the preceding call of `prepare`."""
     took = np.empty(repetitions)
     for i in range(repetitions):
         prepare()

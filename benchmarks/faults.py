@@ -1,20 +1,20 @@
-"""Deliberate faults, each of which a test must notice: what a tired hand could write."""
+"""Deliberate faults, such as a tired programmer makes; a test must catch each of them."""
 
 import dataclasses
 
 RATES = "test/model/test_properties_of_rates.py::"
 WHEEL = "test/model/test_wheel.py::"
-INBOX = "test/simulation/test_command_inbox.py::"
-SESSION = "test/simulation/test_session.py::"
-OF_MESSAGES = "test/ros/test_messages.py::"
-STAMPS = "test/ros/test_stamps.py::"
+INBOX = "test/live/test_command_inbox.py::"
+SESSION = "test/live/test_session.py::"
+OF_MESSAGES = "test/messages/test_messages.py::"
+STAMPS = "test/ros/simulator/test_stamps.py::"
 
 
 @dataclasses.dataclass(frozen=True)
 class Fault:
-    """In `file` of the package `faulty` stands for `original`, which is there once.
+    """A fault: in `file` of the package, `faulty` replaces `original`, which occurs exactly once.
 
-    test: what notices, a file or a test of it.
+    test: the test that must fail, as a file or as FILE::TEST.
     """
 
     what: str
@@ -30,25 +30,25 @@ FAULTS = (
         "model/contact.py",
         "return support if support > 0.0 else 0.0",
         "return support",
-        RATES + "test_loads_are_never_negative_and_nought_exactly_off_the_ground",
+        RATES + "test_loads_are_never_negative_and_zero_exactly_off_the_ground",
     ),
     Fault(
-        "wrong sign: the longitudinal force of a steered tire pushes to the other side",
+        "wrong sign: the longitudinal force of a steered tire acts to the other side",
         "model/contact.py",
         "= fy * c + fx * s  # (4)",
         "= fy * c - fx * s  # (4)",
         "test/model/test_momentum.py::test_each_wheel_spins_up_by_its_torque_less_the_tires",
     ),
     Fault(
-        "dampers drive",
-        "model/suspension.py",
+        "dampers add energy",
+        "model/suspension/struts.py",
         "passive += vehicle.damping[i]",
         "passive -= vehicle.damping[i]",
         RATES + "test_energy_changes_by_named_powers_and_nothing_else",
     ),
     Fault(
-        "wheels taken for others: link load transfer across the diagonal",
-        "model/suspension.py",
+        "wrong wheels: link load transfer across the diagonal",
+        "model/suspension/links.py",
         "for left, right in ((LF, RF), (LR, RR)):",
         "for left, right in ((LF, RR), (LR, RF)):",
         RATES + "test_tires_weights_and_drag_are_all_that_changes_the_momenta",
@@ -61,116 +61,116 @@ FAULTS = (
         RATES + "test_tires_weights_and_drag_are_all_that_changes_the_momenta",
     ),
     Fault(
-        "a factor of two: drag",
+        "wrong factor: twice the aerodynamic drag",
         "model/rigid_body.py",
         "return AIR_DENSITY / 2 * vehicle.drag_area * u * abs(u)",
         "return AIR_DENSITY * vehicle.drag_area * u * abs(u)",
         RATES + "test_energy_changes_by_named_powers_and_nothing_else",
     ),
     Fault(
-        "missing clamp: friction turns round at large loads",
-        "model/tire.py",
+        "missing clamp: friction reverses at large loads",
+        "model/tire/magic_formula.py",
         "return value if value * coefficient > 0 else 0.0",
         "return value",
-        "test/model/test_tire.py::test_friction_never_turns_round_however_large_the_load",
+        "test/model/tire/test_tire.py::test_friction_never_turns_round_however_large_the_load",
     ),
     Fault(
-        "a weight of combined slip is left out",
-        "model/tire.py",
+        "a weighting function of combined slip is left out",
+        "model/tire/magic_formula.py",
         "fx = gx * (x_peak *",
         "fx = (x_peak *",
-        "test/model/test_tire.py::test_slip_in_one_direction_takes_force_from_the_other",
+        "test/model/tire/test_tire.py::test_slip_in_one_direction_takes_force_from_the_other",
     ),
     Fault(
         "slip does not decay off the ground",
-        "model/transient_slip.py",
+        "model/tire/transient_slip.py",
         "return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across",
         "return 0.0, 0.0, along, across",
-        "test/model/test_transient_slip.py::test_slips_decay_without_load",
+        "test/model/tire/test_transient_slip.py::test_slips_decay_without_load",
     ),
     Fault(
-        "the third stage of the integration goes half a step only",
-        "model/integrator.py",
+        "the third stage of the integration takes only half a step",
+        "model/integration/integrator.py",
         "along(state, stages[K3], step, trial)",
         "along(state, stages[K3], step / 2, trial)",
-        "test/model/test_accuracy.py::test_halving_the_step_divides_the_error_by_sixteen",
+        "test/model/integration/test_accuracy.py::test_halving_the_step_divides_the_error_by_sixteen",
     ),
     Fault(
-        "a brake turns a wheel back",
+        "a brake reverses a wheel",
         "model/wheel.py",
         "            spin[i] = 0.0",
         "            pass",
         WHEEL + "test_a_brake_stops_a_free_wheel_in_the_time_of_the_closed_form_and_not_beyond",
     ),
     Fault(
-        "lateral load transfer of the 8 DOF model to the inner wheels",
+        "wrong sign: the 8 DOF model transfers load to the inner wheels",
         "model/eight_dof.py",
         "load -= overturning * ay / y",
         "load += overturning * ay / y",
         "test/model/test_eight_dof.py::test_its_rates_solve_the_equations_written_out",
     ),
     Fault(
-        "off by one: events a step late",
-        "model/events.py",
+        "off by one: events are a step late",
+        "model/integration/events.py",
         "return time + step * before / (before - after)",
         "return time + step + step * before / (before - after)",
-        "test/model/test_conditions.py::test_the_rollover_angle_says_where_a_run_stops",
+        "test/model/integration/test_conditions.py::test_the_rollover_angle_says_where_a_run_stops",
     ),
     Fault(
-        "a state is not reset: times of events",
+        "event times are not reset",
         "simulation/simulation.py",
         "self._state[:], self._events[:] = state, no_events()",
         "self._state[:] = state",
-        "test/model/test_stepping.py::test_reset_gives_the_first_state_back_bit_by_bit",
+        "test/model/integration/test_stepping.py::test_reset_gives_the_first_state_back_bit_by_bit",
     ),
     Fault(
-        "missing timeout: commands hold for ever",
-        "simulation/command_inbox.py",
+        "missing timeout: commands never expire",
+        "live/command_inbox.py",
         "return now_ns - channel.arrival_ns > round(self.timeout * NANOSECONDS)",
         "return False",
         INBOX + "test_a_topic_is_silent_once_more_than_the_timeout_has_passed",
     ),
     Fault(
-        "off by one: silent at the timeout already",
-        "simulation/command_inbox.py",
+        "off by one: commands expire exactly at the timeout",
+        "live/command_inbox.py",
         "return now_ns - channel.arrival_ns > round(",
         "return now_ns - channel.arrival_ns >= round(",
         SESSION + "test_torques_end_half_a_simulated_second_after_the_last_message",
     ),
     Fault(
-        "no check for values that are no numbers",
-        "simulation/command_inbox.py",
+        "missing check: values that are not finite",
+        "live/command_inbox.py",
         "if not all(map(math.isfinite, values)):",
         "if not values:",
         INBOX + "test_a_message_with_a_value_that_is_not_finite_is_dropped",
     ),
     Fault(
-        "missing bound: a brake that drives",
-        "simulation/command_inbox.py",
+        "missing bound: a negative brake torque",
+        "live/command_inbox.py",
         "if min(values) < channel.smallest:",
         "if max(values) < channel.smallest:",
         INBOX + "test_a_brake_that_would_drive_is_dropped",
     ),
     Fault(
         "commands outlive a reset",
-        "simulation/session.py",
+        "live/session.py",
         "        self.inbox.clear()\n",
         "",
         SESSION + "test_a_reset_recovers_from_a_rollover_and_forgets_all_commands",
     ),
     Fault(
         "the speed controller outlives a reset",
-        "simulation/session.py",
+        "live/session.py",
         "        self.controller.reset()\n        self.applied = Command()",
         "        self.applied = Command()",
         SESSION + "test_a_reset_forgets_what_the_speed_controller_has_learnt",
     ),
     Fault(
-        "deadlines drift: a period late after every period",
-        "simulation/pacing.py",
+        "deadlines drift: each period adds a period of delay",
+        "live/pacing.py",
         "self._next = (origin_ns, count + 1 + given_up)",
         "self._next = (origin_ns, count + 2 + given_up)",
-        "test/simulation/test_pacing.py::test_on_time_every_period_is_run_once",
+        "test/live/test_pacing.py::test_on_time_every_period_is_run_once",
     ),
     Fault(
         "wrong stamp: nanoseconds left out",
@@ -180,52 +180,52 @@ FAULTS = (
         OF_MESSAGES + "test_stamps_are_simulated_time",
     ),
     Fault(
-        "lift-off flagged while a wheel still carries a little",
+        "lift-off is flagged while a wheel still carries a small load",
         "messages/sets.py",
         'self._lift_off.numbers[:] = self.simulation.outputs["normal_force"] == 0.0',
         'self._lift_off.numbers[:] = self.simulation.outputs["normal_force"] < 300.0',
         "test/package/test_soak.py",
     ),
     Fault(
-        "stamps stay behind the clock when periods were given up",
-        "ros/real_time.py",
+        "stamps stay behind the clock after skipped periods",
+        "ros/simulator/real_time.py",
         "simulator.run_period(self.pacer.due_ns if is_behind else None)",
         "simulator.run_period(None)",
         STAMPS + "test_stamps_are_at_the_clock_after_start_pause_reset_and_standstill",
     ),
     Fault(
-        "missing lock: a message comes in while a period is run",
-        "ros/simulator.py",
+        "missing lock: a message arrives during a period",
+        "ros/simulator/node.py",
         "        with self.lock:\n            now_ns = self.session.simulation.time_ns",
         "        if self.lock:\n            now_ns = self.session.simulation.time_ns",
-        "test/ros/test_lock.py",
+        "test/ros/simulator/test_lock.py",
     ),
     Fault(
-        "missing lock: a reset while a period is run",
-        "ros/simulator.py",
+        "missing lock: a reset during a period",
+        "ros/simulator/node.py",
         "        with self.lock:\n            try:\n                self.session.reset(",
         "        if self.lock:\n            try:\n                self.session.reset(",
-        "test/ros/test_lock.py",
+        "test/ros/simulator/test_lock.py",
     ),
     Fault(
-        "a nan stays in the state and comes out on every topic",
-        "model/advance.py",
+        "a nan stays in the state and is published on every topic",
+        "model/integration/advance.py",
         "        copy(stages[KEPT], state)\n",
         "",
-        "test/model/test_divergence.py",
+        "test/model/integration/test_divergence.py",
     ),
     Fault(
-        "a recorder falls behind: one message of each topic at a look",
-        "ros/recorder.py",
+        "the recorder falls behind: one message per topic and poll",
+        "ros/clients/recorder.py",
         "MOST_AT_ONCE = 1000\n",
         "MOST_AT_ONCE = 1\n",
-        "test/ros/test_turns.py",
+        "test/ros/clients/test_turns.py",
     ),
     Fault(
-        "lockstep goes on before all have received the first set",
-        "ros/lockstep.py",
+        "lockstep continues before all subscribers have received the first set",
+        "ros/simulator/lockstep.py",
         "        self._await_receipts(simulator, executor)\n",
         "",
-        "test/ros/test_waiting_in_lockstep.py",
+        "test/ros/simulator/test_waiting_in_lockstep.py",
     ),
 )

@@ -1,19 +1,20 @@
-"""How long the equations take: a derivative within compiled code, a step from Python."""
+"""Computing time of the equations: a derivative in compiled code, and a step called from Python."""
 
 import numpy as np
 
-from benchmarks.drive import SLIPS, evaluate, plant, repeated, slalom, slalom_start
+from benchmarks.drive import SLIPS, evaluate, repeated, slalom, slalom_start
 from benchmarks.report import MICRO, NANO, median
-from vehicle_roll_sim import Command, Options
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim import Command, Options, preset
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
+from vehicle_roll_sim.simulation.plant import Plant
 
 TITLE = "The model"
 ABOUT = (
-    "A derivative: calls in a compiled loop along a recorded slalom (20 m/s, 2° at 0.4 Hz, with up "
-    "to 400 N m at each wheel: four tires in combined slip); a sample is the mean over its 2000 "
-    "states. A step: `Simulation.step` of 1 ms, called from Python with a command that is held; a "
-    "sample is the mean of 100 steps."
+    "Derivative: evaluated in a compiled loop along a recorded slalom (20 m/s, 2° at 0.4 Hz, up to "
+    "400 N m at each wheel, so that all four tires are in combined slip); a sample is the mean "
+    "over its 2000 states. Step: `Simulation.step` of 1 ms, called from Python with a constant "
+    "command; a sample is the mean of 100 steps."
 )
 COLUMNS = {
     "what": "",
@@ -25,12 +26,12 @@ COLUMNS = {
 TORQUE = 400.0
 """N m"""
 STATES = 2000
-"""Recorded, one every STEP: 10 s."""
+"""Recorded states, one every STEP: 10 s."""
 STEP = 0.005
 """s"""
 REPETITIONS, QUICK = 300, 30
 STEPS = 100
-"""In a repetition of `Simulation.step`."""
+"""Calls of `Simulation.step` per repetition."""
 MODELS = {
     **{f"model 1, {slip} slip": options for slip, options in SLIPS.items()},
     "8 DOF": Options(model="8dof"),
@@ -65,7 +66,7 @@ def driven_slalom(times: np.ndarray) -> np.ndarray:
 
 
 def derivative_times(options: Options, repetitions: int) -> np.ndarray:
-    """Time of a call (s), each the mean over the recorded states."""
+    """Time per evaluation (s), shape (repetitions,); each is the mean over the recorded states."""
     simulation = slalom_start(options)
     states, outputs = np.empty((STATES, STATE_SIZE)), np.empty(1, OUTPUTS)
     for row in states:
@@ -73,13 +74,19 @@ def derivative_times(options: Options, repetitions: int) -> np.ndarray:
         row[:] = simulation.state_vector
     outputs[0] = simulation.outputs
     commands = driven_slalom(STEP * np.arange(1, STATES + 1))
-    arguments = (states, commands, plant(options), kernel_argument(outputs), np.empty(STATE_SIZE))
+    arguments = (
+        states,
+        commands,
+        Plant.of(preset(), options).arguments(),
+        kernel_argument(outputs),
+        np.empty(STATE_SIZE),
+    )
     evaluate(*arguments)  # compiles
     return repeated(lambda: evaluate(*arguments), repetitions) / STATES
 
 
 def step_times(options: Options, repetitions: int) -> np.ndarray:
-    """Time of a step (s), each the mean over STEPS of them."""
+    """Time per step (s), shape (repetitions,); each is the mean over STEPS steps."""
     simulation, command = slalom_start(options), Command(steering=0.02)
 
     def some_steps():

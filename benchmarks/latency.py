@@ -1,4 +1,4 @@
-"""How long a command takes to show in what the simulator publishes."""
+"""Latency from a command to the first published message that shows it."""
 
 import random
 import time
@@ -11,10 +11,10 @@ from benchmarks.report import MILLI, percentile
 
 TITLE = "From a command to its effect"
 ABOUT = (
-    "From publishing a `steering_cmd` in another process, at random times, to receiving there the "
-    "first `applied_command` that has it, in the set of the first `state` that was driven with it. "
-    "A command waits for the next period, any time up to a whole one: half a period at the median, "
-    "99 % of one at p99. The last columns are what remains when that is taken off."
+    "Time from publishing a `steering_cmd` in another process, at a random moment, to receiving "
+    "there the first `applied_command` with its value, in the set of the first `state` that it "
+    "affected. A command waits up to one period for the next one to begin: half a period at the "
+    "median, 99 % of one at p99. The last two columns are the latency without this wait."
 )
 COLUMNS = {
     "rate_hz": "publish rate (Hz)",
@@ -22,16 +22,16 @@ COLUMNS = {
     "unanswered": "unanswered",
     "p50_ms": "p50 (ms)",
     "p99_ms": "p99 (ms)",
-    "waiting_p50_ms": "of it the period, p50",
-    "waiting_p99_ms": "p99",
-    "beyond_p50_ms": "beyond it, p50",
-    "beyond_p99_ms": "p99",
+    "waiting_p50_ms": "wait for the period, p50 (ms)",
+    "waiting_p99_ms": "p99 (ms)",
+    "beyond_p50_ms": "without the wait, p50 (ms)",
+    "beyond_p99_ms": "p99 (ms)",
 }
 RATES = (100.0, 1000.0)
 """Hz"""
 COMMANDS, QUICK = 1000, 100
 SMALLEST_ANGLE = 1e-6
-"""rad: every command is a multiple of it, none the same as another."""
+"""rad: commands are different multiples of it."""
 ANSWER = 1.0
 """s until a command counts as unanswered."""
 SETTLING = 0.5
@@ -44,7 +44,7 @@ def measure(quick: bool) -> list[dict]:
 
 
 def _row(rate: float, took: list[float]) -> dict:
-    """took: latencies (s), infinite where no answer came."""
+    """A row of the table. took: latencies (s), ANSWER or more if there was no answer."""
     answered = [each for each in took if each < ANSWER]
     row = {"rate_hz": rate, "commands": len(took), "unanswered": len(took) - len(answered)}
     for share in (50, 99):
@@ -55,7 +55,7 @@ def _row(rate: float, took: list[float]) -> dict:
 
 
 class Commander:
-    """Sends steering angles, and notes when they come back as applied."""
+    """Sends steering angles, and notes when they are published as applied."""
 
     def __init__(self, peer: Peer):
         self._peer, self._publisher = peer, peer.commander("steering_cmd")
@@ -69,7 +69,7 @@ class Commander:
             self._came = time.perf_counter()
 
     def latency(self, angle: float) -> float:
-        """s, ANSWER if it does not come."""
+        """The latency of one command (s), ANSWER if it is not answered."""
         self._angle, self._came = angle, None
         sent = time.perf_counter()
         self._publisher.publish(Float64(data=angle))
@@ -79,7 +79,7 @@ class Commander:
 
 
 def latencies(rate: float, count: int) -> list[float]:
-    """Of so many commands (s), sent one to two periods after the one before was answered."""
+    """Latencies (s) of `count` commands, each sent one to two periods after the previous answer."""
     chance = random.Random(1)
     with Peer() as peer, simulator(peer.domain, f"publish_rate:={rate}"):
         commander = Commander(peer)

@@ -1,4 +1,4 @@
-"""How fast lockstep goes, against two processes that only pass the same messages to and fro."""
+"""The speed of lockstep, compared with two processes that only exchange the same messages."""
 
 import math
 import time
@@ -11,13 +11,14 @@ from benchmarks.report import median
 
 TITLE = "Lockstep"
 ABOUT = (
-    "Periods a second, of 10 ms in ten steps, with a controller in another process that answers "
-    "every `state` with a `steering_cmd`. Beside it the same controller against a node without "
-    "model, parameters and services that only passes the same bytes back, the least that rclpy can "
-    "do, and against a plain one that publishes them as message objects. All in turn, medians."
+    "Periods per second, each of 10 ms in ten steps, with a controller in another process that "
+    "answers every `state` with a `steering_cmd`. For comparison, the same controller with a bare "
+    "node, which has no model, parameters or services and only sends the same bytes (the least "
+    "that rclpy can do), and with a plain node that publishes message objects. Measured in turn; "
+    "medians."
 )
 COLUMNS = {
-    "topics": "listened to",
+    "topics": "subscribed",
     "periods": "periods",
     "repetitions": "repetitions",
     "simulator_hz": "simulator (1/s)",
@@ -29,7 +30,7 @@ COLUMNS = {
 LISTENED = (("state",), ("state", "imu", "tire_normal_forces"))
 PARTNERS = ("simulator", "bare", "plain")
 WARM_UP = 500
-"""Periods before the time is taken."""
+"""Periods before timing starts."""
 REPETITIONS, QUICK = 5, 1
 PERIODS, QUICK_PERIODS = 5000, 1000
 LARGEST_ANGLE = 0.02
@@ -44,7 +45,7 @@ def measure(quick: bool) -> list[dict]:
 
 
 def compare(listened: tuple[str, ...], repetitions: int, periods: int) -> dict:
-    """Rates of all partners for a controller that listens to these topics."""
+    """A row of the table: rates with all partners, for a controller that hears these topics."""
     rates = {partner: [] for partner in PARTNERS}
     for _ in range(repetitions):
         for partner, found in rates.items():
@@ -63,7 +64,7 @@ def compare(listened: tuple[str, ...], repetitions: int, periods: int) -> dict:
 
 
 def rate(partner: str, listened: tuple[str, ...], periods: int) -> float:
-    """Periods a second."""
+    """Periods per second."""
     with Peer() as peer:
         controller = Controller(peer, listened, WARM_UP + periods)
         with start(partner, peer.domain, listened):
@@ -74,7 +75,7 @@ def rate(partner: str, listened: tuple[str, ...], periods: int) -> float:
 
 
 def start(partner: str, domain: int, listened: tuple[str, ...]):
-    """The other end, in a process of its own."""
+    """Start the controller's partner in a process of its own."""
     if partner == "simulator":
         waits = f"lockstep_wait:=[{', '.join(listened)}]"
         return simulator(domain, "mode:=lockstep", waits)
@@ -82,7 +83,7 @@ def start(partner: str, domain: int, listened: tuple[str, ...]):
 
 
 class Controller:
-    """Answers every `state` but the last of so many; count: of those that came."""
+    """Answers every `state` except the last. states: how many to expect; count: received so far."""
 
     def __init__(self, peer: Peer, listened: tuple[str, ...], states: int):
         self.count, self.finished, self._states = 0, 0.0, states

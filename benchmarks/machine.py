@@ -1,4 +1,4 @@
-"""The machine and the software that the numbers belong to."""
+"""The machine and software on which the results were measured."""
 
 import importlib.metadata
 import os
@@ -10,7 +10,7 @@ UNKNOWN = "unknown"
 
 
 def describe() -> dict[str, str]:
-    """What is measured on, a line each."""
+    """Properties of the machine and versions of the software, by name."""
     return {
         "CPU": f"{_cpu_model()}, {os.cpu_count()} cores",
         "kernel": f"{platform.system()} {platform.release()}",
@@ -24,7 +24,7 @@ def describe() -> dict[str, str]:
 
 
 def _cpu_model() -> str:
-    """As Linux names it."""
+    """The model name that Linux reports."""
     about = Path("/proc/cpuinfo")
     text = about.read_text(encoding="utf-8") if about.exists() else ""
     named = re.search(r"^model name\s*: (.+)$", text, re.MULTILINE)
@@ -39,7 +39,7 @@ def _version(name: str) -> str:
 
 
 def _distribution() -> str:
-    """Of ROS: that of the environment, or of the wheels."""
+    """The ROS distribution, from the environment or from the names of installed wheels."""
     names = (str(each.metadata["Name"]) for each in importlib.metadata.distributions())
     of_wheels = (re.fullmatch(r"ros-(\w+)-rclpy", name) for name in names)
     return os.environ.get("ROS_DISTRO") or next((of[1] for of in of_wheels if of), UNKNOWN)

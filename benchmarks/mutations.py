@@ -1,7 +1,7 @@
-"""`python -m benchmarks.mutations`: is each deliberate fault noticed by the test that it names?
+"""`python -m benchmarks.mutations`: check that each deliberate fault is caught by its test.
 
-The package and its tests are copied to a temporary folder, in which one fault after the other is
-put in and taken out again.
+The package and its tests are copied to a temporary folder, in which one fault at a time is
+inserted and then removed again.
 """
 
 import dataclasses
@@ -24,14 +24,14 @@ PACKAGE = "vehicle_roll_sim"
 COPIED = (PACKAGE, "test", "benchmarks", "msg_examples", "setup.cfg", "setup.py", "package.xml")
 CAUGHT, SURVIVED, UNCLEAR = "caught", "survived", "unclear"
 OF_PYTEST = {0: SURVIVED, 1: CAUGHT}
-"""By its exit status; another one is of pytest itself."""
+"""Verdict by exit status of pytest; any other status is an error of pytest itself."""
 TIMEOUT = 600.0
-"""s for a test: a hang is noticed, too."""
+"""s per test, so that a hang is noticed as well."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Result:
-    """What became of a fault. test: the first that failed."""
+    """What became of a fault. test: the first test that failed."""
 
     verdict: str
     test: str
@@ -40,17 +40,17 @@ class Result:
 
 
 def faulty_text(fault: Fault, text: str) -> str:
-    """A file with the fault; raises InputError where the original is not there exactly once."""
+    """The text with the fault; raises InputError unless the original occurs exactly once."""
     found = text.count(fault.original)
     if found != 1:
         raise InputError(
-            fault.file, fault.original, f"a text that is there once, not {found} times"
+            fault.file, fault.original, f"text that occurs exactly once, not {found} times"
         )
     return text.replace(fault.original, fault.faulty)
 
 
 def verdict_on(fault: Fault, folder: Path) -> Result:
-    """Put a fault into the copy in `folder`, run its test, and take it out."""
+    """Insert a fault into the copy in `folder`, run its test, and remove the fault."""
     file = folder / PACKAGE / fault.file
     text = file.read_text(encoding="utf-8")
     file.write_text(faulty_text(fault, text), encoding="utf-8")
@@ -61,7 +61,7 @@ def verdict_on(fault: Fault, folder: Path) -> Result:
 
 
 def run_test(test: str, folder: Path) -> Result:
-    """A test, on the package in `folder`."""
+    """Run a test on the package in `folder`."""
     environment = os.environ | {
         "PYTHONPATH": str(folder),
         "PYTHONDONTWRITEBYTECODE": "1",
@@ -75,7 +75,7 @@ def run_test(test: str, folder: Path) -> Result:
             command, cwd=folder, env=environment, capture_output=True, text=True, timeout=TIMEOUT
         )
     except subprocess.TimeoutExpired:
-        return Result(CAUGHT, f"{test} (does not end)", time.monotonic() - begun, "")
+        return Result(CAUGHT, f"{test} (timed out)", time.monotonic() - begun, "")
     failed = re.search(r"^(?:FAILED|ERROR) (\S+)", done.stdout, re.MULTILINE)
     verdict = OF_PYTEST.get(done.returncode, UNCLEAR)
     text = done.stdout + done.stderr
@@ -83,6 +83,7 @@ def run_test(test: str, folder: Path) -> Result:
 
 
 def copy_to(folder: Path) -> None:
+    """Copy the package and everything that its tests need."""
     for name in COPIED:
         source = ROOT / name
         if source.is_dir():
@@ -92,7 +93,7 @@ def copy_to(folder: Path) -> None:
 
 
 def check_sound(faults: list[Fault], folder: Path) -> None:
-    """Raise InputError unless the tests pass without any fault: else they prove nothing."""
+    """Raise InputError unless the tests pass without a fault; otherwise they prove nothing."""
     for test in dict.fromkeys(fault.test for fault in faults):
         result = run_test(test, folder)
         if result.verdict != SURVIVED:
@@ -101,14 +102,17 @@ def check_sound(faults: list[Fault], folder: Path) -> None:
 
 
 def row(fault: Fault, result: Result) -> str:
-    """Of the table."""
+    """A row of the table."""
     test = result.test.rpartition("/")[2].partition("[")[0]
     return f"| {fault.what} | `{fault.file}` | {result.verdict} | `{test}` |"
 
 
 def main(words: list[str] | None = None) -> int:
-    parser = OneLineParser(prog=PROGRAM, description=__doc__.partition(": ")[2])
-    parser.add_argument("--only", metavar="TEXT", default="", help="faults whose file has this")
+    about = "Insert deliberate faults into a copy of the package; check that tests catch them."
+    parser = OneLineParser(prog=PROGRAM, description=about)
+    parser.add_argument(
+        "--only", metavar="TEXT", default="", help="only faults in files whose path contains this"
+    )
 
     def command() -> int:
         only = parser.parse_args(words).only
@@ -119,7 +123,7 @@ def main(words: list[str] | None = None) -> int:
             folder = Path(name)
             copy_to(folder)
             check_sound(faults, folder)
-            print("| fault | file | | by |\n| --- | --- | --- | --- |", flush=True)
+            print("| fault | file | verdict | test |\n| --- | --- | --- | --- |", flush=True)
             verdicts = []
             for fault in faults:
                 result = verdict_on(fault, folder)

@@ -1,4 +1,4 @@
-"""What running the node costs: processor time, lateness and losses by publish rate."""
+"""The cost of running the node: CPU time, lateness and lost messages by publish rate."""
 
 import math
 import time
@@ -9,11 +9,11 @@ from benchmarks.report import median
 
 TITLE = "The node by publish rate"
 ABOUT = (
-    "A simulator in one process, one listener in another on `state`, `imu`, `tire_normal_forces` "
-    "and `lift_off`. CPU: share of one core that the simulator has, user and system. Sets: how "
-    "many came, of those due by the clock. Lateness of every second, and overruns: from "
-    "`/diagnostics`; p50 and p99 are medians over the seconds. Lost: messages that were sent and "
-    "did not come."
+    "A simulator in one process, and in another one subscriber to `state`, `imu`, "
+    "`tire_normal_forces` and `lift_off`. CPU: share of one core that the simulator uses, user and "
+    "system time. Sets: received, as a share of those due by the clock. Lateness in every second, "
+    "and overruns: from `/diagnostics`; p50 and p99 are medians over the seconds. Lost: messages "
+    "that were sent but not received."
 )
 COLUMNS = {
     "case": "publish rate",
@@ -33,15 +33,15 @@ CASES = {
     "1000 Hz": (1000.0, 1.0, LISTENED),
     "100 Hz, real_time_factor 10": (100.0, 10.0, LISTENED),
     "100 Hz, real_time_factor 0": (100.0, 0.0, LISTENED),
-    "the same, nobody listening": (100.0, 0.0, ()),
+    "the same, no subscribers": (100.0, 0.0, ()),
 }
-"""Publish rate (Hz), real_time_factor, topics that are listened to."""
+"""Publish rate (Hz), real_time_factor, topics subscribed to."""
 WARM_UP = 2.0
 """s"""
 DURATION, QUICK = 20.0, 5.0
 """s"""
 LOOK = 0.005
-"""s between two looks at what has come."""
+"""Poll interval (s)."""
 
 
 def measure(quick: bool) -> list[dict]:
@@ -51,7 +51,7 @@ def measure(quick: bool) -> list[dict]:
 
 
 def load(rate: float, factor: float, listened: tuple[str, ...], duration: float) -> dict:
-    """The numbers of one simulator that is listened to for `duration` (s)."""
+    """The figures of one simulator, observed for `duration` (s)."""
     parameters = (f"publish_rate:={rate}", f"real_time_factor:={factor}")
     with Peer() as peer, simulator(peer.domain, *parameters) as process:
         diagnostics = Tap(peer, "/diagnostics", keep=True)
@@ -88,14 +88,14 @@ def _values(message) -> dict[str, str]:
 
 
 def _pace(diagnostics: Tap) -> float:
-    """Simulated over wall time, from the first to the last of the diagnostics."""
+    """Simulated over wall time, from the first to the last diagnostics message."""
     (first, began), (last, ended) = map(diagnostics.decoded, (diagnostics.first, diagnostics.last))
     simulated = [float(_values(message)["simulated time (s)"]) for message in (first, last)]
     return (simulated[1] - simulated[0]) / (ended - began)
 
 
 def _timing(diagnostics: Tap) -> dict:
-    """Lateness and overruns."""
+    """Lateness and overruns from the diagnostics."""
     seconds = [_values(diagnostics.decoded(taken)[0]) for taken in diagnostics.kept]
     p50, p99, most = (
         [float(second[name]) for second in seconds]

@@ -1,4 +1,4 @@
-"""A node in the simulator's place that has no model: it answers a command with the same messages.
+"""A node that replaces the simulator but has no model: it answers each command with fixed messages.
 
 usage: python -m benchmarks.partner bare|plain TOPIC ...
 """
@@ -15,16 +15,16 @@ from vehicle_roll_sim import Simulation, preset
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.ros.encoding import encode
-from vehicle_roll_sim.ros.lockstep import SETTLING
 from vehicle_roll_sim.ros.process import node_main
+from vehicle_roll_sim.ros.simulator.lockstep import SETTLING
 from vehicle_roll_sim.ros.topics import EVERY_ANSWER, message_class, offered_qos
 
 LOOK = 0.02
-"""s between two looks for the controller."""
+"""Poll interval (s) while waiting for the controller."""
 
 
 class Partner(Node):
-    """plain: a node as one writes it, else without all that it can do without."""
+    """plain: a node with rclpy's defaults and message objects; else one stripped to the minimum."""
 
     def __init__(self, plain: bool, names: list[str]):
         usual = {"start_parameter_services": plain, "enable_rosout": plain}
@@ -52,11 +52,12 @@ class Partner(Node):
         )
 
     def answer(self, _=None) -> None:
+        """Publish all messages."""
         for publisher, message in self.outgoing:
             publisher.publish(message)
 
     def is_complete(self) -> bool:
-        """Whether the controller is there."""
+        """Whether the controller is connected."""
         listened = all(publisher.get_subscription_count() for publisher, _ in self.outgoing)
         return listened and self.commands.get_publisher_count() > 0
 

@@ -1,4 +1,4 @@
-"""The other end of a simulator that is measured: a node in this process, in its own domain."""
+"""The counterpart of a measured simulator: a node in this process, in a ROS domain of its own."""
 
 import contextlib
 import time
@@ -12,16 +12,16 @@ from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.ros.domains import own_domain
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.ros.orchestration.domains import own_domain
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class, offered_qos
 
 PATIENCE = 120.0
-"""s until a wait fails: compiling the model on a busy machine included."""
+"""Timeout of a wait (s), long enough to compile the model on a busy machine."""
 TURN = 0.02
-"""s between two looks at what is waited for."""
+"""Poll interval of a wait (s)."""
 BATCH = 1000
-"""Messages that a Tap can leave lying."""
+"""Queue length of a Tap (messages)."""
 TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED)}
 
 
@@ -31,17 +31,20 @@ def kind_of(name: str) -> type:
 
 
 def wait(done: Callable[[], object], what: str, turn: Callable[[], None]):
-    """Take turns until `done()` is true; raises TimeoutError naming `what` if that lasts."""
+    """Call `turn` until `done()` is true and return its value.
+
+    Raises TimeoutError naming `what` after PATIENCE.
+    """
     until = time.monotonic() + PATIENCE
     while not (value := done()):
         if time.monotonic() > until:
-            raise TimeoutError(f"waited {PATIENCE:g} s in vain for {what}")
+            raise TimeoutError(f"timed out after {PATIENCE:g} s waiting for {what}")
         turn()
     return value
 
 
 class Peer:
-    """A node that listens and commands, with an executor; a context manager."""
+    """A node that subscribes and sends commands, with its executor; a context manager."""
 
     def __init__(self):
         self._own = contextlib.ExitStack()
@@ -82,11 +85,11 @@ class Peer:
 
 
 class Tap:
-    """All that comes on a topic, taken in batches and not decoded.
+    """All messages on a topic, taken in batches and not deserialized.
 
-    An executor costs a listener more for each message than sending it costs the simulator. The
-    node must not be spun meanwhile. first, last: the bytes of a message and what the middleware
-    says of it; kept: all of these, if wanted.
+    With an executor, receiving a message would cost more than the simulator spends on sending it.
+    The node must not be spun in the meantime. first, last: (bytes, message info) of the first and
+    the last message; kept: those of all messages, if `keep` is set.
     """
 
     def __init__(self, peer: Peer, name: str, keep: bool = False):
@@ -110,18 +113,18 @@ class Tap:
 
     @property
     def lost(self) -> int:
-        """Messages that were sent between the first and the last, and did not come."""
+        """The number of messages sent between the first and the last received, but not received."""
         if not self.count:
             return 0
         first, last = (info["publication_sequence_number"] for _, info in (self.first, self.last))
         return last - first + 1 - self.count
 
     def decoded(self, taken: tuple):
-        """The message, and when it was sent (s)."""
+        """The deserialized message, and when it was sent (s)."""
         data, info = taken
         return deserialize_message(data, self.kind), info["source_timestamp"] / NANOSECONDS
 
     def found(self) -> bool:
-        """Whether something has come."""
+        """Whether any message has been received."""
         self.drain()
         return self.count > 0

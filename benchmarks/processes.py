@@ -1,4 +1,4 @@
-"""Processes of a benchmark: ended by their ids whatever happens, and looked at from outside."""
+"""Processes of a benchmark: always ended, and observed from outside."""
 
 import contextlib
 import os
@@ -9,20 +9,20 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from vehicle_roll_sim.ros.demo import LOCAL, stop
+from vehicle_roll_sim.ros.orchestration.demo import LOCAL, stop
 
-SIMULATOR = "vehicle_roll_sim.ros.simulator"
+SIMULATOR = "vehicle_roll_sim.ros.simulator.node"
 ENDING = (signal.SIGINT, signal.SIGTERM)
-"""What ends the benchmarks, and with them their processes."""
+"""Signals that end the benchmarks, and with them their processes."""
 TICKS = os.sysconf("SC_CLK_TCK")
-"""Of processor time in a second."""
+"""Clock ticks of CPU time per second."""
 MEBI = 1024.0
 """KiB in a MiB."""
 
 
 @contextlib.contextmanager
 def signals_held() -> Iterator[None]:
-    """Ctrl-C and SIGTERM are noted, and raised at the end: no process is lost half started."""
+    """Defer SIGINT and SIGTERM to the end of the block: no process is started and then lost."""
     noted = []
     usual = {signum: signal.signal(signum, lambda *_: noted.append(True)) for signum in ENDING}
     try:
@@ -38,9 +38,9 @@ def signals_held() -> Iterator[None]:
 def running(
     module: str, *words: str, domain: int, environment: dict[str, str] | None = None
 ) -> Iterator[subprocess.Popen]:
-    """A module as a process in a ROS domain, for as long as the block lasts.
+    """Run a module as a process in a ROS domain for the duration of the block.
 
-    A TimeoutError of the block is raised with what the process said last.
+    A TimeoutError in the block is raised again with the last output line of the process.
     """
     process = None
     where = LOCAL | os.environ | {"ROS_DOMAIN_ID": str(domain)} | (environment or {})
@@ -66,20 +66,20 @@ def running(
 
 
 def simulator(domain: int, *parameters: str, environment: dict[str, str] | None = None):
-    """A simulator with parameters given as NAME:=VALUE, as `running` has it."""
+    """Run a simulator (see `running`). parameters: NAME:=VALUE each."""
     words = [word for each in parameters for word in ("-p", each)]
     return running(SIMULATOR, "--ros-args", *words, domain=domain, environment=environment)
 
 
 def processor_seconds(pid: int) -> float:
-    """Time that a process has had on processors, its own and the system's for it (s)."""
+    """CPU time of a process so far, user and system (s)."""
     text = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8")
     user, system = text.rpartition(")")[2].split()[11:13]
     return (int(user) + int(system)) / TICKS
 
 
 def peak_memory(pid: int) -> float:
-    """Most memory that a process has had so far (MiB)."""
+    """Peak resident memory of a process so far (MiB)."""
     lines = Path(f"/proc/{pid}/status").read_text(encoding="utf-8").splitlines()
     (size,) = (line.split()[1] for line in lines if line.startswith("VmHWM:"))
     return int(size) / MEBI

@@ -1,4 +1,4 @@
-"""A session that random messages come in for, and what must hold after every period."""
+"""A session that receives random messages, and checks of what must hold after every period."""
 
 import collections
 import dataclasses
@@ -11,17 +11,17 @@ import numpy as np
 from vehicle_roll_sim import WHEELS, Simulation, preset
 from vehicle_roll_sim.bags.encoding import decode, encode
 from vehicle_roll_sim.declaration import parameters_of
+from vehicle_roll_sim.live.command_inbox import CENTRE, HOLD, CommandInbox
+from vehicle_roll_sim.live.command_limits import CommandLimits
+from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.messages.topics import COMMANDS, STATE_SET, TRANSFORMS
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.simulation.command_inbox import CENTRE, HOLD, CommandInbox
-from vehicle_roll_sim.simulation.command_limits import CommandLimits
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.simulation.options import MODELS, Options
-from vehicle_roll_sim.simulation.session import Session
 
 STEP_NS = 1_000_000
 PERIODS = (1, 2, 5, 10, 20, 50)
-"""Publish periods in steps."""
+"""Publish periods (steps)."""
 USUAL = {
     "steering_cmd": 0.3,
     "rear_steering_cmd": 0.1,
@@ -30,13 +30,13 @@ USUAL = {
     "normal_force_cmd": 3000.0,
     "speed_cmd": 30.0,
 }
-"""Largest usual value of each topic, in its unit."""
+"""Largest usual value on each topic, in its unit."""
 HUGE = (1e3, 1e6, 1e12, 1e100, 1e300, sys.float_info.max)
-"""Factors of a value that is finite and no more."""
+"""Factors that turn a usual value into an absurdly large one."""
 NO_NUMBERS = (math.nan, math.inf, -math.inf)
 LENGTHS = (0, 1, 2, 3, 5, 8, 100)
 LONGEST_STOP = 20
-"""Periods for which a stopped run is looked at before it is reset."""
+"""Periods for which a stopped run is observed before it is reset."""
 QUATERNION_ROUNDING = 1e-12
 WHOLE_SET = (*STATE_SET, TRANSFORMS)
 OF_HEAVE_AND_PITCH = {
@@ -45,12 +45,12 @@ OF_HEAVE_AND_PITCH = {
     "odom.twist.twist.angular.y",
     "imu.angular_velocity.y",
 }
-"""What is nan in a set of a model without them, and no number else."""
+"""The only numbers that are nan in a set of a model without heave and pitch."""
 
 
 @dataclasses.dataclass
 class Found:
-    """What a soak has met. Values are the worst of all sets."""
+    """The results of a soak test: counts, and the worst values in any set."""
 
     messages: int = 0
     periods: int = 0
@@ -59,7 +59,7 @@ class Found:
     dropped: int = 0
     clamped: int = 0
     conditions: collections.Counter = dataclasses.field(default_factory=collections.Counter)
-    """How often runs have ended so."""
+    """How often runs have ended with each condition."""
     largest_load: float = 0.0
     largest_roll: float = 0.0
     quaternion_error: float = 0.0
@@ -67,15 +67,15 @@ class Found:
     sessions: int = 0
     seconds: float = 0.0
     growth: float = 0.0
-    """MiB of resident memory, from a tenth of the messages on."""
+    """Growth of resident memory (MiB) after the first tenth of the messages."""
 
 
 class BrokenPromiseError(AssertionError):
-    """Something that must always hold does not; the text says what, where and from which seed."""
+    """Something that must always hold does not; the text says what and where."""
 
 
 def drawn_limits(rng: np.random.Generator) -> CommandLimits:
-    """Limits of commands, each the usual one, the largest that is allowed, or any."""
+    """Random command limits: each is the default, the largest allowed, or any value below it."""
     return CommandLimits(
         **{
             name: float(rng.choice([each.default, each.maximum, rng.uniform(0.0, each.maximum)]))
@@ -85,7 +85,7 @@ def drawn_limits(rng: np.random.Generator) -> CommandLimits:
 
 
 def numbers(message, place: str) -> Iterator[tuple[str, float | np.ndarray]]:
-    """Every number of a decoded message, and its place; of a layout there are none that change."""
+    """Every number of a decoded message with its path, except for the constant layout."""
     if isinstance(message, (int, float, np.ndarray)):
         yield place, message
     elif isinstance(message, list):
@@ -98,7 +98,7 @@ def numbers(message, place: str) -> Iterator[tuple[str, float | np.ndarray]]:
 
 
 class Driven:
-    """A session of a random model that random messages come in for."""
+    """A session with a random model that receives random messages."""
 
     def __init__(self, rng: np.random.Generator, found: Found):
         self.rng, self.found = rng, found
@@ -116,7 +116,7 @@ class Driven:
         self.stopped_for, self.talkative = 0, 0.0
 
     def run(self, periods: int, most_messages: int) -> None:
-        """Up to so many periods, or messages."""
+        """Run up to `periods` periods, or until `most_messages` have been sent in total."""
         for _ in range(periods):
             if self.found.messages >= most_messages:
                 return
@@ -127,11 +127,12 @@ class Driven:
                 self.run_period()
 
     def maybe_change_pace(self) -> None:
-        """Now and then silence, a few messages a period, or a burst."""
+        """Occasionally change between silence, a few messages per period, and bursts."""
         if self.rng.random() < 0.02:
             self.talkative = float(self.rng.choice([0.0, 1.0, 3.0, 20.0]))
 
     def send(self) -> None:
+        """Send random messages and check which are dropped."""
         for _ in range(self.rng.poisson(self.talkative)):
             topic = COMMANDS[self.rng.integers(len(COMMANDS))].name
             values, is_wrong = self.message(topic)
@@ -139,10 +140,12 @@ class Driven:
             dropped = channel.dropped
             self.inbox.receive(topic, values, now_ns)
             self.found.messages += 1
-            self.expect(channel.dropped == dropped + is_wrong, f"{topic}: {values} taken or not")
+            self.expect(
+                channel.dropped == dropped + is_wrong, f"{topic}: {values} wrongly kept or dropped"
+            )
 
     def message(self, topic: str) -> tuple[list, bool]:
-        """Values for a topic, and whether they must be dropped."""
+        """Random values for a topic, and whether they must be dropped."""
         channel, kind = self.inbox.channels[topic], self.rng.random()
         length = channel.size
         if kind < 0.05:
@@ -159,7 +162,7 @@ class Driven:
         return values.tolist(), is_wrong or bool((values < channel.smallest).any())
 
     def serve(self) -> None:
-        """The services: pauses, and resets at any time and after a stop."""
+        """Call the services: pause, and reset at random times and after a stop."""
         session, chance = self.session, self.rng.random()
         if session.paused:
             session.paused = chance < 0.8
@@ -172,44 +175,52 @@ class Driven:
             self.stamps_begin_ns = self.stamp_ns + session.period_ns
             self.stopped_for = 0
             self.found.resets += 1
-            self.expect(not session.stopped, "a reset does not start a run")
+            self.expect(not session.stopped, "a reset does not restart the run")
 
     def run_period(self) -> None:
+        """Run one period and check the set that it publishes."""
         session, simulation = self.session, self.session.simulation
         was_stopped, before = session.stopped, simulation.state_vector.tobytes()
         time_ns = simulation.time_ns
         session.run_period()
         self.found.periods += 1
         if was_stopped:
-            self.expect(simulation.state_vector.tobytes() == before, "a stopped run moves")
-            self.expect(simulation.time_ns == time_ns, "time goes on in a stopped run")
+            self.expect(
+                simulation.state_vector.tobytes() == before, "the state of a stopped run changes"
+            )
+            self.expect(simulation.time_ns == time_ns, "time advances in a stopped run")
         elif session.stopped:
             self.found.conditions[simulation.condition.name] += 1
         else:
-            self.expect(simulation.time_ns == time_ns + session.period_ns, "a period is too short")
+            self.expect(
+                simulation.time_ns == time_ns + session.period_ns, "a period has the wrong length"
+            )
         self.stopped_for = self.stopped_for + 1 if session.stopped else 0
         self.look(self.published(), was_stopped)
 
     def published(self) -> dict:
-        """The set of this period as a listener has it: by topic, decoded."""
+        """The set of this period as a subscriber receives it: decoded messages by topic."""
         stamp_ns = self.stamps_begin_ns + self.session.simulation.time_ns
         self.messages.set_time(stamp_ns)
         self.messages.applied = self.session.applied
         return {topic.name: decode(self.builders[topic.name](), topic.type) for topic in WHOLE_SET}
 
     def look(self, sets: dict, was_stopped: bool) -> None:
-        """Whether a set holds what it must."""
+        """Check everything that must hold for a set."""
         self.look_at_loads(sets)
         self.look_at_attitude(sets)
         self.look_at_stamps(sets, was_stopped or self.session.stopped)
         found = [each for name, message in sets.items() for each in numbers(message, name)]
         odd = {place for place, values in found if not np.isfinite(values).all()}
-        self.expect(odd == self.absent, f"no numbers, or some too many: {odd ^ self.absent}")
-        self.expect(-1.0 <= sets["load_transfer_ratio"].data <= 1.0, "load transfer ratio")
+        self.expect(odd == self.absent, f"unexpectedly nan, or not: {odd ^ self.absent}")
+        self.expect(
+            -1.0 <= sets["load_transfer_ratio"].data <= 1.0, "load transfer ratio off range"
+        )
         roll = abs(float(self.session.simulation.state["roll"]))
         self.found.largest_roll = max(self.found.largest_roll, roll)
 
     def look_at_loads(self, sets: dict) -> None:
+        """Check that loads are not negative, and lift-off is flagged exactly where they are 0."""
         loads, flags = sets["tire_normal_forces"].data, sets["lift_off"].data
         self.expect((loads >= 0.0).all(), f"loads {loads}")
         self.expect((flags == (loads == 0.0)).all(), f"flags {flags} at loads {loads}")
@@ -217,7 +228,7 @@ class Driven:
         self.found.lifted += int(flags.sum())
 
     def look_at_stamps(self, sets: dict, may_stay: bool) -> None:
-        """All stamps of a set are one, and later than that of the set before."""
+        """Check that all stamps of a set are equal, and later than those of the set before."""
         wrenches = (f"tire_forces/{wheel}" for wheel in WHEELS)
         stamps = {self.stamp(sets[name]) for name in ("odom", "imu", "joint_states", *wrenches)}
         self.expect(len(stamps) == 1, f"stamps of one set {stamps}")
@@ -227,7 +238,7 @@ class Driven:
         self.stamp_ns = stamp_ns
 
     def look_at_attitude(self, sets: dict) -> None:
-        """Quaternions of length 1."""
+        """Check that quaternions have unit length."""
         for message in (sets["odom"].pose.pose, sets["imu"]):
             turn = message.orientation
             length = math.sqrt(turn.x**2 + turn.y**2 + turn.z**2 + turn.w**2)
@@ -237,10 +248,12 @@ class Driven:
 
     @staticmethod
     def stamp(message) -> int:
+        """The stamp of a message (ns)."""
         stamp = message.header.stamp
         return stamp.sec * NANOSECONDS + stamp.nanosec
 
     def expect(self, holds: bool, what: str) -> None:
+        """Raise BrokenPromiseError with `what` and the circumstances unless `holds`."""
         if not holds:
             simulation = self.session.simulation
             where = f"message {self.found.messages}, period {self.found.periods}"

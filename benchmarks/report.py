@@ -1,4 +1,4 @@
-"""Numbers of the benchmarks: percentiles, and tables in Markdown."""
+"""Results of the benchmarks: percentiles, and tables in Markdown."""
 
 import math
 import textwrap
@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 NONE = "–"
-"""What there is no number for."""
+"""Shown where there is no number."""
 WIDTH = 105
-"""Of a line of text."""
+"""Characters in a line of text."""
 MILLI, MICRO, NANO = 1e3, 1e6, 1e9
-"""Of them in a whole."""
+"""Their number in one unit."""
 
 
 def median(values: Sequence[float]) -> float:
@@ -19,7 +19,7 @@ def median(values: Sequence[float]) -> float:
 
 
 def percentile(values: Sequence[float], share: float) -> float:
-    """nan of nothing."""
+    """The percentile `share` (0 to 100) of some values; nan if there are none."""
     return float(np.percentile(values, share)) if len(values) else math.nan
 
 
@@ -28,7 +28,7 @@ def as_lines(about: Mapping[str, str]) -> str:
 
 
 def as_section(benchmark, rows: Sequence[Mapping]) -> str:
-    """Heading, explanation and table of a benchmark: its COLUMNS are headers by key of a row."""
+    """Heading, explanation and table of a benchmark; COLUMNS maps keys of a row to headings."""
     columns = benchmark.COLUMNS
     lines = [list(columns.values()), ["---"] * len(columns)]
     lines += [[_shown(row[key]) for key in columns] for row in rows]
@@ -38,7 +38,7 @@ def as_section(benchmark, rows: Sequence[Mapping]) -> str:
 
 
 def _shown(value) -> str:
-    """Three digits of a number, but all of those before the point."""
+    """A number with three significant digits, but no digit before the point dropped."""
     if not isinstance(value, float):
         return str(value)
     if math.isnan(value):
@@ -47,7 +47,7 @@ def _shown(value) -> str:
 
 
 def without_nan(value):
-    """The same lists and dictionaries with None for what is not finite, as JSON has it."""
+    """The same lists and dictionaries with None for numbers that are not finite, for JSON."""
     if isinstance(value, Mapping):
         return {key: without_nan(each) for key, each in value.items()}
     if isinstance(value, list):

@@ -1,4 +1,4 @@
-"""`python -m benchmarks.soak`: random messages into sessions, and whether all stays as it must."""
+"""`python -m benchmarks.soak`: send random messages to sessions and check what must always hold."""
 
 import gc
 import math
@@ -16,11 +16,11 @@ from vehicle_roll_sim.vehicle.plausibility import unwarned
 
 PROGRAM = "soak"
 PERIODS_OF_A_SESSION = 500
-"""Then another model, period and timeout follow."""
+"""Each session has another model, period and timeout."""
 
 
 def soak(most_messages: int, seed: int) -> Found:
-    """Random sessions until so many messages have come in; raises BrokenPromiseError."""
+    """Run random sessions until so many messages have been sent; raises BrokenPromiseError."""
     rng, found, begun = np.random.default_rng(seed), Found(), time.monotonic()
     settled = None
     while found.messages < most_messages:
@@ -38,13 +38,13 @@ def soak(most_messages: int, seed: int) -> Found:
 
 
 def resident() -> float:
-    """Memory of this process (MiB)."""
+    """Resident memory of this process (MiB)."""
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
 
 
 def as_text(found: Found) -> str:
-    """A line for each figure."""
+    """The results, one figure per line."""
     ends = ", ".join(f"{name.lower()} {n}" for name, n in sorted(found.conditions.items()))
     lines = {
         "messages": f"{found.messages}, of which dropped {found.dropped}, clamped {found.clamped}",
@@ -56,20 +56,25 @@ def as_text(found: Found) -> str:
         "largest load of a tire (N)": f"{found.largest_load:.6g}",
         "lifted wheels seen": found.lifted,
         "largest roll (deg)": f"{math.degrees(found.largest_roll):.4g}",
-        "quaternion off 1 by": f"{found.quaternion_error:.2g}",
+        "quaternion norm off 1 by": f"{found.quaternion_error:.2g}",
         "memory growth (MiB)": f"{found.growth:.2f}",
     }
     return "\n".join(f"{name}: {value}" for name, value in lines.items())
 
 
 def main(words: list[str] | None = None) -> int:
-    parser = OneLineParser(prog=PROGRAM, description=__doc__.partition(": ")[2])
-    parser.add_argument("--messages", metavar="COUNT", default="1000000", help="(%(default)s)")
-    parser.add_argument("--seed", metavar="NUMBER", default="1", help="(%(default)s)")
+    about = "Send random messages to simulated sessions and check what must always hold."
+    parser = OneLineParser(prog=PROGRAM, description=about)
+    parser.add_argument(
+        "--messages", metavar="COUNT", default="1000000", help="messages to send (%(default)s)"
+    )
+    parser.add_argument(
+        "--seed", metavar="NUMBER", default="1", help="seed of the random numbers (%(default)s)"
+    )
 
     def command() -> int:
         arguments = parser.parse_args(words)
-        with unwarned():  # commands beyond what is plausible are wanted here
+        with unwarned():  # implausible commands are intended here
             found = soak(_whole(arguments.messages, "--messages"), _whole(arguments.seed, "--seed"))
         print(as_text(found))
         return 0

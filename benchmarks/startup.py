@@ -9,9 +9,9 @@ from benchmarks.report import median
 
 TITLE = "Start and memory"
 ABOUT = (
-    "From the start of the process to the first `state` that a waiting listener receives, median: "
-    "with the compiled model in its cache, and with an empty cache, the model being compiled. "
-    "Memory: the most that the process has had resident (VmHWM), after so many seconds at 100 Hz."
+    "Median time from the start of the process to the first `state` that a waiting subscriber "
+    "receives: with the compiled model in its cache, and with an empty cache, so that the model is "
+    "compiled. Memory: peak resident size of the process (VmHWM) after running at 100 Hz."
 )
 COLUMNS = {
     "cache": "cache",
@@ -28,7 +28,7 @@ RUNNING, QUICK_RUNNING = 60.0, 5.0
 
 def measure(quick: bool) -> list[dict]:
     """Rows of the table."""
-    begin({}, 0.0)  # fills the cache, if it is empty
+    begin({}, 0.0)  # fills the cache if it is empty
     warm = [begin({}, 0.0) for _ in range((QUICK_WARM if quick else WARM) - 1)]
     running = QUICK_RUNNING if quick else RUNNING
     warm.append(begin({}, running))
@@ -48,13 +48,16 @@ def _row(cache: str, starts: list[tuple[float, float]], running: float) -> dict:
 
 
 def begin_cold() -> tuple[float, float]:
-    """As `begin`, with caches of its own that are empty."""
+    """Like `begin`, but with empty caches."""
     with tempfile.TemporaryDirectory(prefix="cold-cache-") as folder:
         return begin({"XDG_CACHE_HOME": folder, "NUMBA_CACHE_DIR": ""}, 0.0)
 
 
 def begin(environment: dict[str, str], running: float) -> tuple[float, float]:
-    """Start a simulator and let it run for a while (s): s to the first state, memory (MiB)."""
+    """Start a simulator and let it run for `running` (s).
+
+    Returns the time to the first state (s) and the peak memory (MiB).
+    """
     came = []
     with Peer() as peer:
         peer.listen("state", lambda _: came or came.append(time.perf_counter()))

@@ -1,4 +1,4 @@
-"""What accuracy costs: the position after a slalom by integration step, and the time it takes."""
+"""Accuracy against cost: position error after a slalom and computing time, by integration step."""
 
 import math
 from collections.abc import Callable
@@ -6,20 +6,21 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from benchmarks.drive import SLIPS, SPEED, evaluate, plant, repeated, slalom, slalom_start
+from benchmarks.drive import SLIPS, SPEED, evaluate, repeated, slalom, slalom_start
 from benchmarks.report import MILLI, median
-from vehicle_roll_sim import Condition, Options
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim import Condition, Options, preset
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
+from vehicle_roll_sim.simulation.plant import Plant
 
 TITLE = "Work and precision"
 ABOUT = (
-    "Slalom at 20 m/s, wheels rolling freely, front steering 2° sin(2π t / 2.5 s): distance of the "
-    "c.g. from where a reference solution (DOP853 of SciPy on the same derivative, relative "
-    "tolerance 1e-12) has it, and the wall time of 10 s of driving, median, in one call of "
-    "`Simulation.step` with the steering of every stage evaluated beforehand. The reference's own "
-    "error is its distance from the same with a tolerance of 1e-10."
+    "Slalom at 20 m/s, wheels rolling freely, front steering 2° sin(2π t / 2.5 s). Error: distance "
+    "of the c.g. from its position in a reference solution (SciPy's DOP853 on the same derivative, "
+    "relative tolerance 1e-12). Wall time: median for 10 s of driving in one call of "
+    "`Simulation.step`, with the steering of every stage evaluated beforehand. The error of the "
+    "reference itself is its distance from a solution with a tolerance of 1e-10."
 )
 COLUMNS = {
     "slip": "slip",
@@ -35,7 +36,7 @@ HALF, WHOLE = 10.0, 20.0
 REPETITIONS, QUICK = 25, 3
 TOLERANCES = (1e-12, 1e-10)
 SMALLEST = 1e-14
-"""Absolute tolerance of the reference, in the unit of each state."""
+"""Absolute tolerance of the reference solution, in the unit of each state."""
 
 
 def measure(quick: bool) -> list[dict]:
@@ -65,10 +66,10 @@ def _row(slip: str, method: str, error: np.ndarray, wall: float) -> dict:
 
 
 def reference_positions(options: Options, tolerance: float) -> np.ndarray:
-    """x and y of the c.g. (m) at both times, by another integrator."""
+    """x and y of the c.g. (m) at both times, shape (2, 2), from another integrator."""
     start = slalom_start(options).state_vector.copy()
     known = np.isfinite(start)
-    parts, outputs = plant(options), kernel_argument(np.zeros(1, OUTPUTS))
+    parts, outputs = Plant.of(preset(), options).arguments(), kernel_argument(np.zeros(1, OUTPUTS))
     state, rates = start[None, :].copy(), np.empty(STATE_SIZE)
 
     def derivative(time: float, values: np.ndarray) -> np.ndarray:
@@ -90,7 +91,7 @@ def reference_positions(options: Options, tolerance: float) -> np.ndarray:
 
 
 def prepared(step: float, begin: float) -> Callable[[np.ndarray], np.ndarray]:
-    """The steering of 10 s from `begin` (s), evaluated now for every stage."""
+    """The steering for 10 s from `begin` (s), evaluated in advance for every stage."""
     stages = 2 * round(HALF / step) + 1
     halves = np.arange(stages) * round(step * NANOSECONDS / 2) / NANOSECONDS
     commands = slalom(begin + halves)
@@ -98,7 +99,7 @@ def prepared(step: float, begin: float) -> Callable[[np.ndarray], np.ndarray]:
 
 
 def positions(options: Options, step: float) -> np.ndarray:
-    """x and y of the c.g. (m) at both times; nan where the run has stopped before."""
+    """x and y of the c.g. (m) at both times, shape (2, 2); nan if the run has stopped by then."""
     simulation = slalom_start(options, step)
     found = []
     for begin in (0.0, HALF):
@@ -109,7 +110,7 @@ def positions(options: Options, step: float) -> np.ndarray:
 
 
 def wall_times(options: Options, step: float, repetitions: int) -> np.ndarray:
-    """Of 10 s of driving (s)."""
+    """Wall times (s) of 10 s of driving."""
     simulation, programme = slalom_start(options, step), prepared(step, 0.0)
     return repeated(
         lambda: simulation.step(programme, HALF),

@@ -8,6 +8,7 @@ import subprocess
 import pytest
 from hypothesis import settings
 
+from vehicle_roll_sim import Simulation, preset
 from vehicle_roll_sim.simulation.compilation import compile_model
 
 HAS_ROS = importlib.util.find_spec("rclpy") is not None
@@ -39,6 +40,12 @@ def have_children_heed_sigint() -> None:
 
 
 have_children_heed_sigint()
+
+
+@pytest.fixture
+def simulation():
+    """The reference vehicle at 50 km/h, with a step of 1 ms."""
+    return Simulation(preset())
 
 
 @pytest.fixture

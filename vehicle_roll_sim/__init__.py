@@ -1,11 +1,9 @@
 """Vehicle roll dynamics in real time: the 14 degree-of-freedom model of Shim and Ghike (2007)."""
 
-import importlib
-
 _HOMES = {
     "__version__": "version",
     "InputError": "declaration",
-    "Condition": "model.events",
+    "Condition": "model.integration.events",
     **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),
     "RollPlane": "model.roll_plane",
     "linearize": "offline.linearizing",
@@ -21,14 +19,19 @@ _HOMES = {
     **dict.fromkeys(("Tire", "load_tire"), "vehicle.tire_file"),
     **dict.fromkeys(("load_vehicle", "preset"), "vehicle.vehicle_file"),
 }
-"""Where what this package offers is. It is imported when it is first asked for: a process that is
-interrupted while numba is read in (a second) must have seen to its signals before."""
+"""The module that defines each public name.
+
+A module is imported on first access to its name. Importing numba takes about a second, and signal
+handlers must be installed before that.
+"""
 __all__ = sorted(_HOMES)
 
 
 def __getattr__(name: str):
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    import importlib  # a millisecond that no entry point waits for
+
     value = globals()[name] = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
     return value
 

@@ -1,4 +1,4 @@
-"""Command-line options from the declarations, and errors in one line."""
+"""Command-line options generated from parameter declarations; errors as one line."""
 
 import argparse
 import io
@@ -18,37 +18,37 @@ from vehicle_roll_sim.declaration import (
 )
 
 WRONG_INPUT = 2
-"""Exit status after wrong usage or input."""
+"""Exit status for a usage error or invalid input."""
 REFUSED = 1
-"""Exit status when the system refused something, such as to write."""
+"""Exit status when the operating system refused an operation, such as writing a file."""
 INTERRUPTED = 130
-"""Exit status after Ctrl-C, as shells have it."""
+"""Exit status after Ctrl-C, by shell convention."""
 
 
 NEGATIVE_NUMBER = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """A parser that says what is wrong in one line, with the nearest option for a misspelt one."""
+    """An argument parser that reports errors as one line and suggests the closest option."""
 
     def __init__(self, **settings):
         settings.setdefault("allow_abbrev", False)
         super().__init__(**settings)
-        self._negative_number_matcher = NEGATIVE_NUMBER  # argparse's own knows no exponent
+        self._negative_number_matcher = NEGATIVE_NUMBER  # argparse's own pattern lacks exponents
 
     def error(self, message: str):
         unknown = message.partition("unrecognized arguments: ")[2].split()
         if unknown and unknown[0].startswith("-"):
             options = [name for action in self._actions for name in action.option_strings]
             raise unknown_name(unknown[0], options, "option")
-        raise InputError("arguments", "", "--help shows how", message)
+        raise InputError("arguments", "", "see --help", message)
 
 
 def exit_status(command: Callable[[], int], program: str) -> int:
-    """Run `command`; what goes wrong in its surroundings becomes one line on stderr.
+    """Run `command` and return its exit status; expected errors are printed as one line on stderr.
 
-    Status 2 for what the user gave, 1 for what the system refused, 130 after Ctrl-C. A reader of
-    our output that has gone, as `head` does, or was never there is none of these.
+    Status 2 for invalid input, 1 if the operating system refused an operation, 130 after Ctrl-C.
+    A closed output pipe, as after `| head`, is not an error (status 0).
     """
     _show_anything()
     try:
@@ -71,36 +71,42 @@ def exit_status(command: Callable[[], int], program: str) -> int:
 
 
 def _show_anything() -> None:
-    """Have stdout and stderr take any text: escaped where they lack a character, or nowhere."""
+    """Make stdout and stderr accept any text.
+
+    Characters that the encoding lacks are escaped; a closed stream is replaced by the null device.
+    """
     for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:  # closed by whoever started us
+        if getattr(sys, name) is None:  # closed by the parent process
             setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115
         if isinstance(getattr(sys, name), io.TextIOWrapper):
             getattr(sys, name).reconfigure(errors="backslashreplace")
 
 
 def _write_no_more() -> None:
-    """Whatever is still in the buffer of stdout goes nowhere."""
+    """Redirect stdout to the null device, so that flushing its buffer cannot fail."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def option_name(parameter: Parameter) -> str:
+    """The command-line option of a parameter: --tire-radius for tire_radius."""
     return "--" + parameter.name.replace("_", "-")
 
 
 def add_declared(
     parser: argparse.ArgumentParser, declaring, title: str, without: Container[str] = ()
 ) -> None:
-    """An option for every parameter of a dataclass, or of an instance that has the defaults.
+    """Add a group with one option per parameter of a dataclass or instance.
 
-    An option that the parser has already is left as it is. without: names that get none.
+    The defaults shown are those of `declaring`. Options that the parser already has are left
+    unchanged. without: names of parameters that get no option.
     """
-    group = parser.add_argument_group(title)
+    groups = {group.title: group for group in parser._action_groups}
+    group = groups.get(title) or parser.add_argument_group(title)
     for parameter in parameters_of(declaring).values():
         is_there = any(action.dest == parameter.name for action in parser._actions)
         if is_there or parameter.name in without:
             continue
-        about = parameter.description
+        about = parameter.description.replace("%", "%%")  # argparse formats help texts
         if parameter.kind is bool:
             group.add_argument(option_name(parameter), action="store_true", help=about)
             continue
@@ -114,10 +120,10 @@ def add_declared(
 
 
 def declared_values(arguments: argparse.Namespace, declaring) -> dict:
-    """The parameters that were given on the command line, checked."""
+    """The parameters given on the command line, by name, validated; raises InputError."""
     values = {}
     for name, parameter in parameters_of(declaring).items():
-        given = getattr(arguments, name, None)  # None as well where it has no option
+        given = getattr(arguments, name, None)  # also None if the parameter has no option
         if given is None:
             continue
         if parameter.kind is float:
@@ -127,7 +133,7 @@ def declared_values(arguments: argparse.Namespace, declaring) -> dict:
 
 
 def number(text: str, field: str, parameter: Parameter) -> float:
-    """The number that a word on the command line is; raises InputError naming `field`."""
+    """Parse a number given on the command line; raises InputError naming `field`."""
     try:
         return number_in(text)
     except ValueError:
@@ -135,7 +141,7 @@ def number(text: str, field: str, parameter: Parameter) -> float:
 
 
 def named_file(text: str | None, option: str) -> Path | None:
-    """The file that an option names, None where it was not given."""
+    """The path given with an option, or None if it was not given."""
     if text == "":
         raise InputError(option, text, "the name of a file")
     return Path(text) if text else None

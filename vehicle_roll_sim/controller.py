@@ -1,16 +1,16 @@
-"""What the script of a controller imports: the base class, and what its main function calls.
+"""Everything that a controller script imports: the base class, `run`, and the topic helpers.
 
-From this import on SIGINT and SIGTERM end the script with status 0, also while rclpy is imported;
-`run` handles those that come later. A program that is more than a controller imports the same names
-from `vehicle_roll_sim.ros.controller`.
+From this import on, SIGINT and SIGTERM end the script with status 0, even while rclpy is being
+imported; `run` handles later signals. A program that does more than run one controller imports the
+same names from `vehicle_roll_sim.ros.clients.controller`.
 """
 
-from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim import early_signals
 
-ending.at_once()
+early_signals.end_node_at_once()
 
 from vehicle_roll_sim.messages.collected import by_name
 from vehicle_roll_sim.messages.topics import Topic
-from vehicle_roll_sim.ros.controller import Controller, run
+from vehicle_roll_sim.ros.clients.controller import Controller, run
 
 __all__ = ["Controller", "Topic", "by_name", "run"]

@@ -1,7 +1,7 @@
-"""Parameters declared once: a dataclass field carries its unit, range, meaning and symbol.
+"""Parameters are declared once: a dataclass field carries unit, range, description and symbol.
 
-Everything that needs to know of a parameter (validation, vehicle files, ROS descriptors, command
-line, tables in the documentation) reads it from here.
+Validation, vehicle files, ROS parameter descriptors, command-line options and the tables in the
+documentation all read these declarations.
 """
 
 import array
@@ -15,54 +15,54 @@ import typing
 from collections.abc import Iterable, Mapping
 
 LONGEST_SHOWN = 60
-"""Characters of a wrong value that an error message shows."""
+"""Maximum number of characters of an invalid value shown in an error message."""
 
 
 class InputError(ValueError):
-    """Something that a user gave is not allowed; its text is one line for that user."""
+    """Invalid user input; the message is a single line naming field, value and what is allowed."""
 
     def __init__(self, field: str, value, allowed: str, problem: str = ""):
-        what = problem or ("missing" if value is None else f"{_shown(value)} is not allowed")
-        super().__init__(_in_one_line(f"{field}: {what}: {allowed}"))
+        fault = problem or ("missing" if value is None else f"{_shown(value)} is not allowed")
+        super().__init__(_in_one_line(f"{field}: {fault}: {allowed}"))
         self.field, self.value, self.allowed, self.problem = field, value, allowed, problem
 
 
 class NotWrittenError(InputError):
-    """The system did not let a result be written where the user wanted it."""
+    """The operating system refused to write a result to the requested location."""
 
 
 def _in_one_line(text: str) -> str:
-    """Characters that are not printable, such as a new line in a file's name, written out."""
+    """Escape non-printable characters, such as a line break in a file name."""
     return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
 
 
 class _Outline(reprlib.Repr):
-    """Values written out, of large ones no more than a message shows."""
+    """Representations of values, abbreviated to what fits in an error message."""
 
     def __init__(self):
         super().__init__()
         self.maxlevel = 3
         self.maxlist = self.maxtuple = self.maxset = self.maxfrozenset = LONGEST_SHOWN // 3
         self.maxdict = self.maxarray = self.maxdeque = LONGEST_SHOWN // 3
-        self.maxstring = self.maxother = self.maxlong = 3 * LONGEST_SHOWN  # these are cut inside
+        self.maxstring = self.maxother = self.maxlong = 3 * LONGEST_SHOWN  # cut in the middle
 
     def repr_int(self, x, level):
         return super().repr_int(x, level) if x.bit_length() < 1000 else hex(x)
 
 
 def _shown(value) -> str:
-    """A value in an error message, cut where it would fill the line."""
+    """The value as shown in an error message, truncated to LONGEST_SHOWN characters."""
     text = _Outline().repr(plain(value))
     return text if len(text) <= LONGEST_SHOWN else text[:LONGEST_SHOWN] + "..."
 
 
 def plain(value):
-    """A numpy scalar, or an array without dimensions, as Python's own number; else `value`."""
+    """Convert a numpy scalar or 0-d array to a Python scalar; return anything else unchanged."""
     return value.item() if getattr(value, "ndim", None) == 0 else value
 
 
 def number_of(value, field: str, allowed: str) -> float:
-    """`value` as a float if it is a real number, of numpy too; raises InputError naming `field`."""
+    """Convert a real number (Python or numpy) to float; raises InputError naming `field`."""
     value = plain(value)
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise InputError(field, value, allowed)
@@ -74,9 +74,12 @@ def number_of(value, field: str, allowed: str) -> float:
 
 @dataclasses.dataclass(frozen=True)
 class Parameter:
-    """What is known of one parameter. Its kind is float, bool, str or, for a list of some of the
-    choices or of `size` numbers, tuple. Its alternative is the parameter that states the same fact
-    in another way: one of the two is given."""
+    """Declaration of one parameter.
+
+    kind: float, bool, str, or tuple for a list of `size` numbers or of some of the `choices`.
+    alternative: name of the parameter that specifies the same quantity in another way; exactly one
+    of the two is given. tunable: may be changed while a simulation runs.
+    """
 
     name: str
     kind: type
@@ -92,7 +95,10 @@ class Parameter:
     alternative: str
 
     def validate(self, value, field: str | None = None):
-        """`value` as this parameter's type; raises InputError naming `field`, else the name."""
+        """Convert `value` to this parameter's type.
+
+        Raises InputError naming `field`, by default the parameter's name.
+        """
         field, value = field or self.name, plain(value)
         if self.kind is float:
             return self._validate_number(value, field)
@@ -100,9 +106,9 @@ class Parameter:
             check = self._validate_numbers if self.size else self._validate_names
             return check(value, field)
         if self.choices and str(value) in self.choices:
-            return str(value)  # ROS reads `1` as a number
+            return str(value)  # ROS parses `1` as an integer
         if not isinstance(value, self.kind):
-            raise InputError(field, value, f"a {self.kind.__name__} is wanted")
+            raise InputError(field, value, f"expected a {self.kind.__name__}")
         if self.choices:
             raise InputError(field, value, "one of " + ", ".join(self.choices))
         return value
@@ -129,7 +135,7 @@ class Parameter:
 
     @property
     def allowed(self) -> str:
-        """The allowed values in words."""
+        """The allowed values, in words."""
         if self.kind is tuple and not self.size:
             return "a list of one or more of " + ", ".join(self.choices)
         if self.kind is bool:
@@ -139,8 +145,8 @@ class Parameter:
         if self.kind is str:
             return "any text"
         unit = f" {self.unit}" if self.unit else ""
-        what = f"a list of {self.size} numbers" if self.size else "a number"
-        return f"{what} from {self.minimum:g} to {self.maximum:g}{unit}"
+        form = f"a list of {self.size} numbers" if self.size else "a number"
+        return f"{form} from {self.minimum:g} to {self.maximum:g}{unit}"
 
 
 def parameter(
@@ -155,9 +161,9 @@ def parameter(
     alternative: str = "",
     default=dataclasses.MISSING,
 ):
-    """A dataclass field that declares a parameter; without `default` it must be given.
+    """Declare a parameter as a dataclass field; it is required if it has no `default`.
 
-    One with an `alternative` is None where the other is given, and is set by keyword.
+    A field with an `alternative` is keyword-only and None if the alternative is given.
     """
     about = {
         "description": description,
@@ -176,7 +182,7 @@ def parameter(
 
 
 def parameters_of(declaring_class) -> dict[str, Parameter]:
-    """The parameters that a dataclass declares, by name, in order."""
+    """The parameters declared by a dataclass, by name, in order of declaration."""
     return {
         field.name: Parameter(field.name, _kind(field.type), field.default, **field.metadata)
         for field in dataclasses.fields(declaring_class)
@@ -185,35 +191,35 @@ def parameters_of(declaring_class) -> dict[str, Parameter]:
 
 
 def given(field: str, value, kind: type):
-    """`value`, which has to be of a class of this package; raises InputError naming `field`."""
+    """Return `value` if it is an instance of `kind`; otherwise raise InputError naming `field`."""
     if not isinstance(value, kind):
-        raise InputError(field, value, f"an object of the class {kind.__name__}")
+        raise InputError(field, value, f"an instance of {kind.__name__}")
     return value
 
 
 def _kind(annotation) -> type:
-    """The type of a parameter's values: of `float | None`, float."""
+    """The type of a parameter's values; float for `float | None`."""
     is_optional = isinstance(annotation, types.UnionType)
     return typing.get_args(annotation)[0] if is_optional else annotation
 
 
 def check_alternatives(declaring_class, given: Mapping) -> None:
-    """Raise InputError unless exactly one of each pair of alternatives is among the `given`."""
+    """Raise InputError unless exactly one parameter of each alternative pair is in `given`."""
     for name, declared in parameters_of(declaring_class).items():
         other = declared.alternative
         if not other:
             continue
         if name in given and other in given:
-            problem = f"{_shown(given[name])} beside {other} {_shown(given[other])}"
+            problem = f"{_shown(given[name])} together with {other} {_shown(given[other])}"
             raise InputError(name, given[name], "only one of the two may be given", problem)
         if name not in given and other not in given:
-            raise InputError(name, None, f"it or {other} must be given")
+            raise InputError(name, None, f"either this or {other} must be given")
 
 
 def number_in(text: str) -> float:
-    """The number that a text is; raises ValueError, also for what only Python reads as one.
+    """Parse a decimal number; raises ValueError.
 
-    It takes 1_0 for 10, and digits of any script.
+    Unlike float(), it rejects underscores (1_0) and non-ASCII digits.
     """
     if "_" in text or not text.isascii():
         raise ValueError(text)
@@ -221,7 +227,7 @@ def number_in(text: str) -> float:
 
 
 def unknown_name(name: str, known: Iterable[str], field: str) -> InputError:
-    """The error for a name that is not among the `known` ones, with the nearest of them."""
+    """The error for a name not among the `known` ones; it suggests the closest match."""
     known = {each.casefold(): each for each in known}
     nearest = difflib.get_close_matches(name.casefold(), known, n=1)
     every = "one of " + ", ".join(known.values())
@@ -230,7 +236,10 @@ def unknown_name(name: str, known: Iterable[str], field: str) -> InputError:
 
 
 def validated(declaring_class, values: Mapping, prefix: str = "") -> dict:
-    """`values` checked one by one against the declarations; names are reported with `prefix`."""
+    """Validate each of `values` against its declaration.
+
+    Raises InputError for an unknown name or an invalid value; `prefix` precedes names in messages.
+    """
     known = parameters_of(declaring_class)
     for name in values:
         if name not in known:
@@ -239,9 +248,10 @@ def validated(declaring_class, values: Mapping, prefix: str = "") -> dict:
 
 
 def keep_validated(instance, given: Mapping | None = None) -> None:
-    """Check the parameters of a frozen dataclass's instance and keep them as their declared types.
+    """Validate the parameters of a frozen dataclass instance and store them as declared types.
 
-    For its `__post_init__`. given: those that have a value, where not all have. Raises InputError.
+    For use in `__post_init__`. given: the parameters that have a value; by default all of them.
+    Raises InputError.
     """
     if given is None:
         given = {name: getattr(instance, name) for name in parameters_of(instance)}

@@ -1,4 +1,4 @@
-"""The version of this package, as whoever installed it noted it down."""
+"""The version of this package, from the metadata of its installation."""
 
 import importlib.metadata
 
@@ -6,7 +6,7 @@ import importlib.metadata
 def _installed_version() -> str:
     try:
         return importlib.metadata.version("vehicle_roll_sim")
-    except importlib.metadata.PackageNotFoundError:  # a source tree that is not installed
+    except importlib.metadata.PackageNotFoundError:  # imported from a source tree, not installed
         return "unknown"
 
 

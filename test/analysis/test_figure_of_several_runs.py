@@ -10,7 +10,7 @@ from matplotlib.colors import to_rgb
 from vehicle_roll_sim import WHEELS
 from vehicle_roll_sim.analysis.pens import COLOURS
 from vehicle_roll_sim.analysis.plots import standard_figure
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.runs.history import History
 
 pytestmark = pytest.mark.filterwarnings("error")
 

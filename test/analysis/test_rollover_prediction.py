@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import Simulation, preset
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.analysis.rollover_prediction import Foresight, RolloverPredictor
-from vehicle_roll_sim.manoeuvres.manoeuvre import RampAndHold
+from vehicle_roll_sim.manoeuvres.catalogue import RampAndHold
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 
 PERIOD = 0.01
 """s"""

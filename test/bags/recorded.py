@@ -12,8 +12,8 @@ from mcap_ros2.decoder import DecoderFactory
 
 from vehicle_roll_sim import Simulation, preset
 from vehicle_roll_sim.bags.run_bag import run_bag
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
-from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.runs.run import run
 
 PERIOD = 0.01
 """s"""

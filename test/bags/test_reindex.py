@@ -16,9 +16,9 @@ from vehicle_roll_sim.bags.reading import last_history, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.bags.run_bag import RunBag
 from vehicle_roll_sim.bags.writing import Bag
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.description import described
-from vehicle_roll_sim.simulation.run import run
 
 OF_A_BAG = re.compile(r".+_(\d+)\.mcap")
 """The names by which rosbag2's reindexer finds the files of a bag; it passes over all others."""

@@ -147,7 +147,7 @@ def test_what_is_not_a_state_of_a_simulator_is_refused(j_turn, changed):
             data = bytes(TYPES.serialize_cdr(message, ARRAY))
         return [(topic, sent, data)]
 
-    with pytest.raises(InputError, match="a state that is none"):
+    with pytest.raises(InputError, match="a message on state that is not a simulator's"):
         recorded_runs(changed(j_turn, without_labels))
 
 
@@ -209,7 +209,7 @@ def timed(factor, *topics):
 
 
 def test_a_command_of_no_time_is_refused(j_turn, changed):
-    with pytest.raises(InputError, match="applied_command that is none"):
+    with pytest.raises(InputError, match="applied_command that is not a simulator's"):
         recorded_runs(changed(j_turn, timed(np.nan, "/applied_command")))
 
 
@@ -217,5 +217,5 @@ def test_times_that_do_not_fit_the_publish_period_are_not_compared(j_turn, chang
     bag = changed(j_turn, timed(1e6, "/state", "/applied_command"))
     assert main(["replay", str(bag), "--strict"]) == 1
     verdict = capsys.readouterr().out
-    assert "nothing was compared; messages are missing from 0.000 s" in verdict
+    assert "nothing to compare; messages are missing from 0.000 s" in verdict
     assert "reproduced" not in verdict

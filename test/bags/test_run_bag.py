@@ -10,9 +10,9 @@ from rosbags.rosbag2 import Reader
 
 from vehicle_roll_sim import Command, InputError, Options, Simulation, preset
 from vehicle_roll_sim.bags.run_bag import run_bag
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED, STATE_SET, TRANSFORMS
-from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.runs.run import run
 
 SETS = 298
 """At 0, 0.01 … 2.96 s, and at 2.965 s, where the vehicle has rolled over."""

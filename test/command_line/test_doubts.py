@@ -3,7 +3,7 @@
 import pytest
 
 ODD = ("--set", "front_damping=2.5", "--set", "cg_height=0.7")
-TOLD = "front_damping: 2.5 N s/m is a damping ratio of 0.00032"
+TOLD = "front_damping: 2.5 N s/m gives a damping ratio of 0.00032"
 SHORT = ("run", "step_steer", "--duration", "0.1")
 COMMANDS = {
     "run": SHORT,
@@ -63,4 +63,4 @@ def test_a_bag_of_heights_is_replayed_to_the_bit_with_and_without_them(command):
     for words in ((), heights):
         result = command("replay", "bag", "--strict", *words)
         assert (result.status, result.err) == (0, "")
-        assert "every state reproduced to the bit" in result.value["run 1"]
+        assert "every state reproduced bit for bit" in result.value["run 1"]

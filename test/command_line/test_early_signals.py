@@ -33,7 +33,6 @@ DELAYS = {
 """s from the moment at which the command has its handlers: imports, compiled code, results."""
 FIRST_LIBRARY = "multiarray_umath"
 """Of numpy, which all the others need."""
-LARGE = {"numpy", "scipy", "numba", "matplotlib", "tqdm", "yaml", "rclpy", "argparse"}
 
 
 def handles_signals(pid: int) -> bool:
@@ -81,16 +80,6 @@ def test_a_command_that_is_starting_is_interrupted_in_one_line(interrupted, tmp_
         ended = interrupted([*begin, name, *WORDS[name]], folder, delay)
         assert ended in (INTERRUPTED, (0, "")), delay
         assert not [path for path in folder.iterdir() if path.name not in WORDS[name]], delay
-
-
-def test_what_runs_before_the_handlers_imports_nothing_large():
-    program = (
-        "import sys, vehicle_roll_sim.command_line.entry, vehicle_roll_sim.ros.executables;"
-        "print(*{name.partition('.')[0] for name in sys.modules})"
-    )
-    words = [sys.executable, "-c", program]
-    result = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE, check=True)
-    assert not LARGE & set(result.stdout.split())
 
 
 def test_a_command_that_was_started_to_ignore_sigint_does(started):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from vehicle_roll_sim.manoeuvres.manoeuvre import SOURCE
+from vehicle_roll_sim.manoeuvres.catalogue import SOURCE
 from vehicle_roll_sim.simulation.options import MODELS
 
 OPTIONS = (

@@ -11,9 +11,10 @@ from patience import PATIENCE
 from studies import Rerun, reference_study
 from tqdm import tqdm
 
-from vehicle_roll_sim.analysis.paper import figures
-from vehicle_roll_sim.analysis.paper.claim import FAILS, HOLDS, NOT_CHECKED
-from vehicle_roll_sim.analysis.paper.report import (
+from vehicle_roll_sim.command_line import paper as paper_module
+from vehicle_roll_sim.paper import figures
+from vehicle_roll_sim.paper.claim import FAILS, HOLDS, NOT_CHECKED
+from vehicle_roll_sim.paper.report import (
     NO_ENGINE,
     as_markdown,
     as_text,
@@ -21,8 +22,7 @@ from vehicle_roll_sim.analysis.paper.report import (
     numbers_as_markdown,
     numbers_as_text,
 )
-from vehicle_roll_sim.analysis.paper.study import RUNS, Study
-from vehicle_roll_sim.command_line import paper as paper_module
+from vehicle_roll_sim.paper.study import RUNS, Study
 
 pytestmark = pytest.mark.unmeasured
 
@@ -162,9 +162,9 @@ FAILURES = {
 }
 """What goes wrong, and the status and the words that it ends with."""
 PLACES = (
-    "vehicle_roll_sim.analysis.paper.study.Study.step",
-    "vehicle_roll_sim.analysis.paper.figures.save_figure",
-    "vehicle_roll_sim.analysis.paper.figures.draw_roll_plane",
+    "vehicle_roll_sim.paper.study.Study.step",
+    "vehicle_roll_sim.paper.figures.save_figure",
+    "vehicle_roll_sim.paper.figures.draw_roll_plane",
     "pathlib.Path.write_text",
     "pathlib.Path.replace",
 )

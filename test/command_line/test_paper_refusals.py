@@ -54,6 +54,6 @@ def test_help_names_the_command_and_its_options(command, no_runs, capsys, words)
         command(*words)
     assert end.value.code == 0
     text = capsys.readouterr().out
-    shown = ("  paper ",) if words == ("--help",) else ("--out DIR", "--strict", "(default paper)")
+    shown = ("  paper ",) if words == ("--help",) else ("--out DIR", "--strict", "(default: paper)")
     for word in shown:
         assert word in text

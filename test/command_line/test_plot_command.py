@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim.analysis import drawing
-from vehicle_roll_sim.simulation.history import COLUMNS, History
+from vehicle_roll_sim.runs.history import COLUMNS, History
 
 BEGINNINGS = {".png": b"\x89PNG\r\n\x1a\n", ".svg": b"<?xml", ".pdf": b"%PDF-"}
 SAMPLES = 31
@@ -176,8 +176,8 @@ def changed(folder, line: int, column: str, text: str) -> None:
 @pytest.mark.parametrize(
     ("line", "column", "text", "words"),
     [
-        (1, "roll", "bank", ("run.csv: line 1", "without roll", "`run --csv`")),
-        (1, "x", "roll", ("run.csv: line 1", "without x")),
+        (1, "roll", "bank", ("run.csv: line 1", "roll missing", "`run --csv`")),
+        (1, "x", "roll", ("run.csv: line 1", "x missing")),
         (5, "roll", "flat", ("run.csv: line 5: roll", "'flat'", "a number")),
         (5, "roll", "", ("run.csv: line 5: roll", "''", "a number")),
         (5, "time", "0.1", ("run.csv: line 5: time", "0.1", "at least 0.2")),
@@ -208,9 +208,9 @@ def test_a_file_that_was_cut_off_is_refused_at_its_last_line(refused, folder, hi
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (b"", ("without time, x, y and 49 more",)),
-        (b"time,steering\n0,0\n", ("without x, y, z and 47 more",)),
-        (b"time;x;y\n0;0;0\n", ("line 1: separated by semicolons", "commas must separate")),
+        (b"", ("time, x, y and 49 more missing",)),
+        (b"time,steering\n0,0\n", ("x, y, z and 47 more missing",)),
+        (b"time;x;y\n0;0;0\n", ("line 1: separated by semicolons", "separated by commas")),
         (",".join(COLUMNS).encode(), ("no rows", "at least one row")),
         (b"\x89PNG\r\n\xff\x00", ("binary data", "text file")),
     ],
@@ -225,7 +225,7 @@ def test_neither_is_what_is_not_there_or_a_folder(refused, folder):
     refused(("plot", "none.csv"), "none.csv", "No such file")
     (folder / "results").mkdir()
     has_library = importlib.util.find_spec("rosbags") is not None
-    refused(("plot", "results"), "a whole bag of a simulator" if has_library else "rosbags")
+    refused(("plot", "results"), "a complete bag of a simulator" if has_library else "rosbags")
     refused(("plot", ""), "FILE", "''")
     refused(("plot",), "FILE")
 

@@ -23,14 +23,14 @@ def bag(command):
 def test_a_bag_is_replayed_to_the_bit(command, bag):
     result = command("replay", bag, "--strict")
     assert (result.status, result.err) == (0, "")
-    assert result.value["run 1"] == "1.200 s, every state reproduced to the bit"
+    assert result.value["run 1"] == "1.200 s, every state reproduced bit for bit"
 
 
 def test_the_options_of_the_run_are_in_the_bag(command):
     words = ("--set", "cg_height=0.7", "--model", "1b", "--grade", "0.1", "--step", "0.002")
     command(*SHORT, *words, "--command-period", "0.02", "--bag", "other")
-    assert "to the bit" in command("replay", "other").value["run 1"]
-    assert "to the bit" in command("replay", "other", *words).value["run 1"]
+    assert "bit for bit" in command("replay", "other").value["run 1"]
+    assert "bit for bit" in command("replay", "other", *words).value["run 1"]
 
 
 def test_commands_are_held_for_the_period_of_the_node_with_and_without_rows(rows):
@@ -95,8 +95,8 @@ def test_a_bag_of_another_vehicle_than_the_options_say_is_refused(refused, bag):
 def test_a_truncated_bag_is_refused(refused, folder, bag, length):
     file = folder / bag / "bag_0.mcap"
     file.write_bytes(file.read_bytes()[:length])
-    refused(["replay", bag], "BAG", "a whole bag")
-    refused(["plot", bag], "BAG", "a whole bag")
+    refused(["replay", bag], "BAG", "a complete bag")
+    refused(["plot", bag], "BAG", "a complete bag")
 
 
 def test_what_is_no_bag_is_refused(refused, folder, bag):
@@ -107,4 +107,4 @@ def test_what_is_no_bag_is_refused(refused, folder, bag):
     shutil.rmtree(folder / bag)
     (folder / bag).mkdir()
     (folder / bag / "metadata.yaml").write_text("rosbag2_bagfile_information: 3\n")
-    refused(["replay", bag], "BAG", "a whole bag")
+    refused(["replay", bag], "BAG", "a complete bag")

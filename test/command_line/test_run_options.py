@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import Options, Simulation, preset
-from vehicle_roll_sim.manoeuvres.manoeuvre import manoeuvre_named
+from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
+from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.run import run
 from vehicle_roll_sim.vehicle.vehicle_file import PRESETS
 
 SHORT = ("step_steer", "--duration", "2")

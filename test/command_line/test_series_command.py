@@ -56,7 +56,7 @@ def test_options_of_the_model_are_those_of_run(command):
         (("constant_radius",), ("constant_radius", "sine_with_dwell")),
         (("nhtsa_j_turn", "--scalar", "3"), ("--scalar",)),
         (("nhtsa_j_turn", "--lowest-speed", "9", "--speed", "3"), ("--speed",)),
-        (("j_turn", "--lowest-speed", "41"), ("--highest-speed", "more than the lowest")),
+        (("j_turn", "--lowest-speed", "41"), ("--highest-speed", "more than lowest_speed")),
         (("j_turn", "--resolution", "0"), ("--resolution", "from 0.001")),
         (("iso_double_lane_change", "--lowest-speed", "9"), ("MANOEUVRE", "lane_change")),
         (("nhtsa_j_turn", "--speed", "3"), ("--speed",)),
@@ -105,7 +105,8 @@ def test_a_range_of_speeds_is_driven_with_the_options_of_the_manoeuvre(command, 
 
 
 def test_a_quick_steering_gets_its_verdict_and_where_the_amplitudes_end(command, monkeypatch):
-    monkeypatch.setattr("vehicle_roll_sim.manoeuvres.series.LADDER_STEP", 10.0)  # fewer runs
+    step = "vehicle_roll_sim.manoeuvres.series.catalogue.LADDER_STEP"
+    monkeypatch.setattr(step, 10.0)  # fewer runs
     words = ("--set", "steering_ratio=4", *STABLE)
     result = command("series", "sine_with_dwell", *words)
     assert (result.status, result.err) == (0, "")

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from vehicle_roll_sim.manoeuvres.manoeuvre import SOURCE, STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import SOURCE, STANDARD
 
 OF_STANDARDS = [name for name in STANDARD if name not in SOURCE]
 CENTRES = ("--set", "front_roll_centre_height=0.1", "--set", "rear_roll_centre_height=0.15")
@@ -48,7 +48,7 @@ def test_what_a_run_did_not_get_to_is_not_known(command):
     result = command("run", "sine_with_dwell", "--duration", "1")
     assert (result.status, result.err) == (0, "")
     for label in ("yaw rate after 1.00 s", "yaw rate after 1.75 s", "lateral displacement"):
-        assert result.value[label].startswith("not known")
+        assert result.value[label].startswith("unknown")
     assert result.value["verdict"] == "failed"
     short = command("run", "slowly_increasing_steer", "--duration", "0.5")
     assert short.value["handwheel angle at 0.3 g"] == "not enough samples between 0.1 and 0.375 g"

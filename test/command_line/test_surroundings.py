@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from patience import PATIENCE, wait_until
 
-from vehicle_roll_sim.model.jit import CACHE, COMPILED, interruptible
+from vehicle_roll_sim.model.compiled.jit import CACHE, COMPILED, interruptible
 
 pytestmark = pytest.mark.unmeasured
 

@@ -100,3 +100,11 @@ def test_help_of_run_names_every_option_and_manoeuvre(command, capsys, manoeuvre
 def test_help_of_a_manoeuvre_has_its_defaults(command, capsys, manoeuvre, amplitude):
     text = " ".join(help_of(command, capsys, "run", manoeuvre, "--help").split())
     assert f"left positive (default {amplitude})" in text
+
+
+@pytest.mark.parametrize("words", [("run",), ("series",), ("run", "nhtsa_fishhook")])
+def test_help_has_each_heading_once(command, capsys, words):
+    lines = help_of(command, capsys, *words, "--help").splitlines()
+    headings = [line for line in lines if line.endswith(":") and not line.startswith(" ")]
+    assert "manoeuvre:" in headings
+    assert len(set(headings)) == len(headings)

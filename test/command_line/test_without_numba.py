@@ -9,7 +9,7 @@ import sys
 import pytest
 from patience import PATIENCE
 
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 
 TOO_NEW = "Numba needs NumPy 2.4 or less. Got NumPy 2.5.\nSee its documentation."
 SHORT = ("--start", "0", "--duration", "0.02")

@@ -8,11 +8,11 @@ import pytest
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
 from vehicle_roll_sim.analysis.trim import find_trim
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
-from vehicle_roll_sim.manoeuvres.single_track import cornering_stiffnesses
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.manoeuvres.driver.single_track import cornering_stiffnesses
 from vehicle_roll_sim.model.records import ROLL, YAW_RATE, U
-from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.run import run
 
 pytestmark = pytest.mark.unmeasured
 

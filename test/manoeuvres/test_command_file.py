@@ -7,7 +7,7 @@ import pytest
 
 from vehicle_roll_sim import WHEELS, Command, InputError, Simulation, preset
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
-from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.runs.run import run
 
 FIELDS_OF_FOUR = ("wheel_torque", "brake_torque", "normal_force")
 OF_FOUR = [f"{name}_{wheel}" for name in FIELDS_OF_FOUR for wheel in WHEELS]
@@ -155,7 +155,7 @@ WRONG = {
     "a brake that drives": (
         "time,brake_torque_lr\n0,0\n1,-1\n",
         3,
-        ["brake_torque_lr", "-1", "below 0"],
+        ["brake_torque_lr", "-1", "at least 0"],
     ),
     "beyond doubles": ("time,steering\n0,1e999\n", 2, ["steering", "1e999", "finite"]),
     "infinite time": ("time,steering\n0,0\ninf,0\n", 3, ["time", "inf", "finite"]),
@@ -164,7 +164,7 @@ WRONG = {
     "semicolons": (
         "time;steering\n0;0\n1;0,05\n",
         1,
-        ["separated by semicolons", "commas must separate the columns", "points the decimals"],
+        ["separated by semicolons", "must be separated by commas", "decimal points"],
     ),
     "semicolons, one column, and a mark": ("\ufefftime;x\r\n0;0\r\n", 1, ["semicolons", "commas"]),
     "semicolons behind a line that says so": ("sep=;\ntime;steering\n0;0\n", 1, ["semicolons"]),

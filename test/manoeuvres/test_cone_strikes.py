@@ -7,7 +7,7 @@ import pytest
 
 from vehicle_roll_sim import InputError, preset
 from vehicle_roll_sim.manoeuvres.body_outline import BodySettings, Outline
-from vehicle_roll_sim.simulation.history import COLUMNS, History
+from vehicle_roll_sim.runs.history import COLUMNS, History
 
 OUTLINE = Outline(width=1.8, ahead=2.0, behind=2.5)
 SPEED = 15.0
@@ -122,5 +122,5 @@ def test_unless_told_otherwise_the_body_is_as_wide_as_the_larger_track_and_a_tir
 
 
 def test_a_body_narrower_than_the_track_is_refused():
-    with pytest.raises(InputError, match=r"1.4 .*at least the larger track, 1.5 m"):
+    with pytest.raises(InputError, match=r"1.4 .*at least the larger track width, 1.5 m"):
         BodySettings(vehicle_width=1.4).outline_of(preset())

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import Options, Simulation, preset
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
-from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.runs.run import run
 
 AT_03G = 20.0
 AMPLITUDE = 6.5 * AT_03G

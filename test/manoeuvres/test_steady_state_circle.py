@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import Options, Simulation, preset
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
-from vehicle_roll_sim.simulation.history import COLUMNS, History
-from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.run import run
 
 WHEELBASE = 1.016 + 1.524
 """m"""

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.manoeuvres.manoeuvre import SOURCE, RampAndHold, manoeuvre_named
+from vehicle_roll_sim.manoeuvres.catalogue import SOURCE, RampAndHold, manoeuvre_named
 
 TIMES = np.linspace(0.0, 12.0, 4801)
 """s: 400 samples a second, the corners of the standard manoeuvres among them."""

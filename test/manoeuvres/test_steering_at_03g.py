@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import angle_at_level, steering_at_03g
-from vehicle_roll_sim.simulation.history import COLUMNS, History
-from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.run import run
 
 GRAVITY = 9.81
 REFERENCE = 19.39

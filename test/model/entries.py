@@ -1,6 +1,6 @@
 """A way from Python into terms of the equations, which compiled code has inside its loops only."""
 
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 
 
 def entry(term):

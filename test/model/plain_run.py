@@ -13,7 +13,7 @@ import numpy as np
 from programmes import j_turn, ramp_and_hold, record_run
 
 from vehicle_roll_sim import Options, Simulation, preset
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS
 from vehicle_roll_sim.simulation.road import Road
 

@@ -5,13 +5,13 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim import Condition, Options, Simulation, Tire, Vehicle
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.derivatives import derivatives
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
 from vehicle_roll_sim.simulation.command import Programme
+from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.vehicle.parameters import GRAVITY
 
 SOURCE = Options(steady_state_slip=True)
 """The equations of the source, slip included."""
@@ -77,10 +77,8 @@ class Evaluation:
     """Derivatives and outputs of the model at any state: those of the source, unless told."""
 
     def __init__(self, vehicle: Vehicle, options: Options = SOURCE, road: Road = LEVEL):
-        car = vehicle.record()
-        car["gravity"], car["gravity_along"], car["gravity_across"] = road.gravity(GRAVITY)
-        parts = (car, vehicle.tire.record(), options.record())
-        self._plant = tuple(kernel_argument(part)[0] for part in parts)
+        plant = Plant.of(vehicle, options, road)
+        self._plant = tuple(record for (record,) in plant.arguments())
         self._outputs = np.zeros(1, OUTPUTS)
         self.outputs = self._outputs[0]
 

@@ -4,7 +4,7 @@ import functools
 from collections.abc import Callable
 
 from vehicle_roll_sim import preset
-from vehicle_roll_sim.analysis.paper.study import Response, Study
+from vehicle_roll_sim.paper.study import Response, Study
 
 
 @functools.cache

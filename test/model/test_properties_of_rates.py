@@ -84,7 +84,7 @@ def test_tires_weights_and_drag_are_all_that_changes_the_momenta(vehicle, option
 
 
 @given(ordinary_vehicles(), OPTIONS, NUMBERS)
-def test_loads_are_never_negative_and_nought_exactly_off_the_ground(vehicle, options, rng):
+def test_loads_are_never_negative_and_zero_exactly_off_the_ground(vehicle, options, rng):
     evaluation, *_ = instant(vehicle, options, rng)
     loads, support = evaluation.outputs["normal_force"], evaluation.outputs["support"]
     assert (loads >= 0.0).all()

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import Command, RollPlane, Simulation, Vehicle
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 
 G = 9.81
 FIRM = 1e8

@@ -6,7 +6,7 @@ import pytest
 
 import vehicle_roll_sim
 from vehicle_roll_sim.model.records import OUTPUTS, STATE
-from vehicle_roll_sim.simulation.history import COLUMNS, UNITS
+from vehicle_roll_sim.runs.history import COLUMNS, UNITS
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, as_markdown
 
 BLOCK = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)

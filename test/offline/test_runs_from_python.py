@@ -18,7 +18,7 @@ from vehicle_roll_sim import (
     run,
 )
 from vehicle_roll_sim.command_line.main import main
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.model.records import COMMAND
 
 SHORT = {"duration": 0.3, "start": 0.1}
@@ -174,15 +174,15 @@ REFUSED = {
     "a class": ((Damped,), {"duration": 1.0}, "manoeuvre", "a Feedback"),
     "an unknown value": (("j_turn",), {"amplitud": 4.0}, "name", "did you mean amplitude"),
     "a text": (("j_turn",), {"amplitude": "4"}, "amplitude", "from -60 to 60 deg"),
-    "no length": ((turning,), {}, "duration", "how long"),
-    "an empty moment": (({"time": [0.0], "steering": [1.0]},), {}, "duration", "how long"),
+    "no length": ((turning,), {}, "duration", "duration of the run"),
+    "an empty moment": (({"time": [0.0], "steering": [1.0]},), {}, "duration", "required"),
     "between steps": (("j_turn",), {"sample": 0.0015}, "sample", "multiple"),
     "a period below 0": (("j_turn",), {"command_period": -1.0}, "command_period", "multiple"),
     "a name for a vehicle": (("j_turn", "car.yaml"), {}, "vehicle", "Vehicle"),
     "a name for a model": (("j_turn",), {"options": "8dof"}, "options", "Options"),
     "no name of a bag": (("j_turn",), {"bag": 3}, "bag", "the name of a file or folder"),
     "a mute driver": ((Mute(),), {"duration": 1.0}, "command", "one COMMAND record"),
-    "a brake below 0": ((Reversed(),), {"duration": 1.0}, "brake_torque", "not below 0"),
+    "a brake below 0": ((Reversed(),), {"duration": 1.0}, "brake_torque", "at least 0"),
     "a brake of nan": ((brake_of_no_number,), {"duration": 1.0}, "brake_torque", "finite"),
     "no times": (({"steering": [0.0]},), {}, "commands", "time"),
     "an unknown column": (
@@ -213,7 +213,7 @@ REFUSED = {
         ({"time": [0.0, 1.0], "brake_torque_lf": [0.0, -1.0]},),
         {},
         "commands: brake_torque_lf",
-        "below 0",
+        "at least 0",
     ),
 }
 

@@ -4,8 +4,8 @@ import ast
 import inspect
 import time
 
-from vehicle_roll_sim.simulation.pacing import Pacer
-from vehicle_roll_sim.simulation.throttle import Throttle
+from vehicle_roll_sim.live.log_limiter import LogLimiter
+from vehicle_roll_sim.live.pacing import Pacer
 
 OF_TIME = {
     *("time", "time_ns", "localtime", "gmtime", "ctime", "asctime", "strftime"),
@@ -15,10 +15,10 @@ OF_TIME = {
 OF_DAY = {"datetime", "get_clock", "SYSTEM_TIME", "ROS_TIME", "ROSClock"}
 """Wherever they come from."""
 ALLOWED = {
-    ("vehicle_roll_sim.ros.publications", "get_clock"),  # stamps
-    ("vehicle_roll_sim.ros.compiling", "get_clock"),  # stamps of diagnostics
-    ("vehicle_roll_sim.ros.launching", "strftime"),  # name of a bag
-    ("vehicle_roll_sim.ros.demo", "strftime"),  # name of a folder
+    ("vehicle_roll_sim.ros.simulator.publications", "get_clock"),  # stamps
+    ("vehicle_roll_sim.ros.simulator.compiling", "get_clock"),  # stamps of diagnostics
+    ("vehicle_roll_sim.ros.launching.processes", "strftime"),  # name of a bag
+    ("vehicle_roll_sim.ros.orchestration.demo", "strftime"),  # name of a folder
 }
 
 
@@ -64,4 +64,4 @@ def test_no_source_asks_for_the_time_of_day(sources):
 
 def test_what_is_paced_or_throttled_goes_by_the_steady_clock():
     assert inspect.signature(Pacer).parameters["clock"].default is time.monotonic_ns
-    assert inspect.signature(Throttle).parameters["clock"].default is time.monotonic
+    assert inspect.signature(LogLimiter).parameters["clock"].default is time.monotonic

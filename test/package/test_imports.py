@@ -8,17 +8,28 @@ import pytest
 from patience import PATIENCE
 
 PACKAGE = "vehicle_roll_sim"
-LAYERS = ("model", "vehicle", "simulation", "manoeuvres", "analysis", "messages", "bags", "offline")
+SIMULATED = ("model", "files", "vehicle", "simulation", "runs")
 """From the bottom up; each may import those before it."""
 MAY_IMPORT = {
-    **{layer: {layer, *LAYERS[:rank]} for rank, layer in enumerate(LAYERS)},
-    "arguments": {"arguments"},
-    "command_line": {"command_line", "arguments", *LAYERS},
-    "ros": {"ros", "arguments", *LAYERS},
-    "controller": {"controller", "ros", "messages"},
-    "examples": {"examples", "controller", "ros", *LAYERS},
+    **{part: set(SIMULATED[:rank]) for rank, part in enumerate(SIMULATED)},
+    "files": set(),
+    "live": {"model", "vehicle", "simulation"},
+    "manoeuvres": {*SIMULATED},
+    "analysis": {*SIMULATED},
+    "paper": {*SIMULATED, "manoeuvres", "analysis"},
+    "messages": {*SIMULATED, "live"},
+    "bags": {*SIMULATED, "live", "messages"},
+    "offline": {*SIMULATED, "manoeuvres", "analysis", "bags"},
+    "arguments": set(),
+    "command_line": {*SIMULATED, "manoeuvres", "analysis", "paper", "bags", "offline", "arguments"},
+    "ros": {*SIMULATED, "live", "manoeuvres", "analysis", "messages", "bags", "arguments"},
+    "controller": {"ros", "messages"},
+    "examples": {"controller", "ros", "analysis"},
 }
-EVERYONE_MAY_IMPORT = {"declaration", "version"}
+"""What a part may import beside itself."""
+ROOMS_OF_ROS = ("simulator", "clients", "orchestration")
+"""From the bottom up. Modules beside them are for all nodes, `launching` is beside them."""
+EVERYONE_MAY_IMPORT = {"declaration", "early_signals", "version"}
 MODEL_MAY_USE = {"numpy", "numba"}
 OF_ROS = {"rclpy", "launch", "launch_ros", "ament_index_python"}
 """Beside the packages of messages, services and interfaces."""
@@ -59,10 +70,39 @@ def test_there_are_these_parts_and_no_others(sources):
 
 @pytest.mark.parametrize("part", MAY_IMPORT)
 def test_a_part_imports_only_what_is_below_it(own_imports, part):
-    allowed = {*MAY_IMPORT[part], *EVERYONE_MAY_IMPORT}
+    allowed = {part, *MAY_IMPORT[part], *EVERYONE_MAY_IMPORT}
     for importing, imported in own_imports:
         if is_within(importing, part):
             assert any(is_within(imported, each) for each in allowed), (importing, imported)
+
+
+def test_no_part_is_allowed_to_import_one_that_may_import_it():
+    """Nor over others: what is allowed has no circle."""
+    left = dict(MAY_IMPORT)
+    while left:
+        lowest = [part for part, below in left.items() if not below & left.keys()]
+        assert lowest, left
+        for part in lowest:
+            del left[part]
+
+
+def test_modules_import_each_other_in_no_circle(own_imports):
+    imported = {}
+    for importing, module in own_imports:
+        if importing != module:
+            imported.setdefault(importing, set()).add(module)
+    while leaves := {each for below in imported.values() for each in below} - imported.keys():
+        imported = {name: below - leaves for name, below in imported.items()}
+        imported = {name: below for name, below in imported.items() if below}
+    assert not imported
+
+
+def test_rooms_of_the_ros_part_import_only_those_below_them(own_imports):
+    for rank, room in enumerate(ROOMS_OF_ROS):
+        for importing, imported in own_imports:
+            above = [f"ros.{each}" for each in ROOMS_OF_ROS[rank + 1 :]]
+            if is_within(importing, f"ros.{room}"):
+                assert not any(is_within(imported, each) for each in above), (importing, imported)
 
 
 def test_what_everyone_imports_imports_nothing_of_the_package(own_imports):
@@ -93,7 +133,7 @@ def test_only_the_comparison_with_the_multibody_engine_imports_it(sources):
         for name, text in sources.items()
         if any(is_within(imported, "mujoco") for imported in imports_of(text))
     }
-    assert importing == {f"{PACKAGE}.analysis.multibody"}
+    assert importing == {f"{PACKAGE}.paper.multibody"}
 
 
 def test_nothing_imports_the_benchmarks(sources):

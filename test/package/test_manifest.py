@@ -136,3 +136,11 @@ def test_a_dependency_is_declared_once(manifest):
     for kind in ("exec_depend", "test_depend"):
         names = [node.text for node in manifest.findall(kind)]
         assert len(names) == len(set(names))
+
+
+def test_a_linter_of_ament_is_declared_if_a_test_runs_it_and_only_then(manifest, root):
+    declared = {
+        node.text for node in manifest.findall("test_depend") if node.text.startswith("ament_")
+    }
+    text = (root / "test" / "package" / "test_ament_linters.py").read_text(encoding="utf-8")
+    assert declared == set(re.findall(r'importorskip\("(ament_\w+)\.', text))

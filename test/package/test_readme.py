@@ -6,8 +6,8 @@ import pytest
 from studies import reference_study
 
 from vehicle_roll_sim import preset
-from vehicle_roll_sim.analysis.paper.report import CLAIMS, as_markdown, check_claims
 from vehicle_roll_sim.command_line.parameters import parameter_table
+from vehicle_roll_sim.paper.report import CLAIMS, as_markdown, check_claims
 
 pytestmark = pytest.mark.unmeasured
 

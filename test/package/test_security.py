@@ -14,13 +14,13 @@ RUNS_WHAT_IT_READS = {
 OF_YAML = re.compile(r"yaml\..*load|_\w*Loader$", re.IGNORECASE)
 READS_WHOLE_FILES = {"read_text", "read_bytes", "read", "readlines", "loadtxt", "genfromtxt"}
 MAY_READ = {
-    "vehicle_roll_sim/vehicle/text_file.py": "which has the limit",
-    "vehicle_roll_sim/model/code_cache.py": "its own sources, and what it has compiled",
+    "vehicle_roll_sim/files/text_file.py": "which has the limit",
+    "vehicle_roll_sim/model/compiled/code_cache.py": "its own sources, and what it has compiled",
     "vehicle_roll_sim/vehicle/template.py": "the reference tire that is installed",
-    "vehicle_roll_sim/ros/launch_pictures.py": "the configuration of RViz that is installed",
+    "vehicle_roll_sim/ros/launching/pictures.py": "the configuration of RViz that is installed",
     "vehicle_roll_sim/bags/unindexed.py": "pieces of a bag, of any size by nature",
     "vehicle_roll_sim/ros/script_texts.py": "a script that is run",
-    "vehicle_roll_sim/ros/comparison.py": "what its own processes said",
+    "vehicle_roll_sim/ros/orchestration/comparison.py": "what its own processes said",
     "vehicle_roll_sim/ros/ending.py": "one byte of a pipe",
 }
 
@@ -38,7 +38,9 @@ def calls(root) -> list[tuple[str, str, ast.Call]]:
     return found
 
 
-MAY_UNPICKLE = {"vehicle_roll_sim/model/code_cache.py": "what this user has compiled, as numba has"}
+MAY_UNPICKLE = {
+    "vehicle_roll_sim/model/compiled/code_cache.py": "what this user has compiled, as numba has"
+}
 
 
 def argument(call: ast.Call, name: str):
@@ -56,7 +58,7 @@ def test_nothing_that_is_read_is_run(calls):
 def test_yaml_makes_plain_values_only(calls, sources):
     loaders = [(file, name) for file, name, _ in calls if OF_YAML.match(name)]
     assert loaders == [
-        ("vehicle_roll_sim/ros/launch_pictures.py", "yaml.safe_load"),
+        ("vehicle_roll_sim/ros/launching/pictures.py", "yaml.safe_load"),
         ("vehicle_roll_sim/vehicle/vehicle_file.py", "_Loader"),
     ]
     assert "class _Loader(yaml.SafeLoader)" in sources["vehicle_roll_sim.vehicle.vehicle_file"]
@@ -71,7 +73,7 @@ def test_no_file_is_read_whole_without_a_limit(calls):
 
 def test_no_parameter_that_names_a_file_changes_while_the_node_runs():
     pytest.importorskip("rclpy", reason="the node's parameters need ROS 2")
-    from vehicle_roll_sim.ros.parameters import PARAMETERS
+    from vehicle_roll_sim.ros.simulator.parameters import PARAMETERS
 
     files = {name for name in PARAMETERS if name.endswith(("file", "tire"))}
     assert files == {"vehicle_file", "vehicle.tire"}

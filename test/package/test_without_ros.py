@@ -57,7 +57,7 @@ def test_a_node_ends_in_one_line_that_says_what_to_install(ends, name, words):
     assert "setup.bash" in line
 
 
-@pytest.mark.parametrize("module", ["simulator", "executables"])
+@pytest.mark.parametrize("module", ["simulator.node", "executables"])
 def test_so_does_a_module_that_is_run(ends, tmp_path, monkeypatch, module):
     (tmp_path / "sitecustomize.py").write_text(HIDING.format(hidden=["rclpy"]))
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))

@@ -4,7 +4,7 @@ import launch_files
 import pytest
 from peers import Peer, Process
 
-from vehicle_roll_sim.ros.domains import own_domain
+from vehicle_roll_sim.ros.orchestration.domains import own_domain
 
 RECORDING = ("recorder", "demo")
 """Programs that write bags."""

@@ -10,11 +10,9 @@ from types import ModuleType
 
 import launch_stand_in
 
-import vehicle_roll_sim.ros
-
 PACKAGE = Path(__file__).parents[2] / "vehicle_roll_sim"
-LAUNCHING = "vehicle_roll_sim.ros.launching"
-PICTURES = "vehicle_roll_sim.ros.launch_pictures"
+LAUNCHING = "vehicle_roll_sim.ros.launching.processes"
+PICTURES = "vehicle_roll_sim.ros.launching.pictures"
 NAMES = tuple(sorted(f.name.removesuffix(".launch.py") for f in PACKAGE.glob("launch/*.py")))
 
 
@@ -55,7 +53,8 @@ def _forget() -> None:
     """The modules that have imported the stand-in are imported anew."""
     for name in (LAUNCHING, PICTURES):
         if sys.modules.pop(name, None):
-            delattr(vehicle_roll_sim.ros, name.rpartition(".")[2])
+            room, _, module = name.rpartition(".")
+            delattr(sys.modules[room], module)
 
 
 def load(name: str):

@@ -80,9 +80,10 @@ class Node(ExecuteProcess):
         words = [*(arguments or []), "--ros-args", *(ros_arguments or [])]
         if namespace is not None:
             words += ["-r", f"__ns:=/{namespace.lstrip('/')}"]
-        module = f"{package}.ros.{executable}"
         super().__init__(
-            cmd=[sys.executable, "-m", module, *words], name=name or executable, **more
+            cmd=[sys.executable, "-m", f"{package}.ros.executables", executable, *words],
+            name=name or executable,
+            **more,
         )
 
 

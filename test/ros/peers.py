@@ -66,7 +66,7 @@ class Peer:
                 message_class(topic.type), name, keep, recording_qos(topic)
             )
         for name in names:
-            self.wait(self._subscriptions[name].get_publisher_count, f"a publisher of {name}")
+            self.wait(self._subscriptions[name].get_publisher_count, f"a publisher on {name}")
 
     def wait_for_listener(self, name: str, node: str) -> None:
         """Until the node of that name listens to a topic."""

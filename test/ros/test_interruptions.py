@@ -41,13 +41,13 @@ def test_a_manoeuvre_that_is_reset_by_somebody_else_says_so(start, peer):
     peer.call(Trigger, "simulator/reset")
     status, _, err = driver.finish()
     assert status == 1
-    assert "reset by somebody else" in err
+    assert "reset by another node" in err
 
 
 def test_a_recorder_without_its_library_says_what_to_install(tmp_path):
     code = (
         "import sys; sys.modules['rosbags'] = None; sys.argv[0] = 'recorder';"
-        "from vehicle_roll_sim.ros.recorder import main; sys.exit(main())"
+        "from vehicle_roll_sim.ros.clients.recorder import main; sys.exit(main())"
     )
     words = [sys.executable, "-c", code, "--output", str(tmp_path / "bag")]
     result = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE)

@@ -7,7 +7,7 @@ import pytest
 from recordings import heard_so_far
 from rosgraph_msgs.msg import Clock
 
-from vehicle_roll_sim.model.jit import CACHE
+from vehicle_roll_sim.model.compiled.jit import CACHE
 
 pytestmark = pytest.mark.unmeasured
 
@@ -118,6 +118,6 @@ def test_a_simulator_without_a_home_says_where_its_logs_are_and_runs(
     assert status == 0
     (folder,) = tmp_path.glob("ros_log_*")
     assert [line for line in err.splitlines() if "log" in line] == [
-        f"simulator: ~/.ros/log cannot be written, logs are in {folder}"
+        f"simulator: ~/.ros/log is not writable, logs are in {folder}"
     ]
     assert list(folder.iterdir())

@@ -79,6 +79,6 @@ def test_a_simulator_in_another_namespace_warns_and_runs(start, make_peer, tmp_p
     assert status == 0
     (line,) = (line for line in err.splitlines() if "WARN" in line)
     assert line.endswith(
-        f"{file} has no section for this node, /car/simulator, so none of it counts; "
+        f"{file} has no section for this node, /car/simulator, and is ignored; "
         "it has sections for: /simulator"
     )

@@ -9,10 +9,10 @@ from rclpy.duration import Duration
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.manoeuvres.manoeuvre import manoeuvre_named
-from vehicle_roll_sim.ros.driver import Driver
-from vehicle_roll_sim.ros.recorder import Recorder
-from vehicle_roll_sim.ros.simulator import Simulator
+from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
+from vehicle_roll_sim.ros.clients.driver import Driver
+from vehicle_roll_sim.ros.clients.recorder import Recorder
+from vehicle_roll_sim.ros.simulator.node import Simulator
 from vehicle_roll_sim.ros.topics import COMMANDING, EVERY_ANSWER, NEWEST_ONLY
 
 EXAMPLES = Path(__file__).parents[2] / "msg_examples"
@@ -27,7 +27,7 @@ WRONG = {
     "/imu.publisher.deph:=3": "'deph' is unknown: did you mean depth?",
     "/imu.publisher.avoid_ros_namespace_conventions:=true": "is unknown: one of history, reliab",
     "/speed_cmd.subscription.lifespan:=1": "'lifespan' is unknown: one of history, reliability",
-    "/imu:=3": "not whole: qos_overrides./TOPIC.publisher.depth",
+    "/imu:=3": "incomplete name: a name such as qos_overrides./TOPIC.publisher.depth",
     "/imu.publisher.depth:=0": "0 is not allowed: a whole number from 1",
     "/imu.publisher.depth:=true": "True is not allowed: a whole number from 1",
     "/imu.publisher.deadline:=-1": "-1 is not allowed: a whole number from 0 ns, 0 for no limit",
@@ -93,7 +93,7 @@ def test_one_that_is_not_supported_is_refused_with_what_is(make_simulator, assig
 
 @pytest.mark.parametrize("assignment", LOSING)
 def test_one_that_could_lose_messages_is_refused_in_lockstep_alone(make_simulator, assignment):
-    with pytest.raises(InputError, match=f"allowed: {LOSING[assignment]}, for in lockstep"):
+    with pytest.raises(InputError, match=f"allowed: {LOSING[assignment]}, because lockstep"):
         make_simulator([assignment], *LOCKSTEP)
     make_simulator([assignment])
 
@@ -179,7 +179,7 @@ def test_a_manoeuvre_in_lockstep_may_lose_nothing_either(start):
     override = "qos_overrides./state.subscription.reliability:=best_effort"
     status, _, err = start("manoeuvre", "j_turn", "--ros-args", "-p", override).finish()
     assert status == 2
-    assert "reliable, for in lockstep no message may be lost" in err
+    assert "reliable, because lockstep must not lose messages" in err
     assert len(err.splitlines()) == 1
 
 

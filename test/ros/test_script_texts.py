@@ -53,7 +53,7 @@ def test_what_is_no_script_is_refused_with_the_examples_that_there_are(name):
 def test_what_is_not_python_is_refused_in_one_line(tmp_path, content):
     script = tmp_path / "mine.py"
     script.write_bytes(content)
-    with pytest.raises(InputError, match=r"SCRIPT: .*mine\.py: .*: a script in Python"):
+    with pytest.raises(InputError, match=r"SCRIPT: .*mine\.py: .*: a Python script"):
         commanded_by([script], "SCRIPT")
 
 

@@ -16,7 +16,8 @@ from rclpy.exceptions import NotInitializedException
 from recordings import heard_so_far, read_bag
 from std_srvs.srv import Trigger
 
-from vehicle_roll_sim.ros import demo, ending
+from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros.orchestration import demo
 from vehicle_roll_sim.ros.process import NodeExecutor
 
 pytestmark = pytest.mark.unmeasured
@@ -185,8 +186,8 @@ def test_a_node_heeds_sigint_in_any_case_and_a_command_where_it_was_not_to_ignor
     program = (
         "import signal, sys\n"
         "signal.signal(signal.SIGINT, signal.SIG_IGN)  # as whoever starts it would\n"
-        "from vehicle_roll_sim.ros import ending\n"
-        f"ending.at_once({status})\n"
+        "from vehicle_roll_sim import early_signals\n"
+        f"early_signals.end_node_at_once({status}, even_ignored={not status})\n"
         "signal.raise_signal(signal.SIGINT)\n"
         "sys.exit(7)\n"
     )

@@ -3,9 +3,9 @@
 import numpy as np
 
 from vehicle_roll_sim import Command, Options, Simulation, preset
-from vehicle_roll_sim.simulation.command_inbox import CommandInbox
+from vehicle_roll_sim.live.command_inbox import CommandInbox
+from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.session import Session
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 

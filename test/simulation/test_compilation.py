@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 from patience import PATIENCE, wait_until
 
-from vehicle_roll_sim.model.code_cache import COMPLETE
-from vehicle_roll_sim.model.jit import CACHE
+from vehicle_roll_sim.model.compiled.code_cache import COMPLETE
+from vehicle_roll_sim.model.compiled.jit import CACHE
 from vehicle_roll_sim.simulation.compilation import COMPILING, LOCK
 
 pytestmark = [

@@ -5,7 +5,7 @@ import pytest
 from slopes import CLOSE, OVERSHOOT, SLOPES, drive, on_slope, watch
 
 from vehicle_roll_sim import Command, Simulation, preset
-from vehicle_roll_sim.simulation.session import Session
+from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.simulation.speed_controller import STANDING, SpeedController
 
 SETTLING = 0.05

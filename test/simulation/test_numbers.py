@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import Command, InputError, Options, Simulation, Vehicle, preset
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.simulation.road import Road
 
@@ -81,7 +81,7 @@ def test_an_integer_beyond_all_floats_is_refused():
 @pytest.mark.parametrize("field", WHEEL_FIELDS)
 @pytest.mark.parametrize("value", NOT_FOUR.values(), ids=NOT_FOUR)
 def test_wheels_want_four_numbers(field, value):
-    with pytest.raises(InputError, match="four numbers, of lf, rf, lr and rr") as refusal:
+    with pytest.raises(InputError, match="four numbers, for lf, rf, lr and rr") as refusal:
         Command(**{field: value})
     assert refusal.value.field == field
 

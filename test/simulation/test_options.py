@@ -54,6 +54,14 @@ def flags(options: Options) -> set[str]:
     return {name for name in record.dtype.names if record[0][name]}
 
 
+def test_an_option_that_the_equations_do_not_have_is_not_ignored_in_silence():
+    made = dataclasses.make_dataclass(
+        "More", [("no_such_term", bool, True)], bases=(Options,), frozen=True
+    )
+    with pytest.raises(ValueError, match="no_such_term"):
+        made().record()
+
+
 @pytest.mark.parametrize("model", SIMPLIFIED + EIGHT_DOF)
 @pytest.mark.parametrize("name", MODEL_1_ONLY)
 def test_simplified_models_refuse_the_options_of_model_1(model, name):

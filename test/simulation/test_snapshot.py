@@ -8,10 +8,10 @@ import pickle
 import pytest
 
 from vehicle_roll_sim import Command, InputError, Options, Simulation, Vehicle, preset
-from vehicle_roll_sim.analysis.multibody import Multibody
-from vehicle_roll_sim.simulation.command_inbox import CommandInbox
+from vehicle_roll_sim.live.command_inbox import CommandInbox
+from vehicle_roll_sim.live.session import Session
+from vehicle_roll_sim.paper.multibody import Multibody
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.session import Session
 
 TURN = Command(steering=0.12, wheel_torque=(0.0, 0.0, 60.0, 60.0))
 PERIOD_NS = 10_000_000

@@ -5,9 +5,9 @@ import pytest
 from slopes import CLOSE, OVERSHOOT, PERIOD_NS, SLOPES, drive, on_slope, watch
 
 from vehicle_roll_sim import Command, Options, Simulation, preset
-from vehicle_roll_sim.simulation.command_inbox import CommandInbox
+from vehicle_roll_sim.live.command_inbox import CommandInbox
+from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.session import Session
 
 pytestmark = pytest.mark.unmeasured
 

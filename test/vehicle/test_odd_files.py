@@ -84,7 +84,7 @@ def test_a_value_that_trips_the_parser_is_refused_in_one_line(tmp_path, value):
 def test_a_number_that_is_no_decimal_one_is_refused(tmp_path, value):
     """YAML 1.1 takes 01440 for 800 and 24:00 for 1440."""
     text = edited(REFERENCE_YAML, "sprung_mass", f"sprung_mass: {value}")
-    with refused("a.yaml", f"{value} is no decimal number", line_of(text, "sprung_mass")):
+    with refused("a.yaml", f"{value} is not a decimal number", line_of(text, "sprung_mass")):
         load_vehicle(write(tmp_path, "a.yaml", text))
 
 

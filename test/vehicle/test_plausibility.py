@@ -70,41 +70,45 @@ USUAL = {
     },
 }
 ODD = {
-    "front_damping: 2.5 N s/m is a damping ratio of 0.000321 of the front": {"front_damping": 2.5},
-    "rear_damping: 0 N s/m is a damping ratio of 0 of the rear": {"rear_damping": 0.0},
-    "front_damping: 25000 N s/m is a damping ratio of 3.21 of the front": {"front_damping": 25e3},
-    "roll_inertia: 9 kg m^2 is a radius of gyration of 0.0791 m, 0.0527 of the track": {
+    "front_damping: 2.5 N s/m gives a damping ratio of 0.000321 at the front": {
+        "front_damping": 2.5
+    },
+    "rear_damping: 0 N s/m gives a damping ratio of 0 at the rear": {"rear_damping": 0.0},
+    "front_damping: 25000 N s/m gives a damping ratio of 3.21 at the front": {
+        "front_damping": 25e3
+    },
+    "roll_inertia: 9 kg m^2 gives a radius of gyration of 0.0791 m, 0.0527 times the track": {
         "roll_inertia": 9.0
     },
-    "pitch_inertia: 9e+06 kg m^2 is a radius of gyration of 79.1 m, 31.1 of the wheelbase": {
+    "pitch_inertia: 9e+06 kg m^2 gives a radius of gyration of 79.1 m, 31.1 times the wheelb": {
         "roll_inertia": 900.0,
         "pitch_inertia": 9e6,
         "yaw_inertia": 9e6,
     },
-    "wheel_inertia: 10000 kg m^2 is a radius of gyration of 11.2 m, 39.2 of the radius": {
+    "wheel_inertia: 10000 kg m^2 gives a radius of gyration of 11.2 m, 39.2 times the tire": {
         "wheel_inertia": 1e4
     },
-    "front_spring_stiffness: 3500 N/m is compressed by 1.21 m at rest": {
+    "front_spring_stiffness: 3500 N/m gives a static deflection of 1.21 m": {
         "front_spring_stiffness": 3500.0
     },
-    "rear_spring_stiffness: 2500 N/m is with the tires a ride frequency of 0.466 Hz of the rear": {
+    "rear_spring_stiffness: 2500 N/m gives a ride frequency of 0.466 Hz at the rear": {
         "rear_spring_stiffness": 2500.0
     },
-    "front_spring_stiffness: 3e+06 N/m is with the tires a ride frequency of 11.6 Hz of the ": {
+    "front_spring_stiffness: 3e+06 N/m gives a ride frequency of 11.6 Hz at the ": {
         "front_spring_stiffness": 3e6,
         "front_damping": 25e3,
         "front_tire_stiffness": 1e7,
     },
-    "rear_tire_stiffness: 30000 N/m is compressed by 0.422 of the tire's radius": {
+    "rear_tire_stiffness: 30000 N/m gives a static compression of 0.422 times the tire": {
         "rear_tire_stiffness": 30e3
     },
-    "front_roll_centre_depth: 0.65 m under a c.g. at 0.6 m leaves the roll centre 0.05 m below": {
+    "front_roll_centre_depth: 0.65 m below a c.g. at 0.6 m puts the roll centre 0.05 m below": {
         "cg_height": 0.6
     },
-    "rear_roll_centre_height: 1.5 m: the roll centre is 0.75 m above the sprung c.g.": {
+    "rear_roll_centre_height: 1.5 m puts the roll centre 0.75 m above the sprung c.g.": {
         "rear_roll_centre_height": 1.5
     },
-    "cg_height: 0.1 m under wheel centres at 0.26": {
+    "cg_height: 0.1 m with wheel centres at 0.26": {
         "cg_height": 0.1,
         "front_roll_centre_height": 0.0,
         "rear_roll_centre_height": 0.0,
@@ -123,7 +127,7 @@ def test_an_odd_value_is_told_by_name_in_one_line_with_its_figure_and_what_is_us
     lines = plausibility(preset().with_values(ODD[told]))
     (found,) = [line for line in lines if line.startswith(told)]
     assert found.isprintable()
-    assert "usual is" in found or "above the road" in found
+    assert "typically" in found or "above the road" in found
     assert all(line.partition(":")[0] in {*ODD[told], told.partition(":")[0]} for line in lines)
 
 

@@ -7,8 +7,8 @@ import pytest
 from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, line_of, refused, write
 
 from vehicle_roll_sim import Simulation, Vehicle, load_vehicle, preset
-from vehicle_roll_sim.manoeuvres.manoeuvre import manoeuvre_named
-from vehicle_roll_sim.simulation.run import run
+from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
+from vehicle_roll_sim.runs.run import run
 
 HEIGHTS = {"front_roll_centre_height": 0.1, "rear_roll_centre_height": 0.15}
 DEPTHS = {"front_roll_centre_depth": 0.65, "rear_roll_centre_depth": 0.60}

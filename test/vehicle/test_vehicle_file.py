@@ -8,7 +8,8 @@ from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, line_of, refuse
 
 from vehicle_roll_sim import Vehicle, load_tire, load_vehicle, preset
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.vehicle.text_file import LARGEST_FILE
+from vehicle_roll_sim.files.text_file import LARGEST_FILE
+from vehicle_roll_sim.model.records import VEHICLE
 
 SOURCE = {
     "sprung_mass": 1440.0,
@@ -137,9 +138,9 @@ def test_all_that_is_missing_is_named_at_once(vehicle_from, path):
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("none.tir", ("No such file or directory", "the name of a file that exists")),
-        (".", ("Is a directory", "the name of a file, not of a folder,")),
-        ("a.tir/b.tir", ("Not a directory", "the name of a file that exists")),
+        ("none.tir", ("No such file or directory", "the name of an existing file")),
+        (".", ("Is a directory", "the name of a file, not of a folder")),
+        ("a.tir/b.tir", ("Not a directory", "the name of an existing file")),
     ],
 )
 def test_what_cannot_be_read_says_what_the_name_should_be(tmp_path, name, words):
@@ -213,7 +214,7 @@ def test_a_tire_that_is_no_name_of_a_file_is_refused(vehicle_from, path, given):
 
 def test_a_tire_file_that_is_missing_or_wrong_is_named(vehicle_from, tmp_path):
     missing = edited(REFERENCE_YAML, "tire", "tire: none.tir")
-    said = (line_of(missing, "tire:"), "tire", "does not exist", "from the vehicle file")
+    said = (line_of(missing, "tire:"), "tire", "does not exist", "relative to the vehicle file")
     with refused(tmp_path / "some.yaml", tmp_path / "none.tir", *said):
         vehicle_from(missing)
     with refused(tmp_path / "some.yaml"):  # itself
@@ -258,6 +259,26 @@ def test_the_values_reach_the_equations_at_the_right_wheels():
     share = np.array([1.524, 1.524, 1.016, 1.016]) / (2 * 2.54)
     at_rest = 1440.0 * 9.81 * share / record.spring_stiffness  # (19)
     np.testing.assert_allclose(record.static_suspension_compression, at_rest, rtol=1e-14)
+
+
+@pytest.mark.parametrize("shape", [(), (4,)])
+def test_a_field_of_the_equations_that_the_vehicle_does_not_have_is_no_silent_zero(
+    monkeypatch, shape
+):
+    fields = [(name, VEHICLE[name]) for name in VEHICLE.names]
+    longer = np.dtype([*fields, ("anti_roll_stiffness", float, shape)])
+    monkeypatch.setattr("vehicle_roll_sim.vehicle.parameters.VEHICLE", longer)
+    with pytest.raises(AttributeError, match="anti_roll_stiffness"):
+        preset().record()
+
+
+def test_a_field_of_the_equations_comes_from_the_parameters_of_its_name(monkeypatch):
+    longer = np.dtype([("drag_area", float), ("track", float, 4)])
+    monkeypatch.setattr("vehicle_roll_sim.vehicle.parameters.VEHICLE", longer)
+    vehicle = preset().with_values({"drag_area": 0.7, "front_track": 1.4, "rear_track": 1.6})
+    (record,) = vehicle.record()
+    assert record["drag_area"] == 0.7
+    assert record["track"].tolist() == [1.4, 1.4, 1.6, 1.6]
 
 
 @pytest.mark.parametrize("axle", ["front", "rear"])

@@ -1,1 +1,1 @@
-"""What runs were: metrics, figures, the comparison with a multibody engine and with the source."""
+"""Analysis of runs: metrics, figures, linearization, and comparison with a multibody engine."""

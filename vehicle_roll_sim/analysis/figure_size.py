@@ -1,4 +1,4 @@
-"""The size of a figure that is to be printed, read without what draws it."""
+"""The size of a printed figure, parsed without importing matplotlib."""
 
 import dataclasses
 import re
@@ -7,9 +7,9 @@ from vehicle_roll_sim.declaration import InputError
 
 MM_PER_INCH = 25.4
 NARROWEST, LOWEST, LARGEST = 80.0, 120.0, 1000.0
-"""mm; in less texts would lie over each other."""
+"""mm: limits of the size; in smaller figures texts would overlap."""
 SIZE = re.compile(r"(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)")
-HELP = "of the figure in mm, such as 170x200 in a paper; texts and lines fit it (default: a screen)"
+HELP = "size of the figure in mm, e.g. 170x200 for print; texts and lines scale (default: screen)"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -21,13 +21,14 @@ class Size:
 
     @property
     def inches(self) -> tuple[float, float]:
+        """Width and height (inches)."""
         return self.width / MM_PER_INCH, self.height / MM_PER_INCH
 
 
 def named_size(text: str | None, field: str, has_figure: object = True) -> Size | None:
-    """The size that an option gives as WIDTHxHEIGHT, None where it was not given.
+    """Parse a size given as WIDTHxHEIGHT (mm); None if it was not given.
 
-    Raises InputError naming `field` for what is none, and where there is no figure.
+    Raises InputError naming `field` for an invalid size, and if there is no figure.
     """
     if text is None:
         return None

@@ -1,10 +1,10 @@
-"""The model about a steady state: dx/dt = A x + B u, y = C x + D u, by central differences.
+"""Linearization about a steady state: dx/dt = A x + B u, y = C x + D u, by central differences.
 
-x, u and y are changes from the trim, in SI units and radians. The states are those of the model on
-which its motion depends: x, y and yaw are left out, since nothing depends on them, the angles of
-the wheels too, and in the models with 14 degrees of freedom the compressions of the tires, which on
-a flat road follow from height, attitude and suspension: with them, as the model has its states,
-four combinations would have no dynamics, the unevenness of the road under each wheel.
+x, u and y are deviations from the trim, in SI units and radians. The states are those on which the
+motion depends. x, y, yaw and the wheel angles are omitted, since nothing depends on them. In the
+14 DOF models the tire compressions are omitted too: on a flat road they follow from height,
+attitude and suspension compression. If they were kept, four combinations of states would have no
+dynamics: the unevenness of the road under each wheel.
 """
 
 import dataclasses
@@ -12,40 +12,47 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
-from vehicle_roll_sim.analysis.trim import INPUT_NAMES, Plant, Trim, typical
+from vehicle_roll_sim.analysis.trim import INPUT_NAMES, LevelRoadModel, Trim, typical
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.records import STATE_NAMES, WHEELS, element_names
-from vehicle_roll_sim.simulation.output_file import replaced_file
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 
 OUTPUT_NAMES = (
     *("roll", "roll_rate", "yaw_rate", "lateral_acceleration", "sideslip_angle"),
     *(f"normal_force_{wheel}" for wheel in WHEELS),
     "load_transfer_ratio",
 )
-"""Angle, body rates, acceleration of the sprung c.g. (frame 2), atan(v / u) and tire loads."""
+"""Roll angle, body rates, acceleration of the sprung c.g. (frame 2), atan(v / u), normal loads and
+load transfer ratio."""
 STEP = 1e-3
-"""Step of the differences, in typical changes. Rounding (2e-16 of the rates over the step, and in
-the 8 DOF model the 1e-12 to which its loop agrees) asks for no smaller one; with the differences
-over twice the step, the error that grows with its square is eliminated, and what is left, with the
-fourth power, is smaller still."""
+"""Finite-difference step, in typical changes.
+
+Rounding (2e-16 of the rates over the step, and 1e-12 from the iteration of the 8 DOF model) forbids
+a much smaller one. Differences over twice the step serve to eliminate the quadratic error
+(Richardson extrapolation); the remaining error is of fourth order.
+"""
 KINK = 0.02
-"""Change of a slope within a step, relative to the largest of its row, that is no curvature: that
-of the models is below 0.005 where all wheels carry load."""
+"""Change of a slope within a step, relative to the largest in its row, that counts as a kink.
+
+Curvature of the models gives less than 0.005 while all wheels carry load.
+"""
 SMALLEST = 1e-3
-"""Rate (SI units per second) for a typical change, below which a row is as good as none."""
+"""Rate (SI units per second) per typical change below which a row counts as zero."""
 HEIGHT_FIELDS = ("z", "roll", "pitch", "suspension_compression")
-"""What gives the compression of the tires."""
+"""The states that determine the tire compressions."""
 TIRE_NAMES = element_names(("tire_compression",))
 
 
 @dataclasses.dataclass(frozen=True)
 class LinearModel:
-    """A (n, n), B (n, 10), C (10, n) and D (10, 10) about a trim, with the names of the elements.
+    """A linear model about a trim, in SI units and radians.
 
-    step_error: the largest difference between the slopes over one step and over two, relative to
-    the largest of the row, every state and input in its typical changes.
+    a: A (n, n). b: B (n, 10). c: C (10, n). d: D (10, 10). state_names, input_names, output_names:
+    names of the elements of x, u and y. step_error: the largest difference between the slopes over
+    one step and over two, relative to the largest in the row, with all states and inputs scaled by
+    their typical changes.
     """
 
     a: np.ndarray
@@ -60,16 +67,16 @@ class LinearModel:
 
     @property
     def trim_state(self) -> np.ndarray:
-        """The states of the trim, shape (n,)."""
-        return self.trim.state[self.trim.plant.places]
+        """The states at the trim, shape (n,) (SI units, rad)."""
+        return self.trim.state[self.trim.model.places]
 
     @property
     def trim_output(self) -> np.ndarray:
-        """The outputs in the trim, shape (10,)."""
+        """The outputs at the trim, shape (10,) (SI units, rad)."""
         return outputs_of(self.trim.state, self.trim.outputs)
 
     def write_npz(self, path: str | Path) -> None:
-        """Write matrices, names and trim; numpy.load reads them without pickle."""
+        """Write matrices, names and trim as .npz, which numpy.load reads without pickle."""
         arrays = {
             "A": self.a,
             "B": self.b,
@@ -87,41 +94,41 @@ class LinearModel:
 
 
 def linearize(trim: Trim) -> LinearModel:
-    """The model about a steady state.
+    """Linearize the model about a steady state.
 
-    Raises InputError where it has no slope there, as with a wheel that is about to lift.
+    Raises InputError at a kink, such as a wheel about to lift off.
     """
-    plant = trim.plant
-    names = (*plant.state_names, *(() if plant.options.has_eight_dof else TIRE_NAMES))
+    model = trim.model
+    names = (*model.state_names, *(() if model.options.has_eight_dof else TIRE_NAMES))
     places = np.array([STATE_NAMES.index(name) for name in names])
     scale = typical((*names, *INPUT_NAMES))
     count = len(names)
 
     def response(change: np.ndarray) -> np.ndarray:
-        """Rates and outputs after a change of states and inputs (in typical changes)."""
+        """Rates and outputs after a change of states and inputs (scaled by typical changes)."""
         state = trim.state.copy()
         state[places] += (scale * change)[:count]
-        rates = plant.rates(state, trim.inputs + (scale * change)[count:])
-        return np.append(rates[places], outputs_of(state, plant.outputs))
+        rates = model.rates(state, trim.inputs + (scale * change)[count:])
+        return np.append(rates[places], outputs_of(state, model.outputs))
 
     slopes, error, kink = _slopes(response, len(scale))
     row, column = np.unravel_index(kink.argmax(), kink.shape)
     if kink[row, column] > KINK:
         one, other = (*names, *OUTPUT_NAMES)[row], (*names, *INPUT_NAMES)[column]
-        allowed = f"one further from a kink, such as lift-off: {one} has one over {other}"
+        allowed = f"a value further from a kink, such as lift-off: {one} has one over {other}"
         raise InputError("lateral_acceleration", float(trim.outputs.acceleration[1]), allowed)
     slopes = slopes / scale
     a, b = slopes[:count, :count], slopes[:count, count:]
     c, d = slopes[count:, :count], slopes[count:, count:]
-    if not plant.options.has_eight_dof:
-        a, b, c = _on_flat_road(a, b, c, plant)
+    if not model.options.has_eight_dof:
+        a, b, c = _on_flat_road(a, b, c, model)
     return LinearModel(
-        a, b, c, d, plant.state_names, INPUT_NAMES, OUTPUT_NAMES, trim, float(error.max())
+        a, b, c, d, model.state_names, INPUT_NAMES, OUTPUT_NAMES, trim, float(error.max())
     )
 
 
 def outputs_of(state: np.ndarray, outputs: np.record) -> np.ndarray:
-    """OUTPUT_NAMES at a flat state vector and the OUTPUTS record that belongs to it."""
+    """The outputs OUTPUT_NAMES, shape (10,), at a flat state vector with its OUTPUTS record."""
     loads = outputs.normal_force
     return np.array(
         [
@@ -133,10 +140,10 @@ def outputs_of(state: np.ndarray, outputs: np.record) -> np.ndarray:
 
 
 def _slopes(response, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Slopes (rows, count) of a vector function of `count` values at 0.
+    """Jacobian (rows, count) of a vector function of `count` values at 0, with two measures.
 
-    With how much those over one step and over two differ, and how much the slope changes within a
-    step, both relative to the largest of the row.
+    These are the difference between slopes over one step and over two, and the change of slope
+    within a step; both (rows, count), relative to the largest slope in the row.
     """
     middle = response(np.zeros(count))
     columns = [
@@ -151,14 +158,14 @@ def _slopes(response, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return slopes, np.abs(near - far) / largest, np.abs(bend) / largest
 
 
-def _on_flat_road(a, b, c, plant: Plant) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A, B and C without the compressions of the tires, the last four states.
+def _on_flat_road(a, b, c, model: LevelRoadModel) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A, B and C with the tire compressions, the last four states, eliminated.
 
-    Their rates are some G times those of height, attitude and suspension, which makes them G times
-    these. G comes from the rates, so that it is that of any of the models.
+    Their rates are G times those of height, attitude and suspension compression, so they are G
+    times these states. G is determined from the rates and therefore valid for any model.
     """
-    count = len(plant.state_names)
-    given = [plant.state_names.index(name) for name in element_names(HEIGHT_FIELDS)]
+    count = len(model.state_names)
+    given = [model.state_names.index(name) for name in element_names(HEIGHT_FIELDS)]
     follow, *_ = np.linalg.lstsq(a[given].T, a[count:].T, rcond=None)
     a, c = a.copy(), c.copy()
     a[:, given] += a[:, count:] @ follow.T
@@ -167,7 +174,7 @@ def _on_flat_road(a, b, c, plant: Plant) -> tuple[np.ndarray, np.ndarray, np.nda
 
 
 def as_control_system(model: LinearModel):
-    """The model as a `control.StateSpace` with its names; needs the package `control`."""
+    """The model as a `control.StateSpace` with named signals; requires the package `control`."""
     import control
 
     return control.StateSpace(

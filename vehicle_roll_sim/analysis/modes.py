@@ -1,4 +1,4 @@
-"""The modes of a linear model: its poles, how they swing, and which states move in them."""
+"""The modes of a linear model: poles, frequency, damping and participating states."""
 
 import dataclasses
 import math
@@ -7,18 +7,19 @@ import numpy as np
 from scipy import linalg
 
 NEUTRAL = 1e-6
-"""1/s: a pole this near to 0 is 0, and the rest of it rounding."""
+"""1/s: poles closer to 0 count as 0; the remainder is rounding."""
 SHARE = 0.4
-"""States that take part in a mode at least this much, relative to the one that does most."""
+"""Smallest participation of a state that is listed, relative to the largest one in the mode."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Mode:
-    """A real pole, or a pair of which `pole` is the one with the positive imaginary part (1/s).
+    """A real pole, or a conjugate pair.
 
-    frequency: natural, |pole| / 2 pi (Hz). damping: ratio, -Re / |pole|; negative if the mode
-    grows. time_constant: -1 / Re (s), inf where nothing decays. states: those that take part in it
-    most, the first more than the others.
+    pole: 1/s; of a pair, the one with the positive imaginary part. frequency: natural frequency,
+    |pole| / 2 pi (Hz). damping: damping ratio, -Re / |pole|; negative if the mode grows.
+    time_constant: -1 / Re (s); inf if it does not decay. states: the states with the largest
+    participation, largest first.
     """
 
     pole: complex
@@ -29,10 +30,11 @@ class Mode:
 
 
 def modes_of(a: np.ndarray, state_names: tuple[str, ...]) -> list[Mode]:
-    """The modes of dx/dt = A x, the slowest first.
+    """The modes of dx/dt = A x, slowest first; a: (n, n) (1/s).
 
-    The part of state k in a mode is |left eigenvector k times right eigenvector k|, which does not
-    depend on the units of the states (Perez-Arriaga, Verghese and Schweppe, 1982).
+    The participation of state k in a mode is the magnitude of element k of the left eigenvector
+    times that of the right one, which is independent of the units of the states (Perez-Arriaga,
+    Verghese and Schweppe, 1982).
     """
     poles, left, right = linalg.eig(a, left=True, right=True)
     parts = np.abs(left.conj() * right)

@@ -1,4 +1,4 @@
-"""How runs are told apart in a figure: by colour, line style, and the band that each may shade."""
+"""How runs are distinguished in a figure: colour, line style and shaded band."""
 
 import dataclasses
 import itertools
@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 COLOURS = ("black", "#D55E00", "#0072B2", "#009E73", "#CC79A7", "#E69F00")
-"""Of the runs; those of Okabe and Ito, which the colour-blind can tell apart."""
+"""Colours of the runs: the palette of Okabe and Ito, suitable for colour-blind readers."""
 STYLES = ("-", "--", "-.")
 LINE = 1.3
 """Points."""
@@ -17,8 +17,10 @@ MARKER = 5
 
 @dataclasses.dataclass(frozen=True)
 class Pen:
-    """How a run is drawn; `band` is the share of a panel's height that it may shade, and `scale`
-    that of the figure."""
+    """How a run is drawn.
+
+    band: range of a panel's height that it may shade (0 to 1). scale: scale of the figure.
+    """
 
     colour: str
     style: str
@@ -27,15 +29,15 @@ class Pen:
 
     @property
     def width(self) -> float:
-        """Points."""
+        """Line width (points)."""
         return self.scale * LINE
 
     def example(self) -> Line2D:
-        """A line for a legend."""
+        """A sample line for a legend."""
         return Line2D([], [], linestyle=self.style, color=self.colour)
 
     def draw(self, axis, x: np.ndarray, y: np.ndarray, style: str = "") -> None:
-        """A line, or the word that there is none; style: another one than that of the run."""
+        """Draw a line, or the text "no data"; style: overrides the line style of the run."""
         axis.plot(x, y, style or self.style, color=self.colour, linewidth=self.width)
         if np.isnan(y).all():
             about = {"color": self.colour, "ha": "center", "va": "center"}
@@ -51,7 +53,7 @@ class Pen:
 
 
 def pens(count: int, scale: float = 1.0) -> list[Pen]:
-    """One for each run; their bands lie one above the other, that of the first run at the top."""
+    """One pen per run; their bands are stacked, that of the first run at the top."""
     looks = zip(COLOURS, itertools.cycle(STYLES), strict=False)
     return [
         Pen(*look, (1 - (place + 1) / count, 1 - place / count), scale)

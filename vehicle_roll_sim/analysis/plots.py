@@ -1,4 +1,4 @@
-"""The standard figure of one run, or of several over each other."""
+"""The standard figure of one run, or of several runs overlaid."""
 
 import dataclasses
 import math
@@ -19,43 +19,43 @@ from vehicle_roll_sim.analysis.drawing import (
     save_figure,
 )
 from vehicle_roll_sim.analysis.figure_size import Size
+from vehicle_roll_sim.analysis.panels import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.analysis.pens import Pen, pens
-from vehicle_roll_sim.analysis.signals import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.runs.history import History
 
 STYLES_OF_WHEELS = ("-", "--", "-.", ":")
-"""Of a command that a wheel has, and perhaps others behind it have, too."""
+"""Line styles of commands by wheel; wheels with the same command share a line."""
 WIDTH, HEIGHT_OF_SIGNAL, HEIGHT_OF_REST = 10.0, 1.35, 1.0
-"""Inches: of the figure, of a signal's panel, and of title and legend."""
+"""Inches: width of the figure, height of a signal's panel, and of title and legend together."""
 REST_IN_PANELS = 0.75
 """Height of title and legend over that of a signal's panel."""
 LONGEST_NAME = 9.6
-"""Length of the longest line beside a panel over the height of its letters."""
+"""Length of the longest axis label over its font size."""
 POINTS_PER_INCH = 72.0
 KILO = 1e3
 LEAST_SPAN = 0.1
-"""Of a vertical axis, in its unit: less is rounding, and not drawn as if it were a signal."""
+"""Smallest range of a vertical axis, in its unit, so that rounding does not look like a signal."""
 WHOLE_RATIO = (-1.05, 1.05)
-"""What is shown of the load transfer ratio, whatever it is."""
+"""Fixed axis range of the load transfer ratio."""
 MARGIN = 0.02
-"""Room after the last sample, as a share of the time shown."""
+"""Space after the last sample, as a fraction of the time range."""
 HEADINGS = 12
-"""Times along a path, at most."""
+"""Maximum number of heading arrows along a path."""
 ARROW = {"pivot": "mid", "scale_units": "width", "scale": 24, "width": 0.006}
-"""A 24th of the panel's width."""
+"""Arrow style; an arrow is a 24th of the panel's width long."""
 
 
 @dataclasses.dataclass(frozen=True)
 class DrawnRun:
-    """A run with its EVENTS record, and what it is called beside others."""
+    """A run to draw, with its EVENTS record and its label in the legend."""
 
     history: History
     events: np.record
     label: str = ""
 
     def shows(self, time: float) -> bool:
-        """Whether a time (s), nan for never, is one of those that the history covers."""
+        """Whether the history covers a time (s; nan for never)."""
         return self.history["time"][0] <= time <= self.history["time"][-1]
 
 
@@ -67,11 +67,11 @@ def plot_run(
 
 
 def standard_figure(runs: Sequence[DrawnRun], title: str, size: Size | None = None) -> DrawnFigure:
-    """Commands, roll, acceleration, yaw rate, sideslip, speed, loads and their transfer, path.
+    """Commands, roll, acceleration, yaw rate, sideslip, speed, normal loads, load transfer, path.
 
-    As many runs as there are `COLOURS`. Of the commands the steering is shown, and the others where
-    they are not 0. The panel of a wheel is shaded while it carries no load. size: to be printed;
-    else it is made for a screen.
+    At most as many runs as there are COLOURS. The steering is always shown, other commands only if
+    they are not 0 throughout. The panel of a wheel is shaded while it is off the ground. size: size
+    in print; by default the figure is made for a screen.
     """
     shown = signals_of(run.history for run in runs)
     figure = new_figure(WIDTH, HEIGHT_OF_REST + HEIGHT_OF_SIGNAL * len(shown), size)
@@ -85,7 +85,7 @@ def standard_figure(runs: Sequence[DrawnRun], title: str, size: Size | None = No
 
 
 def _fill(figure: DrawnFigure, runs: Sequence[DrawnRun], shown: Sequence[Signal]) -> None:
-    """Draw everything but title and legend."""
+    """Draw everything except title and legend."""
     signals, loads, path = _panels(figure, len(shown))
     begin = min(run.history["time"][0] for run in runs)
     end = max(run.history["time"][-1] for run in runs)
@@ -109,7 +109,7 @@ def _fill(figure: DrawnFigure, runs: Sequence[DrawnRun], shown: Sequence[Signal]
 
 
 def _name(figure: DrawnFigure, signals, shown: Sequence[Signal]) -> None:
-    """Say beside the panels what they show; above them where they are too low for that."""
+    """Label the panels at the side, or above them if they are too low for that."""
     height = figure.get_figheight() * POINTS_PER_INCH / (len(shown) + REST_IN_PANELS)
     is_low = height < LONGEST_NAME * matplotlib.rcParams["font.size"]
     for axis, signal in zip(signals, shown, strict=True):
@@ -121,7 +121,7 @@ def _name(figure: DrawnFigure, signals, shown: Sequence[Signal]) -> None:
 
 
 def _panels(figure: Figure, count: int) -> tuple:
-    """Axes: signals on the left; on the right those of the wheels as seen from above, and path."""
+    """Axes: signals on the left; on the right the wheels as seen from above, and the path."""
     left, right = figure.add_gridspec(1, 2, width_ratios=(1, 1.2))
     upper, lower = right.subgridspec(2, 1, height_ratios=(3, 2))
     signals = left.subgridspec(count, 1).subplots(sharex=True)
@@ -139,7 +139,7 @@ def _draw_signal(axis, signal: Signal, run: DrawnRun, pen: Pen) -> None:
 
 
 def _draw_command(axis, time: np.ndarray, values: np.ndarray, pen: Pen) -> None:
-    """A line for the wheels that have the same command; a single one, at 0, where none has any."""
+    """Draw one line for all wheels with the same command; a single line at 0 if there is none."""
     groups: dict[bytes, list[int]] = {}
     for wheel in range(len(WHEELS)):
         if np.nan_to_num(values[:, wheel]).any():
@@ -172,7 +172,7 @@ def _mark_rollover(axis, run: DrawnRun, pen: Pen) -> None:
 
 
 def _draw_path(axis, run: DrawnRun, pen: Pen, headings: np.ndarray) -> None:
-    """The path from above, with an arrow at each of the times `headings` (s)."""
+    """Draw the path from above, with a heading arrow at each of the times `headings` (s)."""
     time, rollover = run.history["time"], run.events.rollover_time[0]
     pen.draw(axis, run.history["x"], run.history["y"])
     when = [each for each in headings if run.shows(each)]
@@ -185,11 +185,11 @@ def _draw_path(axis, run: DrawnRun, pen: Pen, headings: np.ndarray) -> None:
 
 
 def _label(signals, loads, path, runs: Sequence[DrawnRun]) -> None:
-    """Names and units; of a single run also when its wheels lift."""
+    """Label axes and wheel panels; for a single run, also with the lift-off times."""
     for axis, wheel, lift_off in zip(loads, WHEELS, runs[0].events.lift_off_time, strict=True):
         lifts = len(runs) == 1 and not math.isnan(lift_off)
         axis.set_title(wheel + (f", lifts at {lift_off:.2f} s" if lifts else ""), fontsize="medium")
-        axis.axhline(0.0, color="0.8", linewidth=0.8, zorder=1)  # how far it is from lifting
+        axis.axhline(0.0, color="0.8", linewidth=0.8, zorder=1)  # the level of lift-off
     for axis in loads[::2]:
         axis.set_ylabel("tire normal force\n(kN)")
     for axis in (signals[-1], *loads[2:]):
@@ -199,14 +199,14 @@ def _label(signals, loads, path, runs: Sequence[DrawnRun]) -> None:
 
 
 def _widen(axis) -> None:
-    """Show no less than `LEAST_SPAN`."""
+    """Widen the vertical axis to at least LEAST_SPAN."""
     low, high = axis.get_ylim()
     if high - low < LEAST_SPAN:
         axis.set_ylim((low + high - LEAST_SPAN) / 2, (low + high + LEAST_SPAN) / 2)
 
 
 def _marks(figure: Figure) -> list[tuple]:
-    """(artist, name) of every kind of mark that there is."""
+    """(artist, name) of every kind of mark in the figure."""
     marks = {}
     for axis in figure.axes:
         for mark, name in zip(*axis.get_legend_handles_labels(), strict=True):

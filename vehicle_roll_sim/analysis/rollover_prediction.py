@@ -1,10 +1,10 @@
-"""How soon the inner wheels will lift: load transfer foreseen with the roll-plane model, online.
+"""Online rollover prediction: time until the inner wheels lift, from the roll-plane model.
 
 Time to rollover after B.-C. Chen and H. Peng, "Differential-braking-based rollover prevention for
 sport utility vehicles with human-in-the-loop evaluations", Vehicle System Dynamics 36 (2001): a
-simple model runs ahead of the vehicle. Theirs foresees the lateral motion too, with the steering
-held; here the lateral force of the tires goes on as it has changed of late, which needs neither
-steering nor tire data, in the sense of the predicted load transfer ratio of C. Larish,
+simple model runs ahead of the vehicle. Their model also predicts the lateral motion, with constant
+steering. Here the lateral tire force is extrapolated from its recent rate of change instead, which
+requires neither steering nor tire data, similar to the predicted load transfer ratio of C. Larish,
 D. Piyabongkarn, V. Tsourapas and R. Rajamani, IEEE Trans. Vehicular Technology 62 (2013).
 """
 
@@ -16,32 +16,38 @@ from vehicle_roll_sim.model.roll_plane_motion import RollPlaneMotion
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 LIFTED = 1.0
-"""Load transfer ratio at which the inner wheels carry nothing any more."""
+"""Magnitude of the load transfer ratio at which the inner wheels lift off."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Foresight:
-    """How far, and how, the predictor looks ahead."""
+    """Parameters of the prediction."""
 
-    horizon: float = parameter("how far to look ahead", "s", 0.01, 10.0, default=0.6)
-    interval: float = parameter("step of the prediction", "s", 1e-3, 0.1, default=0.01)
+    horizon: float = parameter("prediction horizon", "s", 0.01, 10.0, default=0.6)
+    interval: float = parameter("time step of the prediction", "s", 1e-3, 0.1, default=0.01)
     persistence: float = parameter(
-        "time constant with which the tires' force stops changing",
+        "time constant with which the extrapolated rate of change of the tire force decays",
         "s",
         0.0,
         10.0,
         default=0.15,
     )
     smoothing: float = parameter(
-        "time constant of the filter of that change", "s", 0.0, 10.0, default=0.03
+        "filter time constant of the measured rate of change of the tire force",
+        "s",
+        0.0,
+        10.0,
+        default=0.03,
     )
 
 
 @dataclasses.dataclass(frozen=True)
 class Prediction:
-    """load_transfer_ratio: now, as the model has it. predicted_load_transfer_ratio: the largest
-    within the horizon, with its sign, beyond 1 where the inner wheels lift. time_to_rollover: until
-    they do (s), inf if they do not within the horizon.
+    """A prediction.
+
+    load_transfer_ratio: present value, from the model. predicted_load_transfer_ratio: signed value
+    of the largest magnitude within the horizon; a magnitude above 1 means that the inner wheels
+    lift. time_to_rollover: time until they lift (s); inf if they do not within the horizon.
     """
 
     load_transfer_ratio: float
@@ -50,7 +56,7 @@ class Prediction:
 
 
 class RolloverPredictor:
-    """Foresees the load transfer of a vehicle from what an inertial sensor at its c.g. measures."""
+    """Predicts the load transfer of a vehicle from the signals of an inertial sensor at its c.g."""
 
     def __init__(self, vehicle: Vehicle, foresight: Foresight | None = None):
         self.model = RollPlaneMotion(vehicle.record())
@@ -58,16 +64,16 @@ class RolloverPredictor:
         self.reset()
 
     def reset(self) -> None:
-        """Forget what was measured."""
+        """Discard previous measurements."""
         self._time, self._force, self._change = math.inf, 0.0, 0.0
 
     def update(
         self, time: float, roll: float, roll_rate: float, lateral_acceleration: float
     ) -> Prediction:
-        """The prediction at a time (s), which begins anew if that is not after the last.
+        """The prediction at `time` (s); a time that is not after the previous one restarts it.
 
-        roll (rad), roll_rate (rad/s); lateral_acceleration of the sprung c.g. along the ground,
-        across the heading (m/s^2).
+        roll: rad. roll_rate: rad/s. lateral_acceleration: of the sprung c.g., horizontal and normal
+        to the heading (m/s^2).
         """
         force = self.model.tire_force(roll, roll_rate, lateral_acceleration)
         passed = time - self._time
@@ -81,7 +87,7 @@ class RolloverPredictor:
         return self._look_ahead(roll, roll_rate)
 
     def _look_ahead(self, roll: float, roll_rate: float) -> Prediction:
-        """Integrate the roll (symplectic Euler: it neither gains nor loses energy by itself)."""
+        """Integrate the roll motion by symplectic Euler, which adds no numerical damping."""
         ahead, model, interval = self.foresight, self.model, self.foresight.interval
         ratios, lifted = [], math.inf
         for step in range(round(ahead.horizon / interval) + 1):
@@ -95,6 +101,6 @@ class RolloverPredictor:
         return Prediction(ratios[0], max(ratios, key=abs), lifted)
 
     def _persisting(self, ahead: float) -> float:
-        """For how long (s) the present change will have worked by then, as it dies away."""
+        """Integral of the decaying weight of the present rate of change up to `ahead` (s)."""
         persistence = self.foresight.persistence
         return persistence * -math.expm1(-ahead / persistence) if persistence else 0.0

@@ -1,9 +1,9 @@
-"""Steady driving: the state in which nothing changes, straight ahead or in a turn.
+"""Trim: steady driving straight ahead or in a turn.
 
-Searched for are the state, the torque that both rear wheels need to hold the speed and, where a
-lateral acceleration is asked for, the steering: the roots of the rates of all states on which the
-motion depends. Position, height, heading and the angles of the wheels go on changing without an
-effect on the rest; height is found nevertheless, since it says how far the tires are compressed.
+The unknowns are the state, the torque at both rear wheels that holds the speed, and the steering if
+a lateral acceleration is given. They are the root of the rates of all states on which the motion
+depends. Position, heading and wheel angles keep changing without affecting the rest. Height is
+included, because it determines the tire compressions.
 """
 
 import dataclasses
@@ -13,10 +13,10 @@ import numpy as np
 from scipy import optimize
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.derivatives import derivatives
+from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.equilibrium import equilibrium
-from vehicle_roll_sim.model.events import MINIMUM_SPEED
-from vehicle_roll_sim.model.jit import kernel_argument, silently
+from vehicle_roll_sim.model.integration.derivatives import derivatives
+from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
@@ -28,9 +28,10 @@ from vehicle_roll_sim.model.records import (
     U,
     element_names,
 )
-from vehicle_roll_sim.model.transient_slip import LOW_SPEED
+from vehicle_roll_sim.model.tire.transient_slip import LOW_SPEED
 from vehicle_roll_sim.model.wheel import note_turning
 from vehicle_roll_sim.simulation.options import MODELS, Options
+from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -40,12 +41,11 @@ INPUT_NAMES = tuple(
     for name in INPUT_FIELDS
     for wheel in (WHEELS if COMMAND[name].shape else ("",))
 )
-"""What drives the model smoothly: brakes are dry friction, which has no slope at rest."""
+"""The smooth inputs of the model; brakes are dry friction, which cannot be linearized at rest."""
 STEERING, REAR_TORQUES = 0, slice(4, 6)
-"""Places among the inputs."""
+"""Indices among the inputs."""
 WITHOUT_EFFECT = ("x", "y", "yaw")
-"""States that nothing depends on, on a level road. Nor does anything on the height but the tires,
-whose compression follows from it."""
+"""States on which nothing depends on a level road. Height acts only through tire compression."""
 TYPICAL = {
     "z": 0.01,
     "roll": 0.1,
@@ -67,40 +67,40 @@ TYPICAL = {
     "wheel_torque": 100.0,
     "normal_force": 1000.0,
 }
-"""Changes that matter about as much as each other (SI units, rad): the scale of every unknown, of
-every rate in a second, and of the steps of a difference."""
+"""Changes of comparable significance (SI units, rad): they scale the unknowns, the rates (per
+second) and the finite-difference steps."""
 LARGEST_STEERING, LARGEST_ACCELERATION = math.radians(1.0), 0.5
-"""rad and m/s^2: the turn is tightened in steps no larger than this, so that the steady state that
-is found is the one that a driver reaches from driving straight ahead."""
+"""rad and m/s^2: the turn is tightened in steps of at most this size, so that the steady state
+found is the one that a driver reaches from straight ahead."""
 STEP = 1e-4
-"""Step of the slopes that lead there, in typical changes; with its own the root finder gets lost in
-rounding."""
+"""Finite-difference step of the Jacobian, in typical changes; the root finder's own step is so
+small that rounding prevails."""
 STEADY = 1e-8
-"""Largest rate of a steady state, in typical changes per second: rounding leaves some 1e-10."""
+"""Largest rate that counts as steady, in typical changes per second; rounding is about 1e-10."""
 
 
 def typical(names: tuple[str, ...]) -> np.ndarray:
-    """The typical change of each element, given by the name of a field and, maybe, of a wheel."""
+    """The typical change of each element, by field name, possibly with a wheel; shape (n,)."""
     sizes = TYPICAL | {f"{name}_{wheel}": TYPICAL[name] for name in TYPICAL for wheel in WHEELS}
     return np.array([sizes[name] for name in names])
 
 
-class Plant:
-    """The rates of a model on a level road at any state, and what its equations need.
+class LevelRoadModel:
+    """The rates of a model on a level road at any state.
 
-    state_names: the states on which the motion depends, tire compressions not among them where
-    height, attitude and suspension give these; places: where they lie in the flat state vector.
-    Raises InputError for model 1c-iii, in which nothing gives them: its turns are not steady.
+    state_names: the states on which the motion depends, without tire compressions, which follow
+    from height, attitude and suspension compression. places: their indices in the state vector.
+    Raises InputError for model 1c-iii, in which they do not follow: its turns are not steady.
     """
 
     def __init__(self, vehicle: Vehicle, options: Options):
         if "rates_not_rotated" in MODELS[options.model]:
-            allowed = "one in which height and attitude say how far the tires are compressed"
+            allowed = "a model in which height and attitude determine the tire compression"
             raise InputError("model", options.model, allowed)
         self.vehicle, self.options = vehicle, options
-        self.record = vehicle.record()
-        parts = (self.record, vehicle.tire.record(), options.record())
-        self._parts = tuple(kernel_argument(part)[0] for part in parts)
+        plant = Plant.of(vehicle, options)
+        self.record = plant.vehicle
+        self._plant = tuple(record for (record,) in plant.arguments())
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))
@@ -108,13 +108,14 @@ class Plant:
 
     @property
     def outputs(self) -> np.record:
-        """The OUTPUTS record of the last rates: a view of memory that the next ones change."""
+        """The OUTPUTS record of the last call of `rates`; a view that the next call overwrites."""
         return self._outputs[0]
 
     def rates(self, state: np.ndarray, inputs: np.ndarray) -> np.ndarray:
-        """Time derivative of a flat state vector; `outputs` are then those of this state.
+        """Time derivative of a flat state vector, shape (STATE_SIZE,); also updates `outputs`.
 
-        inputs: elements INPUT_NAMES. Rates that the model does not have are nan.
+        inputs: named by INPUT_NAMES, shape (10,) (rad, N m, N). Rates of states that the model does
+        not have are nan.
         """
         command, rates = np.zeros(1, COMMAND), np.full(STATE_SIZE, np.nan)
         for name, value in zip(INPUT_FIELDS, np.split(inputs, (1, 2, 6)), strict=True):
@@ -122,13 +123,13 @@ class Plant:
         outputs = kernel_argument(self._outputs)[0]
         with silently():
             note_turning(state, outputs)
-            derivatives(state, kernel_argument(command)[0], *self._parts, outputs, rates)
+            derivatives(state, kernel_argument(command)[0], *self._plant, outputs, rates)
         return rates
 
     def on_flat_road(self, state: np.ndarray) -> np.ndarray:
-        """Compression of the four tires where the body has this height and attitude (m).
+        """Compression of the tires at the body's height and attitude, shape (4,) (m).
 
-        r0 less the height of the wheel centre, z + (Ry(pitch) Rx(roll) (x, y, -ls))z.
+        r0 minus the height of the wheel centre, z + (Ry(pitch) Rx(roll) (x, y, -ls))z.
         """
         now, car = state.view(STATE)[0], self.record[0]
         compressed = now.suspension_compression - car.static_suspension_compression
@@ -140,17 +141,21 @@ class Plant:
 
 @dataclasses.dataclass(frozen=True)
 class Trim:
-    """A steady state: flat state vector (elements STATE_NAMES; position and heading 0, what the
-    model does not have nan), inputs (INPUT_NAMES), and the OUTPUTS record that belongs to them."""
+    """A steady state, in SI units and radians.
 
-    plant: Plant
+    state: flat vector named by STATE_NAMES; position and heading are 0, states that the model does
+    not have nan. inputs: named by INPUT_NAMES, shape (10,). outputs: the corresponding OUTPUTS
+    record.
+    """
+
+    model: LevelRoadModel
     state: np.ndarray
     inputs: np.ndarray
     outputs: np.record
 
     @property
     def drive_torque(self) -> float:
-        """At each rear wheel, to hold the speed (N m)."""
+        """Torque at each rear wheel that holds the speed (N m)."""
         return float(self.inputs[REAR_TORQUES][0])
 
 
@@ -162,14 +167,14 @@ def find_trim(
     steering: float = 0.0,
     lateral_acceleration: float | None = None,
 ) -> Trim:
-    """Steady driving at a forward speed u (m/s), held by equal torques at the rear wheels.
+    """Find steady driving at a forward speed u (m/s), held by equal torques at the rear wheels.
 
-    steering: road-wheel angle (rad); with `lateral_acceleration` (m/s^2, of the sprung c.g.) it is
-    found instead. Raises InputError where there is no such steady state with four wheels on the
-    ground, or where it is too slow for the tires to be smooth.
+    steering: road-wheel angle (rad). lateral_acceleration: of the sprung c.g. (m/s^2); if it is
+    given, the steering is determined. Raises InputError if there is no such steady state with four
+    wheels on the ground, or if it is too slow for the tire model to be smooth.
     """
-    plant = Plant(vehicle, options or Options())
-    slowest = MINIMUM_SPEED if plant.options.steady_state_slip else LOW_SPEED
+    model = LevelRoadModel(vehicle, options or Options())
+    slowest = MINIMUM_SPEED if model.options.steady_state_slip else LOW_SPEED
     if not slowest <= speed <= MAXIMUM_SPEED:
         raise InputError("speed", speed, f"from {slowest:g} to {MAXIMUM_SPEED:g} m/s")
     is_turn_given = lateral_acceleration is not None
@@ -177,53 +182,53 @@ def find_trim(
     wanted = lateral_acceleration if is_turn_given else steering
     if not math.isfinite(wanted):
         raise InputError(field, wanted, "a finite number")
-    standing = equilibrium(plant.record, speed).view(np.float64)
-    trim = _solution(plant, standing, np.zeros(len(INPUT_NAMES)), "steering", 0.0)
+    standing = equilibrium(model.record, speed).view(np.float64)
+    trim = _solution(model, standing, np.zeros(len(INPUT_NAMES)), "steering", 0.0)
     if trim is None:
-        raise InputError("speed", speed, "one that the rear wheels can hold straight ahead")
+        raise InputError("speed", speed, "a speed that the rear wheels can hold straight ahead")
     _check_rolls(trim)
     for target in _targets(wanted, LARGEST_ACCELERATION if is_turn_given else LARGEST_STEERING):
         within = _in_words(trim, field)
-        trim = _solution(plant, trim.state, trim.inputs, field, target)
+        trim = _solution(model, trim.state, trim.inputs, field, target)
         if trim is None:
-            beyond = "further on a wheel lifts or slides in every turn"
+            beyond = "in tighter turns a wheel lifts or slides"
             raise InputError(field, wanted, f"at most {within}, {beyond}")
         _check_rolls(trim)
     return trim
 
 
 def _targets(wanted: float, largest: float) -> np.ndarray:
-    """From 0, straight ahead, which is left out, to a value in equal steps."""
+    """Equal steps from straight ahead (0, excluded) to a value, none larger than `largest`."""
     return np.linspace(0.0, wanted, math.ceil(abs(wanted) / largest) + 1)[1:]
 
 
 def _solution(
-    plant: Plant, state: np.ndarray, inputs: np.ndarray, field: str, target: float
+    model: LevelRoadModel, state: np.ndarray, inputs: np.ndarray, field: str, target: float
 ) -> Trim | None:
-    """The steady state near a flat state vector, at the speed that this has; None without one.
+    """The steady state near a flat state vector, at its speed; None if there is none.
 
-    Nor with a wheel off the ground: nothing says how fast it turns, and a driven one ever faster.
-    field, target: what is given, the steering (rad) or the lateral acceleration (m/s^2).
+    Also None with a wheel off the ground: its spin is undetermined, or grows if it is driven.
+    field, target: the given quantity, steering (rad) or lateral acceleration (m/s^2).
     """
     state, inputs = state.copy(), inputs.copy()
-    free = plant.places[plant.places != U]
-    states = typical(plant.state_names)
+    free = model.places[model.places != U]
+    states = typical(model.state_names)
     torque, angle = TYPICAL["wheel_torque"], TYPICAL["steering"]
-    scale = np.array([*states[plant.places != U], torque, angle])
+    scale = np.array([*states[model.places != U], torque, angle])
 
     def put(unknowns: np.ndarray) -> np.ndarray:
-        """Have state and inputs be these unknowns; returns the rates of all states."""
+        """Set state and inputs from the unknowns; returns the rates of all states."""
         *values, inputs[REAR_TORQUES], inputs[STEERING] = unknowns * scale
         state[free] = values
-        if not plant.options.has_eight_dof:
-            state[TIRE_COMPRESSION] = plant.on_flat_road(state)
-        return plant.rates(state, inputs)
+        if not model.options.has_eight_dof:
+            state[TIRE_COMPRESSION] = model.on_flat_road(state)
+        return model.rates(state, inputs)
 
     def residual(unknowns: np.ndarray) -> np.ndarray:
         rates = put(unknowns)
-        given = plant.outputs.acceleration[1] if field == "lateral_acceleration" else None
+        given = model.outputs.acceleration[1] if field == "lateral_acceleration" else None
         off = (inputs[STEERING] - target) / angle if given is None else given - target
-        return np.append(rates[plant.places] / states, off)
+        return np.append(rates[model.places] / states, off)
 
     def slopes(unknowns: np.ndarray) -> np.ndarray:
         changes = STEP * np.eye(len(unknowns))
@@ -234,13 +239,13 @@ def _solution(
     with np.errstate(all="ignore"):
         found = optimize.root(residual, start, jac=slopes, options={"xtol": 1e-13})
         worst = np.abs(residual(found.x)).max()
-    if not worst < STEADY or not plant.outputs.normal_force.all():
+    if not worst < STEADY or not model.outputs.normal_force.all():
         return None
-    return Trim(plant, state, inputs, plant.outputs.copy())
+    return Trim(model, state, inputs, model.outputs.copy())
 
 
 def _in_words(trim: Trim, field: str) -> str:
-    """How far the turn of a trim goes, in the quantity that is given."""
+    """How tight the turn of a trim is, in terms of the given quantity, in words."""
     if field == "steering":
         angle = float(trim.inputs[STEERING])
         return f"{angle:.3f} rad ({math.degrees(angle):.1f} deg)"
@@ -248,7 +253,7 @@ def _in_words(trim: Trim, field: str) -> str:
 
 
 def _check_rolls(trim: Trim) -> None:
-    """Raise InputError where a wheel is too slow for its tire to be that of a rolling wheel."""
+    """Raise InputError if a wheel rolls so slowly that the standstill terms of its tire act."""
     if trim.outputs.rolling.min() < LOW_SPEED:
-        allowed = f"{LOW_SPEED:g} m/s or more at every wheel, tires do not roll smoothly below"
+        allowed = f"at least {LOW_SPEED:g} m/s at every wheel; below, the tires are not smooth"
         raise InputError("speed", float(trim.state[U]), allowed)

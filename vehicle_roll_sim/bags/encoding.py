@@ -1,11 +1,11 @@
-"""Messages from plain values to bytes, and back, by the type store of the library rosbags."""
+"""Serializes messages from plain values, and back, with the type store of the library rosbags."""
 
 import numpy as np
 from rosbags.interfaces import Nodetype
 from rosbags.typesys import Stores, get_typestore
 
 TYPES = get_typestore(Stores.ROS2_JAZZY)
-"""The types of this package have been the same in every distribution since."""
+"""The message types used here have not changed in later distributions."""
 
 
 def encode(type_name: str, fields: dict) -> bytes:
@@ -19,14 +19,14 @@ def decode(data: bytes, type_name: str):
 
 
 def _message(type_name: str, fields: dict):
-    """A message; what is not named is 0 or empty."""
+    """A message object; omitted fields are 0 or empty."""
     _, members = TYPES.fielddefs[type_name]
     values = {name: _value(kind, fields.get(name)) for name, kind in members}
     return TYPES.types[type_name](**values)
 
 
 def _value(kind, given):
-    """A value of the kind that the type store describes; None gives 0 or what is empty."""
+    """A value of the kind that the type store describes; 0 or empty if `given` is None."""
     node, description = kind
     if node is Nodetype.NAME:
         return _message(description, given or {})

@@ -1,6 +1,6 @@
-"""An MCAP file that is whole after every chunk, so that a recorder may be killed.
+"""An MCAP file that is valid after every chunk, in case the recorder is killed.
 
-The library rosbags ends a file when it is closed; without its end no reader takes it.
+The library rosbags writes the end of a file when it is closed; no reader accepts a file without it.
 """
 
 import io
@@ -11,19 +11,19 @@ from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.rosbag2.storage_mcap import McapWriter
 
 LARGEST_CHUNK = 4 * 2**20
-"""Bytes; the library closes a chunk at 1 MiB and a message."""
+"""Bytes; the library closes a chunk with the message that exceeds 1 MiB."""
 END = (
-    b"\x0f" + (4).to_bytes(8, "little") + bytes(4)  # end of data, its checksum not given
+    b"\x0f" + (4).to_bytes(8, "little") + bytes(4)  # end of data, no checksum
     + b"\x02" + (20).to_bytes(8, "little") + bytes(20)  # a footer: no summary, no checksum
     + b"\x89MCAP0\r\n"
 )  # fmt: skip
-"""The shortest end of an MCAP file."""
+"""The shortest valid end of an MCAP file."""
 
 
 class KeptFile(McapWriter):
-    """Every chunk goes to the file in one piece with an end, which the next one overwrites.
+    """Writes each chunk together with a file end, which the next chunk overwrites.
 
-    It is named as rosbag2 names the first file of a bag, and as its reindexer wants it.
+    The file has the name that rosbag2 gives to the first file of a bag, which its reindexer needs.
     """
 
     def __init__(self, path: Path, compression):
@@ -41,14 +41,14 @@ class KeptFile(McapWriter):
             raise
 
     def write_end(self) -> None:
-        """End the file here, for now."""
+        """Write a file end here; the next chunk overwrites it."""
         place = self.bio.tell()
         self.bio.write(END)
         self.bio.flush()
         self.bio.seek(place)
 
     def _end_at(self, place: int) -> None:
-        """Take back what was only half written, and write no more."""
+        """Truncate a partly written chunk, end the file there, and discard all further writes."""
         file = self.bio.fileno()
         os.ftruncate(file, place)
         os.pwrite(file, END, place)
@@ -56,7 +56,7 @@ class KeptFile(McapWriter):
 
 
 class _MetadataAlone:
-    """In the place of a storage, so that its writer writes the metadata and does not end it."""
+    """Stands in for a storage, so that its writer writes the metadata without closing the file."""
 
     def __init__(self, path: Path):
         self.path = path
@@ -66,12 +66,12 @@ class _MetadataAlone:
 
 
 class KeptWriter(Writer):
-    """A writer whose bag can be read from after every `keep`, whatever becomes of the process."""
+    """A writer whose bag is readable after every `keep`, even if the process is then killed."""
 
     STORAGE_PLUGINS = Writer.STORAGE_PLUGINS | {StoragePlugin.MCAP: KeptFile}
 
     def begin(self) -> None:
-        """Write metadata that has all connections, and no messages yet: it takes 0.1 s."""
+        """Write metadata with all connections but no messages; this takes 0.1 s."""
         self.storage.write_end()
         storage, times = self.storage, (self.min_timestamp, self.max_timestamp)
         self.storage = _MetadataAlone(storage.path)
@@ -83,6 +83,6 @@ class KeptWriter(Writer):
             self.min_timestamp, self.max_timestamp = times
 
     def keep(self) -> None:
-        """Bring the file up to date with what was written."""
+        """Flush everything written so far to the file."""
         if self.storage.chunk.msgs:
             self.storage.close_chunk()

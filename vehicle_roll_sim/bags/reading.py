@@ -1,4 +1,4 @@
-"""The runs of a simulator in a bag, whoever recorded it: rosbag2, this package, other libraries."""
+"""Reads the runs of a simulator from a bag written by rosbag2, this package or other libraries."""
 
 import dataclasses
 import math
@@ -20,11 +20,11 @@ from vehicle_roll_sim.messages.collected import (
     is_ours,
 )
 from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.description import described
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.road import Road
 
-A_BAG = "a whole bag of a simulator: metadata.yaml, and the file that it names"
+A_BAG = "a complete bag of a simulator: metadata.yaml and the file that it names"
 READ = (*COLLECTED, SIMULATION_DESCRIPTION)
 
 
@@ -32,8 +32,8 @@ READ = (*COLLECTED, SIMULATION_DESCRIPTION)
 class RecordedRun:
     """What was recorded from one reset to the next.
 
-    description: what was simulated (simulation.description), '' where the bag does not say.
-    commands: values of `applied_command` by the time of their set (s).
+    description: of the simulation (simulation.description), '' if the bag has none. commands: the
+    values of `applied_command` by the time of their set (s).
     """
 
     description: str
@@ -42,25 +42,25 @@ class RecordedRun:
 
     @property
     def states(self) -> list[dict[str, float]]:
-        """Every `state`, by name, in order."""
+        """Every `state` as a dict by name, in order."""
         return [state for _, state in self.kept.states]
 
     @property
     def begins_at_a_reset(self) -> bool:
-        """Whether it is known from time 0 on."""
+        """Whether the recording includes time 0."""
         return self.states[0]["time"] == 0.0
 
     def keep(self, topic: str, sent: int, message) -> None:
-        """Note a message of another topic than `state`."""
+        """Add a message of a topic other than `state`. sent: when it was sent (ns)."""
         self.kept.keep(topic, sent, message)
         if topic == COMMAND:
             self.commands[float(message.data[0])] = message.data
 
 
 def recorded_runs(path: Path, namespace: str | None = None) -> list[RecordedRun]:
-    """The runs in a bag, in order, of the vehicle in `namespace` (needed if there are several).
+    """The runs in a bag, in order. namespace: of the vehicle, required if the bag has several.
 
-    Raises InputError for what is no bag, is damaged, or has no states and commands.
+    Raises InputError if `path` is not a bag, is damaged, or has no states or no commands.
     """
     runs = list(_runs(path, namespace))
     for name, found in ((STATE, "states"), (COMMAND, "commands")):
@@ -70,23 +70,23 @@ def recorded_runs(path: Path, namespace: str | None = None) -> list[RecordedRun]
 
 
 def last_history(path: Path, namespace: str | None = None) -> History:
-    """The samples of the last run in a bag, on a level road where the bag does not say which.
+    """The samples of the last run in a bag, assuming a level road if the bag has no description.
 
-    Raises InputError as `recorded_runs` and `described` do.
+    Raises the InputErrors of `recorded_runs` and `described`, and one if no set is complete.
     """
     run = recorded_runs(path, namespace)[-1]
     road = described(run.description).simulation.road if run.description else Road()
     history = run.kept.history(road)
     if not len(history.rows):
         wanted = ", ".join(topic.name for topic in COLLECTED)
-        raise InputError("BAG", str(path), f"sets of {wanted}", f"{path}: no complete set")
+        raise InputError("BAG", str(path), f"complete sets of {wanted}", f"{path}: no complete set")
     return history
 
 
 def _runs(path: Path, namespace: str | None) -> Iterator[RecordedRun]:
-    """Every run; one ends where the time of the states falls.
+    """Every run; a new one begins when the time of the states decreases.
 
-    What was logged before the first state may belong to it: receivers log in the order of arrival.
+    Messages logged before the first state may belong to it: receivers log in order of arrival.
     """
     run, early, last_time, description = None, [], math.inf, ""
     for topic, sent, message in _messages(path, namespace):
@@ -115,13 +115,14 @@ def _runs(path: Path, namespace: str | None) -> Iterator[RecordedRun]:
 
 
 def _check(topic: Topic, message, path: Path) -> None:
-    """Raise InputError for a message that no simulator sends."""
+    """Raise InputError for a message that cannot come from a simulator."""
     if not is_ours(topic.name, message):
-        raise InputError("BAG", str(path), A_BAG, f"{path}: a {topic.name} that is none")
+        problem = f"{path}: a message on {topic.name} that is not a simulator's"
+        raise InputError("BAG", str(path), A_BAG, problem)
 
 
 def _messages(path: Path, namespace: str | None) -> Iterator[tuple[Topic, int, object]]:
-    """Topic, log time (ns) and message of all that is read of a bag."""
+    """Topic, log time (ns) and message of everything in the bag that is used."""
     if not path.is_dir():
         raise InputError("BAG", str(path), A_BAG)
     try:
@@ -133,13 +134,13 @@ def _messages(path: Path, namespace: str | None) -> Iterator[tuple[Topic, int, o
                 yield topic, sent, decode(data, topic.type)
     except InputError:
         raise
-    except Exception as error:  # the library raises whatever it meets in a damaged file
+    except Exception as error:  # the library raises all sorts of errors for a damaged file
         reason = getattr(error, "strerror", None) or error or type(error).__name__
         raise InputError("BAG", str(path), A_BAG, f"{path}: {reason}") from None
 
 
 def _names(reader: Reader, path: Path, namespace: str | None) -> dict[str, Topic]:
-    """The topics that are read, by their full names in the bag."""
+    """The topics that are used, by their full names in the bag; raises InputError."""
     types = {connection.topic: connection.msgtype for connection in reader.connections}
     suffix = f"/{COMMAND}"
     found = sorted(name.removesuffix(suffix) for name in types if name.endswith(suffix))

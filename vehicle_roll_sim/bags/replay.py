@@ -1,4 +1,4 @@
-"""A recorded run simulated again on the commands that were applied, and compared with it."""
+"""Simulates a recorded run again from its applied commands, and compares the two."""
 
 import dataclasses
 import itertools
@@ -8,22 +8,23 @@ import numpy as np
 
 from vehicle_roll_sim.bags.reading import RecordedRun
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 LONGEST_PERIOD = 1.5
-"""Publish periods between two sets; where it is longer, some are missing between them."""
+"""Publish periods between two sets; if it is longer, sets are missing between them."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Replay:
-    """How a run compares with its recording.
+    """How a replayed run compares with its recording.
 
-    end: simulated time (s) up to which it was compared, after `periods` periods; missing_from:
-    where the recording has a gap, else nan. difference: the largest of any state (in its unit),
-    name and time (s) that state and when, relative what it is of the largest value of that state.
+    end: simulated time (s) up to which they were compared, after `periods` periods. missing_from:
+    time (s) at which the recording has a gap, else nan. relative: the largest difference of any
+    state, as a fraction of that state's peak; difference, name and time: that difference in the
+    state's unit, the state, and when it occurs (s).
     """
 
     end: float
@@ -36,20 +37,20 @@ class Replay:
 
     @property
     def is_exact(self) -> bool:
-        """Whether every state that was compared was reproduced to the bit."""
+        """Whether every compared state was reproduced bit for bit."""
         return self.difference == 0.0
 
     @property
     def is_complete(self) -> bool:
-        """Whether the whole recording was compared, and there is something in it."""
+        """Whether the whole recording was compared, at least one period."""
         return self.periods > 0 and math.isnan(self.missing_from)
 
 
 def replay(run: RecordedRun, simulation: Simulation, period: float | None = None) -> Replay:
-    """Drive `simulation` as the recorded vehicle was, from its reset on.
+    """Drive `simulation` as the recorded vehicle was driven, from its reset on.
 
-    period: that of the sets (s), None for the usual one of the recording. Raises InputError for a
-    recording that does not begin as this vehicle at a reset.
+    period: publish period (s), None for the median in the recording. Raises InputError if the
+    recording does not begin with the state of this vehicle at a reset.
     """
     recorded = _recorded_states(run, simulation)
     _reset_as(recorded[0], simulation)
@@ -69,7 +70,7 @@ def replay(run: RecordedRun, simulation: Simulation, period: float | None = None
 
 
 def _recorded_states(run: RecordedRun, simulation: Simulation) -> np.ndarray:
-    """One row for each recorded set: time and states as the model has them."""
+    """One row for each recorded set: the time and the states of the model; raises InputError."""
     labels = ["time", *simulation.state_names]
     found = list(run.states[0])
     if found != labels:
@@ -80,14 +81,14 @@ def _recorded_states(run: RecordedRun, simulation: Simulation) -> np.ndarray:
 
 
 def _reset_as(first: np.ndarray, simulation: Simulation) -> None:
-    """Reset to the speed of a first state, which must then be that of the simulation."""
+    """Reset to the speed of the first recorded state; raises InputError if states differ."""
     simulation.reset(float(first[1 + simulation.state_names.index("u")]))
     own = _state(simulation)
     differs = ~((first == own) | (np.isnan(first) & np.isnan(own)))
     if differs.any():
         name = ("time", *simulation.state_names)[int(np.argmax(differs))]
         was, is_now = (float(state[np.argmax(differs)]) for state in (first, own))
-        allowed = f"{is_now:.9g}, that of the simulated vehicle: the recorded one is another"
+        allowed = f"{is_now:.9g} as in the simulated vehicle: a different vehicle was recorded"
         raise InputError(f"BAG: {name} at the reset", was, allowed)
 
 
@@ -96,7 +97,7 @@ def _state(simulation: Simulation) -> np.ndarray:
 
 
 def _command(values: np.ndarray) -> Command:
-    """The command of an `applied_command`."""
+    """The command in the values of an `applied_command`."""
     _, steering, rear_steering, *rest = map(float, values)
     torque, brake, force = (rest[k * WHEEL_COUNT : (k + 1) * WHEEL_COUNT] for k in range(3))
     return Command(steering, rear_steering, tuple(torque), tuple(brake), tuple(force))

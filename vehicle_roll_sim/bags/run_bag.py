@@ -1,4 +1,4 @@
-"""The bag of an offline run: what a recording of the node would have been."""
+"""The bag of an offline run: the same as a recording of the node."""
 
 import contextlib
 from collections.abc import Iterable, Iterator
@@ -6,6 +6,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.bags.encoding import encode
 from vehicle_roll_sim.bags.writing import Bag, whole_bag
+from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
@@ -20,9 +21,8 @@ from vehicle_roll_sim.messages.topics import (
     TRANSFORMS,
 )
 from vehicle_roll_sim.messages.urdf import robot_description
-from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.simulation.command import Command
-from vehicle_roll_sim.simulation.command_inbox import channels
 from vehicle_roll_sim.simulation.description import describe
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -37,20 +37,21 @@ def run_bag(
     *,
     stamped: bool = False,
 ) -> Iterator["RunBag"]:
-    """The witness of a run whose commands are held for `period_ns`; its bag is whole in the end.
+    """An observer of a run that writes a bag, complete when the block ends.
 
-    stamped: with the topics of a node that has `publish_stamped` set. Raises InputError naming
-    `field` if it cannot be written.
+    commanded: names of the commanded fields of a Command. period_ns: for which commands are held.
+    stamped: include the topics of `publish_stamped`. Raises InputError naming `field` if the bag
+    cannot be written.
     """
     with whole_bag(folder, field) as bag:
         yield RunBag(simulation, commanded, bag, period_ns, stamped)
 
 
 class RunBag:
-    """Witness of a run that writes every set into a bag, stamped and logged in simulated time.
+    """Observer of a run that writes every set to a bag, stamped and logged in simulated time.
 
-    It has the topics of a recording, with what each period was driven with on those of the
-    `commanded` fields of a Command. Diagnostics stay empty.
+    The bag has the topics of a recording. The topics of the `commanded` fields of a Command have
+    the values applied in each period; diagnostics stay empty.
     """
 
     def __init__(
@@ -82,6 +83,7 @@ class RunBag:
         self._write(ROBOT_DESCRIPTION.name, {"data": robot_description(simulation)})
 
     def sees_set(self) -> None:
+        """Write the current set, and `rollover` at first and when it changes."""
         self._messages.set_time(self._simulation.time_ns)
         for name, build in self._set:
             self._bag.write(self._connections[name], self._simulation.time_ns, build())
@@ -91,6 +93,7 @@ class RunBag:
             self._write(ROLLOVER.name, {"data": rolled_over})
 
     def sees_command(self, command: Command) -> None:
+        """Write the command for the next period."""
         self._messages.applied = command
         for name, field in self._commands.items():
             self._write(name, {"data": getattr(command, field)})

@@ -1,7 +1,7 @@
-"""Reading a bag whose recorder was killed: its file has chunks, but no index of them.
+"""Reads a bag whose recorder was killed: its file has chunks, but no chunk index.
 
-The library rosbags reads such a file only if its messages lie in the order of their times, which
-those of several topics do not quite.
+The library rosbags reads such a file only if its messages are in order of time, which those of
+several topics are not quite.
 """
 
 import struct
@@ -12,15 +12,16 @@ from rosbags.rosbag2.reader import DirectoryReader
 from rosbags.rosbag2.storage_mcap import ChunkInfo, McapReader
 
 RECORD = struct.Struct("<cQ")
-"""Beginning of a record of MCAP: its kind, and its size from there on."""
+"""Header of an MCAP record: its opcode, and the number of bytes that follow."""
 CHUNK = b"\x06"
 CHUNK_HEAD = struct.Struct("<QQQII")
-"""Times of the first and the last message (ns), size, checksum, length of the next name."""
+"""Times of the first and last message (ns), uncompressed size, checksum, length of the string that
+names the compression."""
 SIZE = struct.Struct("<Q")
 
 
 class _IndexingReader(McapReader):
-    """Makes the index that is missing, so that messages come in the order of their times."""
+    """Rebuilds a missing chunk index, so that messages are read in order of time."""
 
     def meta_scan(self) -> None:
         super().meta_scan()
@@ -28,7 +29,7 @@ class _IndexingReader(McapReader):
             self.chunks.extend(self._found_chunks())
 
     def _found_chunks(self) -> Iterator[ChunkInfo]:
-        """What an index would say of every chunk, but for which topics it has: maybe all."""
+        """The index entry of every chunk; its topics are unknown, so all are listed."""
         every_topic = dict.fromkeys(self.channels, 1)
         place = self.data_start
         while place < self.data_end:
@@ -50,6 +51,6 @@ class _FolderReader(DirectoryReader):
 
 
 class BagReader(Reader):
-    """The library's reader, for bags that were not closed, too."""
+    """The library's reader, extended to bags that were not closed."""
 
     STORAGE_PLUGINS = Reader.STORAGE_PLUGINS | {"dir": _FolderReader}

@@ -1,1 +1,1 @@
-"""The command `vehicle_roll_sim`: what needs no running node."""
+"""The command `vehicle_roll_sim`: everything that works without a running node."""

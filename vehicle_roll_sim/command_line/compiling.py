@@ -1,16 +1,16 @@
-"""The model compiled before a command runs it, or a line on why it is slow."""
+"""Compile the model before a command runs it, or say why it will be slow."""
 
 import sys
 
 from vehicle_roll_sim.command_line.ending import PROGRAM
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.simulation import compilation
 
 
 def compile_model() -> None:
-    """Have the model compiled; where numba is not installed, say so once on stderr.
+    """Compile the model if necessary; if numba is not installed, say so once on stderr.
 
-    NUMBA_DISABLE_JIT is its user's own wish and no news.
+    Nothing is said if the user has disabled compilation with NUMBA_DISABLE_JIT.
     """
     if jit.numba is None:
         print(f"{PROGRAM}: {jit.why_slow()}", file=sys.stderr, flush=True)

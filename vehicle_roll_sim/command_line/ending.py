@@ -1,29 +1,25 @@
-"""How SIGINT and SIGTERM end a command: statuses 130 and 143, and nothing half-written.
+"""How SIGINT and SIGTERM end a command: exit status 130 or 143, and no partial files.
 
-A signal that whoever started the command has it ignore, as a shell does for SIGINT in the
-background of a script, stays ignored.
+A signal that the parent process told the command to ignore stays ignored; a shell does this with
+SIGINT for background jobs of a script.
 """
 
 import contextlib
 import importlib
-import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
 
-PROGRAM = "vehicle_roll_sim"
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
-SHELLS_SIGNAL = 128
-"""Added to a signal's number it is an exit status, as shells have it."""
+from vehicle_roll_sim.early_signals import PROGRAM, SHELLS_SIGNAL, SIGNALS, end_command
 
 
 @contextlib.contextmanager
 def whole_process() -> Iterator[None]:
-    """Within is all that the process does: a signal ends it at once, and afterwards does nothing.
+    """Enclose all that the process does: signals end it at once, and are ignored afterwards.
 
-    Not even in the end may Python's own handler of SIGINT, with its traceback, be reached.
+    So Python's own SIGINT handler, with its traceback, is never reached, not even at exit.
     """
-    _handle(_end)
+    _handle(end_command)
     try:
         yield
     finally:
@@ -32,17 +28,17 @@ def whole_process() -> Iterator[None]:
 
 @contextlib.contextmanager
 def at_once() -> Iterator[None]:
-    """Within, a signal ends the process as it is: for as long as there is nothing to lose.
+    """Within the block, a signal ends the process immediately: only while there is nothing to lose.
 
-    The compiler reads and makes code with callbacks that lose an exception, and then breaks; so
-    do some of the large libraries while they are imported.
+    An exception raised inside a callback of the compiler gets lost and leaves it broken. The same
+    is true of some large libraries while they are being imported.
     """
-    with _handled_by(_end):
+    with _handled_by(end_command):
         yield
 
 
 def import_at_once(*modules: str) -> None:
-    """Import modules of this package, whose libraries take long or are optional, `at_once`."""
+    """Import modules of this package whose libraries are slow to load or optional, `at_once`."""
     with at_once():
         for name in modules:
             importlib.import_module(f"{PROGRAM}.{name}")
@@ -50,7 +46,10 @@ def import_at_once(*modules: str) -> None:
 
 @contextlib.contextmanager
 def by_exceptions() -> Iterator[None]:
-    """Within, SIGINT raises KeyboardInterrupt and SIGTERM SystemExit: half-written files go."""
+    """Within the block, SIGINT raises KeyboardInterrupt and SIGTERM raises SystemExit.
+
+    Context managers can then remove partial files.
+    """
     with _handled_by(_raise):
         yield
 
@@ -66,19 +65,12 @@ def _handled_by(handler: Callable) -> Iterator[None]:
 
 
 def _handle(handler: Callable | signal.Handlers) -> dict:
-    """Set the handler of all signals but those that are ignored; the handlers before, by signal."""
-    heeded = [each for each in SIGNALS if signal.getsignal(each) is not signal.SIG_IGN]
-    return {signum: signal.signal(signum, handler) for signum in heeded}
+    """Set the handler of every signal that is not ignored; return the previous ones by signal."""
+    handled = [each for each in SIGNALS if signal.getsignal(each) is not signal.SIG_IGN]
+    return {signum: signal.signal(signum, handler) for signum in handled}
 
 
 def _raise(signum, frame) -> None:
     if signum == signal.SIGINT:
         raise KeyboardInterrupt
     sys.exit(SHELLS_SIGNAL + signum)
-
-
-def _end(signum, frame) -> None:
-    if signum == signal.SIGINT:
-        with contextlib.suppress(OSError):  # not by sys.stderr, which may be writing just now
-            os.write(2, f"{PROGRAM}: interrupted\n".encode())
-    os._exit(SHELLS_SIGNAL + signum)

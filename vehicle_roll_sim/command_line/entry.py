@@ -1,11 +1,14 @@
-"""The entry point of the command: its signals are handled before anything large is imported."""
+"""The entry point of the command: installs signal handlers before any import."""
 
-import importlib
-
-from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim import early_signals
 
 
 def main() -> int:
-    """Run the command with the words of the process; returns the exit status."""
+    """Run the command with the arguments of the process; return the exit status."""
+    early_signals.end_command_at_once()
+    import importlib
+
+    from vehicle_roll_sim.command_line import ending
+
     with ending.whole_process():
         return importlib.import_module("vehicle_roll_sim.command_line.main").main()

@@ -1,4 +1,4 @@
-"""`vehicle_roll_sim linearize`: the model about steady driving as A, B, C, D, and its poles."""
+"""`vehicle_roll_sim linearize`: A, B, C, D of the model about steady driving, and its poles."""
 
 import argparse
 import dataclasses
@@ -6,6 +6,7 @@ import math
 
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
@@ -14,38 +15,45 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_vehicle,
 )
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.manoeuvres.manoeuvre import STEEPEST
+from vehicle_roll_sim.files.output_file import check_writable
+from vehicle_roll_sim.manoeuvres.catalogue import STEEPEST
 from vehicle_roll_sim.model.records import ROLL, WHEELS
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_writable
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED
-from vehicle_roll_sim.simulation.summary import line
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-DESCRIPTION = "Linearise the model about steady driving: A, B, C, D and the poles."
 HARDEST = 30.0
-"""m/s^2: no tire holds a turn as hard."""
+"""m/s^2: no tire can hold a turn this hard."""
 HEADER = f"{'real':>10}{'imaginary':>12}{'frequency':>11}{'damping':>9}{'time const.':>13}  states"
 UNITS = f"{'1/s':>10}{'1/s':>12}{'Hz':>11}{'':9}{'s':>13}"
 
 
 @dataclasses.dataclass(frozen=True)
 class SteadyDriving:
-    """The steady state about which the model is linearised."""
+    """The steady driving condition about which the model is linearised."""
 
     speed: float = parameter(
-        "forward speed, held by the rear wheels", "m/s", 0.0, MAXIMUM_SPEED, default=DEFAULT_SPEED
+        "forward speed, held by torque at the rear wheels",
+        "m/s",
+        0.0,
+        MAXIMUM_SPEED,
+        default=DEFAULT_SPEED,
     )
     steering: float = parameter(
-        "road-wheel angle, left positive", "deg", -STEEPEST, STEEPEST, default=0.0
+        "front road-wheel angle, left positive", "deg", -STEEPEST, STEEPEST, default=0.0
     )
     lateral_acceleration: float = parameter(
-        "find the steering for it, left turns positive", "m/s^2", -HARDEST, HARDEST, default=0.0
+        "solve for the steering that gives this steady lateral acceleration, left positive",
+        "m/s^2",
+        -HARDEST,
+        HARDEST,
+        default=0.0,
     )
 
 
 def linearize_command(words: list[str], program: str) -> int:
-    """The command, given the words behind its name; returns the exit status."""
+    """Run the command with the arguments after its name; return the exit status."""
     arguments = _parser(program).parse_args(words)
     given = declared_values(arguments, SteadyDriving)
     if len(given.keys() & {"steering", "lateral_acceleration"}) > 1:
@@ -65,9 +73,9 @@ def linearize_command(words: list[str], program: str) -> int:
 
 
 def _linear_model(vehicle: Vehicle, options: Options, given: dict):
-    """The model about the steady driving that the options give."""
+    """The model linearised about the steady driving that the options describe."""
     compile_model()
-    from vehicle_roll_sim.offline.linearizing import linearize  # scipy: a quarter of a second
+    from vehicle_roll_sim.offline.linearizing import linearize  # scipy takes 0.25 s to import
 
     driving = dict(given)
     if "steering" in driving:
@@ -81,17 +89,17 @@ def _linear_model(vehicle: Vehicle, options: Options, given: dict):
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["linearize"])
     add_declared(parser, SteadyDriving, "steady driving")
     add_declared(parser, Options, "model")
     add_vehicle_options(parser)
     group = parser.add_argument_group("results")
-    group.add_argument("--npz", metavar="FILE", help="write matrices, names and the steady state")
+    group.add_argument("--npz", metavar="FILE", help="write the matrices, names and trim state")
     return parser
 
 
 def _trim_lines(model) -> list[str]:
-    """What the steady state is, one quantity a line."""
+    """The trim state, one quantity per line."""
     trim = model.trim
     loads = ", ".join(
         f"{wheel} {load:.1f}" for wheel, load in zip(WHEELS, trim.outputs.normal_force, strict=True)
@@ -110,12 +118,12 @@ def _trim_lines(model) -> list[str]:
         line("states", _in_short(model.state_names)),
         line("inputs", _in_short(model.input_names)),
         line("outputs", _in_short(model.output_names)),
-        line("slopes over twice the step", f"differ by {model.step_error:.1e}"),
+        line("finite-difference check", f"twice the step changes slopes by {model.step_error:.1e}"),
     ]
 
 
 def _in_short(names: tuple[str, ...]) -> str:
-    """How many names, and which; those of the four wheels in one."""
+    """The number of names and the names, with those of the four wheels abbreviated."""
     first, *others = (f"_{wheel}" for wheel in WHEELS)
     kept = [name for name in names if not name.endswith(tuple(others))]
     shown = (f"{name} … {WHEELS[-1]}" if name.endswith(first) else name for name in kept)
@@ -123,7 +131,7 @@ def _in_short(names: tuple[str, ...]) -> str:
 
 
 def _pole_lines(model) -> list[str]:
-    """The poles as a table, a pair of them in one line, the slowest first."""
+    """The poles as a table, slowest first; a complex pair takes one line."""
     from vehicle_roll_sim.analysis.modes import modes_of
 
     rows = ["", HEADER, UNITS]

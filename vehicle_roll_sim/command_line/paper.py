@@ -1,12 +1,17 @@
-"""`vehicle_roll_sim paper`: rerun the source, its figures and its claims."""
+"""`vehicle_roll_sim paper`: rerun the studies of Shim and Ghike (2007) and check its claims."""
 
 import sys
 from pathlib import Path
 
 from tqdm import tqdm
 
-from vehicle_roll_sim.analysis.paper.claim import HOLDS, Finding
-from vehicle_roll_sim.analysis.paper.report import (
+from vehicle_roll_sim.arguments import OneLineParser, named_file
+from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
+from vehicle_roll_sim.command_line.compiling import compile_model
+from vehicle_roll_sim.files.output_file import check_folder, filled_folder
+from vehicle_roll_sim.paper.claim import HOLDS, Finding
+from vehicle_roll_sim.paper.report import (
     NO_ENGINE,
     as_markdown,
     as_text,
@@ -14,32 +19,28 @@ from vehicle_roll_sim.analysis.paper.report import (
     numbers_as_markdown,
     numbers_as_text,
 )
-from vehicle_roll_sim.analysis.paper.study import Study
-from vehicle_roll_sim.arguments import OneLineParser, named_file
-from vehicle_roll_sim.command_line import ending
-from vehicle_roll_sim.command_line.compiling import compile_model
-from vehicle_roll_sim.simulation.output_file import check_folder, filled_folder
+from vehicle_roll_sim.paper.study import Study
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
-DESCRIPTION = "Rerun Shim and Ghike (2007): figures, data, and a verdict on every claim."
 DEFAULT_FOLDER = "paper"
 CLAIM_FAILED = 1
-"""Exit status with --strict."""
+"""Exit status with --strict if a claim fails or was not checked."""
 
 
 def paper_command(words: list[str], program: str) -> int:
-    """The command, given the words behind its name; returns the exit status."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    """Run the command with the arguments after its name; return the exit status."""
+    parser = OneLineParser(prog=program, description=COMMANDS["paper"])
     parser.add_argument(
         "--out",
         metavar="DIR",
         default=DEFAULT_FOLDER,
-        help=f"folder for figures (PNG), their data (CSV) and the table (default {DEFAULT_FOLDER})",
+        help="folder for the figures (PNG), their data (CSV) and the table of claims "
+        f"(default: {DEFAULT_FOLDER})",
     )
     parser.add_argument(
         "--strict",
         action="store_true",
-        help="exit with 1 unless every claim was checked and holds",
+        help="exit with status 1 unless every claim was checked and holds",
     )
     arguments = parser.parse_args(words)
     folder = named_file(arguments.out, "--out")
@@ -58,7 +59,7 @@ def paper_command(words: list[str], program: str) -> int:
 def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
     """Make all runs, then write figures, data and tables, all of them or none."""
     with ending.at_once():
-        from vehicle_roll_sim.analysis.paper import figures  # matplotlib: half a second
+        from vehicle_roll_sim.paper import figures  # matplotlib takes 0.5 s to import
 
     bar.reset(len(study.runs) + len(figures.FIGURES))
     for manoeuvre, case in study.runs:

@@ -1,24 +1,24 @@
-"""`vehicle_roll_sim parameters`: the vehicle's parameters as a table."""
+"""`vehicle_roll_sim parameters`: the vehicle's parameters as a Markdown table."""
 
 from vehicle_roll_sim.arguments import OneLineParser
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.plausibility import AXLES
+from vehicle_roll_sim.vehicle.parameters import AXLES, Vehicle
 
-DESCRIPTION = "Print every parameter of a vehicle in Markdown: value, unit, range, meaning."
 HEADER = ("name", "symbol", "value", "unit", "allowed", "meaning")
 
 
 def parameters_command(words: list[str], program: str) -> int:
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    """Run the command with the arguments after its name; return the exit status."""
+    parser = OneLineParser(prog=program, description=COMMANDS["parameters"])
     add_vehicle_options(parser)
     print(parameter_table(chosen_vehicle(parser.parse_args(words))))
     return 0
 
 
 def parameter_table(vehicle: Vehicle) -> str:
-    """The values of `vehicle` as a Markdown table."""
+    """A Markdown table of the parameters of `vehicle`."""
     rows = [HEADER, ("---",) * len(HEADER)]
     for name, parameter in parameters_of(Vehicle).items():
         allowed = f"{parameter.minimum:g} … {parameter.maximum:g}"
@@ -29,7 +29,7 @@ def parameter_table(vehicle: Vehicle) -> str:
 
 
 def _value(vehicle: Vehicle, name: str) -> float:
-    """The value of a parameter, that of a roll centre also where its alternative was given."""
+    """The value of a parameter; a roll centre height also if its alternative was given."""
     if name in vehicle.given:
         return vehicle.given[name]
     axle, _, measure = name.partition("_")

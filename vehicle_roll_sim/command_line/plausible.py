@@ -1,4 +1,4 @@
-"""What is not plausible of the input: warnings on stderr, or errors with --strict."""
+"""Implausible input: a warning on stderr, or an error with --strict."""
 
 import argparse
 import sys
@@ -10,14 +10,14 @@ OPTION = "--strict"
 
 
 def add_strict(group: argparse._ArgumentGroup) -> None:
-    """The option, unless the command has one of that name with a meaning of its own."""
+    """Add the option, unless the command already has a --strict with a different meaning."""
     if OPTION not in group._option_string_actions:
-        about = "refuse what is not plausible with status 2, instead of a warning"
+        about = "refuse implausible values (exit status 2) instead of printing a warning"
         group.add_argument(OPTION, dest="refuse_doubts", action="store_true", help=about)
 
 
 def heed(doubts: list[str], arguments: argparse.Namespace) -> None:
-    """Warn of each doubt in a line; with --strict raise InputError with all of them."""
+    """Print one warning line per doubt; with --strict, raise InputError with all of them."""
     if doubts and getattr(arguments, "refuse_doubts", False):
         raise InputError(OPTION, "", "; ".join(doubts), "not plausible")
     for doubt in doubts:

@@ -1,4 +1,4 @@
-"""`vehicle_roll_sim plot`: the standard figure of recorded runs, one or several over each other."""
+"""`vehicle_roll_sim plot`: the standard figure of one recorded run, or of several overlaid."""
 
 import argparse
 import dataclasses
@@ -7,41 +7,41 @@ import os
 from pathlib import Path
 
 from vehicle_roll_sim.analysis import figure_size
-from vehicle_roll_sim.analysis.sampled_events import events_of
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.simulation.history import History
-from vehicle_roll_sim.simulation.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.files.output_file import check_figure_format, check_writable
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.sampled_events import events_of
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
-from vehicle_roll_sim.simulation.summary import line
 
-DESCRIPTION = "Draw the standard figure of recorded runs."
 LATEST = 1e10
-"""s: beyond all times, also those that count from 1970."""
+"""s: later than any time, including times counted from 1970."""
 
 
 @dataclasses.dataclass(frozen=True)
 class PlotSettings:
-    """What of the runs is drawn."""
+    """Which part of the runs is plotted, and what counts as a rollover in it."""
 
-    begin: float = parameter("draw from this time on (default: the first)", "s", 0.0, LATEST)
-    end: float = parameter("draw up to this time (default: the last)", "s", 0.0, LATEST)
+    begin: float = parameter("plot from this time on (default: the first sample)", "s", 0.0, LATEST)
+    end: float = parameter("plot up to this time (default: the last sample)", "s", 0.0, LATEST)
     stop_roll: float = parameter(
-        "roll angle that counts as rolled over", "deg", 1.0, 90.0, default=DEFAULT_ROLLOVER_DEGREES
+        "roll angle that counts as a rollover", "deg", 1.0, 90.0, default=DEFAULT_ROLLOVER_DEGREES
     )
 
 
 def plot_command(words: list[str], program: str) -> int:
-    """The command, given the words behind its name; returns the exit status."""
+    """Run the command with the arguments after its name; return the exit status."""
     arguments = _parser(program).parse_args(words)
     ending.import_at_once("analysis.plots")
     from vehicle_roll_sim.analysis import drawing, pens, plots
 
     files = [named_file(text, "FILE") for text in arguments.files]
     if len(files) > len(pens.COLOURS):
-        wanted = f"at most {len(pens.COLOURS)}, with a colour for each"
+        wanted = f"at most {len(pens.COLOURS)}, the number of colours"
         raise InputError("FILE", f"{len(files)} files", wanted)
     settings = {"begin": -math.inf, "end": math.inf} | declared_values(arguments, PlotSettings)
     if not settings["begin"] < settings["end"]:
@@ -55,7 +55,7 @@ def plot_command(words: list[str], program: str) -> int:
         part = part_of(history, settings["begin"], settings["end"], file)
         runs.append(plots.DrawnRun(part, events_of(history, rollover_angle), label))
     title = arguments.title
-    if len(runs) == 1:  # it needs no legend
+    if len(runs) == 1:  # no legend needed
         title = labels[0] if title is None else title
         runs = [dataclasses.replace(runs[0], label="")]
     drawing.save_figure(plots.standard_figure(runs, title or "", size), output)
@@ -64,7 +64,7 @@ def plot_command(words: list[str], program: str) -> int:
 
 
 def history_from(path: Path, namespace: str | None) -> History:
-    """The samples of a run that was recorded; raises InputError for what is no recording."""
+    """The samples of a recorded run; raises InputError if `path` is neither a CSV nor a bag."""
     if path.is_dir():
         need_library("FILE")
         with ending.at_once():
@@ -75,7 +75,7 @@ def history_from(path: Path, namespace: str | None) -> History:
 
 
 def part_of(history: History, begin: float, end: float, path: Path) -> History:
-    """The samples from `begin` to `end` (s), of which there must be some."""
+    """The samples from `begin` to `end` (s); raises InputError if there are none."""
     time = history["time"]
     part = history.part((begin <= time) & (time <= end))
     if not len(part.rows):
@@ -85,28 +85,40 @@ def part_of(history: History, begin: float, end: float, path: Path) -> History:
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["plot"])
     parser.add_argument(
-        "files", metavar="FILE", nargs="+", help="CSV of `run --csv`, or bag; several are compared"
+        "files",
+        metavar="FILE",
+        nargs="+",
+        help="a CSV file written by `run --csv`, or a bag; several are overlaid",
     )
-    parser.add_argument("--namespace", metavar="NS", help="vehicle, if a bag has several")
-    add_declared(parser, PlotSettings, "what is drawn")
+    parser.add_argument(
+        "--namespace", metavar="NS", help="namespace of the vehicle, if the bag has several"
+    )
+    add_declared(parser, PlotSettings, "range")
     group = parser.add_argument_group("results")
     group.add_argument(
-        "--output", metavar="FILE", help="PNG, SVG or PDF (default, of one run: its name with .png)"
+        "--output",
+        metavar="FILE",
+        help="figure to write: PNG, SVG or PDF (default for a single run: its name with .png)",
     )
     group.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
     group.add_argument(
-        "--title", metavar="TEXT", help="above the figure (default: the name of the run)"
+        "--title",
+        metavar="TEXT",
+        help="title of the figure (default for a single run: its name)",
     )
     group.add_argument(
-        "--label", metavar="TEXT", action="append", help="name of a run, once for each, in order"
+        "--label",
+        metavar="TEXT",
+        action="append",
+        help="label of a run; give it once for each run, in the same order",
     )
     return parser
 
 
 def _output(given: str | None, files: list[Path]) -> Path:
-    """Where the figure goes, known to be writable and none of the files it is drawn from."""
+    """Where the figure goes; checked to be writable and not one of the input files."""
     output = named_file(given, "--output")
     if output is None:
         if len(files) > 1:
@@ -120,7 +132,7 @@ def _output(given: str | None, files: list[Path]) -> Path:
 
 
 def _labels(given: list[str] | None, files: list[Path]) -> list[str]:
-    """What the runs are called: as was said, else by their files."""
+    """The labels of the runs: those given, else the names of their files."""
     if given is None:
         names = [_name(file) for file in files]
         return names if len(set(names)) == len(names) else [str(file) for file in files]

@@ -1,4 +1,4 @@
-"""`vehicle_roll_sim run`: a manoeuvre or a command file, offline."""
+"""`vehicle_roll_sim run`: simulate a manoeuvre or a command file offline."""
 
 import argparse
 import dataclasses
@@ -15,6 +15,7 @@ from vehicle_roll_sim.arguments import (
 )
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.plausible import heed
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
@@ -22,44 +23,43 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_simulation,
 )
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
-from vehicle_roll_sim.manoeuvres.base import OpenLoop
-from vehicle_roll_sim.manoeuvres.command_file import load_commands
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD, Manoeuvre, manoeuvre_named
-from vehicle_roll_sim.model.events import Condition
-from vehicle_roll_sim.offline.asked_for import manoeuvre_of
-from vehicle_roll_sim.offline.run_result import RunResult
-from vehicle_roll_sim.offline.running import drive
-from vehicle_roll_sim.simulation.history import WITH_COMMANDS, check_with_commands
-from vehicle_roll_sim.simulation.output_file import (
+from vehicle_roll_sim.files.output_file import (
     check_distinct,
     check_figure_format,
     check_new_folder,
     check_writable,
 )
-from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD
+from vehicle_roll_sim.manoeuvres.base import OpenLoop
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.manoeuvres.command_file import load_commands
+from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.offline.asked_for import manoeuvre_of
+from vehicle_roll_sim.offline.run_result import RunResult
+from vehicle_roll_sim.offline.running import drive
+from vehicle_roll_sim.runs.history import WITH_COMMANDS, check_with_commands
+from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.simulation import SHORTEST_STEP, Simulation
-from vehicle_roll_sim.simulation.summary import line
 
-DESCRIPTION = "Simulate a manoeuvre offline and print what happened."
 HELD_BY_BAG = (
-    f"held for {HELD_PERIOD:g} s each, as a node does; "
-    f"a run without --bag is the same with --command-period {HELD_PERIOD:g}"
+    f"held for {HELD_PERIOD:g} s each, as in a node; "
+    f"without --bag, --command-period {HELD_PERIOD:g} gives the same run"
 )
-"""What the bag makes of a run whose commands are otherwise evaluated at every stage."""
+"""Note on how --bag changes a run whose commands are otherwise evaluated at every stage."""
 DIVERGED = 1
-"""Exit status of a run that did not stay plausible."""
+"""Exit status of a run that diverged."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Sampling:
-    """When a run is looked at, and when commands are."""
+    """How often the run is sampled, and how often its commands are evaluated."""
 
     sample: float = parameter(
-        "interval of the rows", "s", SHORTEST_STEP, 1e3, default=DEFAULT_SAMPLE
+        "interval between samples", "s", SHORTEST_STEP, 1e3, default=DEFAULT_SAMPLE
     )
     command_period: float = parameter(
-        "sample commands at this interval and hold them, as a node does; 0: at every "
-        "stage, or every 10 ms where they depend on the state",
+        "evaluate commands at this interval and hold them in between, as a node does; 0: at every "
+        "stage of the integration, or every 10 ms if they depend on the state",
         "s",
         0.0,
         1e3,
@@ -68,7 +68,7 @@ class Sampling:
 
 
 def run_command(words: list[str], program: str) -> int:
-    """The command, given the words behind its name; returns the exit status."""
+    """Run the command with the arguments after its name; return the exit status."""
     first = _parser(program, None)
     chosen, _ = first.parse_known_args([word for word in words if word not in ("-h", "--help")])
     manoeuvre = _manoeuvre(chosen)
@@ -106,37 +106,39 @@ def run_command(words: list[str], program: str) -> int:
 
 
 def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParser:
-    """The parser with the options of `manoeuvre` and its defaults, or with those of all."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    """The parser with the options and defaults of `manoeuvre`, or with the options of all."""
+    parser = OneLineParser(prog=program, description=COMMANDS["run"])
     parser.add_argument(
         "manoeuvre",
         metavar="MANOEUVRE",
         nargs="?",
-        help=", ".join(STANDARD) + "; with its name, --help shows its options",
+        help=", ".join(STANDARD) + "; `run NAME --help` shows the options of one",
     )
-    parser.add_argument("--commands", metavar="FILE.csv", help="commands instead of a manoeuvre")
+    parser.add_argument(
+        "--commands", metavar="FILE.csv", help="drive by a command file instead of a manoeuvre"
+    )
     for declaring in [manoeuvre] if manoeuvre else map(type, STANDARD.values()):
         add_declared(parser, declaring, "manoeuvre")
     add_simulation_options(parser)
     add_declared(parser, Sampling, "sampling")
     group = parser.add_argument_group("results")
-    group.add_argument("--csv", metavar="FILE", help="write the samples")
+    group.add_argument("--csv", metavar="FILE", help="write the samples to a CSV file")
     group.add_argument("--with-commands", action="store_true", help=WITH_COMMANDS)
     group.add_argument(
         "--bag",
         metavar="DIR",
-        help="write what the node would have published; as there, commands are held for 10 ms "
-        "(--command-period), which changes the run",
+        help="write a bag of what the node would have published; commands are then held for "
+        "10 ms as in the node (--command-period), which changes the run",
     )
-    about = "in the bag, what has no header with one, too: NAME_stamped, as publish_stamped has it"
+    about = "in the bag, add a NAME_stamped topic for each without a header (see publish_stamped)"
     group.add_argument("--stamped", action="store_true", help=about)
-    group.add_argument("--plot", metavar="FILE", help="draw the run (PNG, SVG or PDF)")
+    group.add_argument("--plot", metavar="FILE", help="plot the run (PNG, SVG or PDF)")
     group.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
     return parser
 
 
 def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
-    """Where CSV, figure and bag go, known to be writable."""
+    """Where the CSV file, figure and bag go; checked to be writable."""
     csv, plot = named_file(arguments.csv, "--csv"), named_file(arguments.plot, "--plot")
     for path, field in ((csv, "--csv"), (plot, "--plot")):
         if path:
@@ -154,7 +156,7 @@ def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
 
 
 def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:
-    """The manoeuvre or command file that the words name, with its defaults."""
+    """The chosen manoeuvre, with its defaults, or command file; None if neither was given."""
     if chosen.commands is not None and chosen.manoeuvre is not None:
         raise InputError("--commands", chosen.commands, "not together with a manoeuvre")
     if command_file := named_file(chosen.commands, "--commands"):
@@ -169,7 +171,7 @@ def _run_with_progress(
     bag: Path | None,
     stamped: bool,
 ) -> RunResult:
-    """Run, with a progress bar at a terminal when it takes longer than a second."""
+    """Run, with a progress bar on a terminal if it takes longer than a second."""
     bar_format = "{l_bar}{bar}| {n:.1f}/{total:.1f} s simulated [{elapsed}<{remaining}]"
     about = {"delay": 1.0, "disable": None, "bar_format": bar_format, "leave": False}
     with tqdm(total=manoeuvre.duration, **about) as bar:

@@ -1,4 +1,4 @@
-"""`vehicle_roll_sim series`: the test series of a standard, as a table with its verdict."""
+"""`vehicle_roll_sim series`: run the test series of a standard; print a table and a verdict."""
 
 import argparse
 from collections.abc import Callable, Iterable
@@ -12,6 +12,7 @@ from vehicle_roll_sim.arguments import (
     named_file,
 )
 from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_vehicle_options,
@@ -20,25 +21,23 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_vehicle,
 )
 from vehicle_roll_sim.declaration import InputError, parameters_of
-from vehicle_roll_sim.manoeuvres.series import SEARCHES, SERIES, series_named
-from vehicle_roll_sim.manoeuvres.series_of_runs import Series
-from vehicle_roll_sim.manoeuvres.speed_search import RANGE, SpeedSearch
+from vehicle_roll_sim.files.output_file import check_writable
+from vehicle_roll_sim.manoeuvres.series.base import Series
+from vehicle_roll_sim.manoeuvres.series.catalogue import SEARCHES, SERIES, series_named
+from vehicle_roll_sim.manoeuvres.series.speed_search import RANGE, SpeedSearch
 from vehicle_roll_sim.offline.series import SeriesResult, drive_series
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_writable
-from vehicle_roll_sim.simulation.summary import line
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-
-DESCRIPTION = "Drive a standard's test series, or a range of speeds: a table and its verdict."
 
 
 def series_command(words: list[str], program: str) -> int:
-    """The command, given the words behind its name; returns the exit status."""
+    """Run the command with the arguments after its name; return the exit status."""
     every = [*SERIES.values(), *SEARCHES.values()]
     first = _parser(program, [(t, _class_of(each)) for one in every for t, each in one.settings])
     named, _ = first.parse_known_args([word for word in words if word not in ("-h", "--help")])
     if named.manoeuvre is None:
-        first.parse_args(words)  # for its help
+        first.parse_args(words)  # in case of --help
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(SERIES) + "; --help shows how")
     is_search = any(getattr(named, name) is not None for name in parameters_of(SpeedSearch))
     series = series_named(named.manoeuvre, is_search)
@@ -65,7 +64,7 @@ def series_command(words: list[str], program: str) -> int:
 
 
 def _adjusted(series: Series, arguments: argparse.Namespace) -> Series:
-    """The series with the values of the command line."""
+    """The series with the values from the command line."""
     values = {}
     for _, declaring in series.settings:
         values |= declared_values(arguments, declaring)
@@ -78,7 +77,7 @@ def _adjusted(series: Series, arguments: argparse.Namespace) -> Series:
 def _driven(
     series: Series, vehicle: Vehicle, options: Options, progress: Callable[[], object]
 ) -> SeriesResult:
-    """The series driven; what is wrong with the model names the option."""
+    """Run the series; an error in the model options is reported under the option's name."""
     try:
         return drive_series(series, vehicle, options, progress)
     except InputError as error:
@@ -90,17 +89,17 @@ def _class_of(declaring) -> type:
 
 
 def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLineParser:
-    """The parser with the options that these classes or instances declare, under their titles."""
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    """The parser with the options of these classes or instances, grouped under their titles."""
+    parser = OneLineParser(prog=program, description=COMMANDS["series"])
     parser.add_argument(
         "manoeuvre",
         metavar="MANOEUVRE",
         nargs="?",
-        help=", ".join(SERIES) + "; and for a search over entry speeds " + ", ".join(SEARCHES),
+        help=", ".join(SERIES) + "; for a search over entry speeds: " + ", ".join(SEARCHES),
     )
     for title, declaring in settings:
         add_declared(parser, declaring, title, without=SpeedSearch.fixed)
     add_declared(parser, Options, "model")
     add_vehicle_options(parser)
-    parser.add_argument("--csv", metavar="FILE", help="write the table, numbers in full precision")
+    parser.add_argument("--csv", metavar="FILE", help="write the table in full precision (CSV)")
     return parser

@@ -1,19 +1,18 @@
-"""`vehicle_roll_sim template`: a vehicle, tire or command file to start from."""
+"""`vehicle_roll_sim template`: write a vehicle, tire or command file to start from."""
 
 import argparse
 
 from vehicle_roll_sim.arguments import OneLineParser, named_file
+from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import check_writable, replaced_file
 from vehicle_roll_sim.manoeuvres.command_file import EXAMPLE
-from vehicle_roll_sim.simulation.output_file import check_writable, replaced_file
-from vehicle_roll_sim.simulation.summary import line
+from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.vehicle.template import tire_template, vehicle_template
-
-DESCRIPTION = "Write a commented vehicle file, tire file or command file to start from."
 
 
 def template_command(words: list[str], program: str) -> int:
-    """The command, given the words behind its name; returns the exit status."""
+    """Run the command with the arguments after its name; return the exit status."""
     arguments = _parser(program).parse_args(words)
     path = named_file(arguments.file, "FILE")
     if arguments.tire:
@@ -35,11 +34,13 @@ def template_command(words: list[str], program: str) -> int:
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = OneLineParser(prog=program, description=DESCRIPTION)
+    parser = OneLineParser(prog=program, description=COMMANDS["template"])
     parser.add_argument(
-        "file", metavar="FILE", nargs="?", help="where to write it (default: the terminal)"
+        "file", metavar="FILE", nargs="?", help="file to write (default: standard output)"
     )
     kind = parser.add_mutually_exclusive_group()
-    kind.add_argument("--tire", action="store_true", help="a tire file in place of a vehicle file")
-    kind.add_argument("--commands", action="store_true", help="a command file (CSV)")
+    kind.add_argument("--tire", action="store_true", help="write a tire file, not a vehicle file")
+    kind.add_argument(
+        "--commands", action="store_true", help="write a command file (CSV), not a vehicle file"
+    )
     return parser

@@ -1,4 +1,4 @@
-"""The options that say what is simulated: vehicle, model, road and integration."""
+"""The options that define the simulation: vehicle, model, road and integration."""
 
 import argparse
 import dataclasses
@@ -26,18 +26,22 @@ from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
 
 @dataclasses.dataclass(frozen=True)
 class Integration:
-    """How a model is integrated, and where that ends."""
+    """The integration step, and the roll angle at which the run stops."""
 
     step: float = parameter(
         "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
     )
     stop_roll: float = parameter(
-        "roll angle that counts as rolled over", "deg", 1.0, 90.0, default=DEFAULT_ROLLOVER_DEGREES
+        "roll angle that counts as a rollover and ends the run",
+        "deg",
+        1.0,
+        90.0,
+        default=DEFAULT_ROLLOVER_DEGREES,
     )
 
 
 def add_simulation_options(parser: argparse.ArgumentParser) -> None:
-    """Everything that `chosen_simulation` needs."""
+    """Add all options that `chosen_simulation` reads."""
     add_declared(parser, Options, "model")
     add_declared(parser, Road, "road")
     add_vehicle_options(parser)
@@ -61,21 +65,26 @@ def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
 
 
 def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
+    """Add all options that `chosen_vehicle` reads."""
     group = parser.add_argument_group("vehicle")
-    group.add_argument("--vehicle", metavar="FILE.yaml", help="vehicle file (default: reference)")
-    group.add_argument("--tire", metavar="FILE.tir", help="tire file in place of the vehicle's")
+    group.add_argument(
+        "--vehicle", metavar="FILE.yaml", help="vehicle file (default: the reference vehicle)"
+    )
+    group.add_argument(
+        "--tire", metavar="FILE.tir", help="tire file to use instead of the vehicle's own"
+    )
     group.add_argument(
         "--set",
         metavar="NAME=VALUE",
         action="append",
         default=[],
-        help="a value in place of the vehicle file's; may be given many times",
+        help="override one value of the vehicle file; repeatable",
     )
     add_strict(group)
 
 
 def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
-    """The vehicle that the options of `add_vehicle_options` describe."""
+    """The vehicle that the options of `add_vehicle_options` describe; raises InputError."""
     vehicle_file = named_file(arguments.vehicle, "--vehicle")
     tire_file = named_file(arguments.tire, "--tire")
     vehicle = load_vehicle(vehicle_file) if vehicle_file else preset()
@@ -98,7 +107,7 @@ def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
 
 
 def chosen_options(arguments: argparse.Namespace) -> Options:
-    """The options of the model; a combination that is not defined is reported as an option."""
+    """The options of the model; raises InputError under the option's name for a bad combination."""
     values = declared_values(arguments, Options)
     try:
         return Options(**values)
@@ -107,7 +116,7 @@ def chosen_options(arguments: argparse.Namespace) -> Options:
 
 
 def as_option(error: InputError) -> InputError:
-    """The error for a field as one for the option of that name."""
+    """The same error, reported for the command-line option of that name."""
     return type(error)(
         f"--{error.field.replace('_', '-')}", error.value, error.allowed, error.problem
     )

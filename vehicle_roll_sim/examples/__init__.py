@@ -1,1 +1,1 @@
-"""Controllers to start from: each a script of one page, to be copied and changed."""
+"""Example controllers: one-page scripts to copy and change."""

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""A controller to start from: active roll bars carry part of what rolls the body, and damp it.
+"""Example controller: active roll bars take up part of the roll moment and damp the roll.
 
-Answers `imu` with `normal_force_cmd`. The body's roll moment is m h ay, with the lateral specific
-force ay, gravity's share in a rolled body included, and m h the sprung mass times the height of its
-c.g. above the roll axis. Of it, and against the roll rate p, the bars carry
+Answers `imu` with `normal_force_cmd`. The roll moment of the body is m h ay, where ay is the
+lateral specific force (it includes gravity as the body rolls), m the sprung mass and h the height
+of its c.g. above the roll axis. With the roll rate p, the bars apply the moment
 
-    M = share m h ay + damping p,
+    M = share m h ay + damping p
 
-as a pair of opposite forces on each axle: M / track, `front_share` of it in front. That more of it
-is in front than the springs have there makes the vehicle understeer.
+as a pair of opposite forces M / track on each axle, distributed front to rear by `front_share`. If
+that share exceeds the front share of the spring roll stiffness, the vehicle understeers more.
 """
 
 from vehicle_roll_sim.controller import Controller, run

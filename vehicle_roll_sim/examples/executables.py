@@ -1,8 +1,6 @@
 """Entry points of the example controllers: signal handlers are installed before large imports."""
 
-import importlib
-
-from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim import early_signals
 
 
 def active_roll_bar() -> None:
@@ -26,6 +24,8 @@ def yaw_control() -> None:
 
 
 def _run(name: str) -> None:
-    """The main function of a module beside this one, which ends the program."""
-    ending.at_once()
+    """Run the main function of a module in this folder, which ends the program."""
+    early_signals.end_node_at_once()
+    import importlib
+
     importlib.import_module(f"vehicle_roll_sim.examples.{name}").main()

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""A controller to start from: the rear wheels steer with the turn and take acceleration out of it.
+"""Example controller: rear steering in phase with the front reduces the lateral acceleration.
 
-Answers `imu` with `rear_steering_cmd`: gain times the yaw rate, to the same side as the front
-wheels, at most `largest_angle`. The rear tires then carry their share with less sideslip of the
-body, and the yaw rate, and with it the lateral acceleration, stays smaller.
+Answers `imu` with `rear_steering_cmd`: `gain` times the yaw rate, in the same direction as the
+front wheels, limited to `largest_angle`. The rear tires then build up their lateral force with less
+body sideslip, and the yaw rate and the lateral acceleration stay smaller.
 """
 
 from vehicle_roll_sim.controller import Controller, run
@@ -16,7 +16,7 @@ class RearSteering(Controller):
 
     def __init__(self):
         super().__init__()
-        self.gain = self.parameter("gain", 0.12)  # rad per rad/s, s
+        self.gain = self.parameter("gain", 0.12)  # rad per rad/s, that is, s
         self.largest = self.parameter("largest_angle", 0.1)  # rad
 
     def answer(self, imu) -> float:

@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
-"""A controller to start from: brake the outer front wheel when a rollover is foreseen.
+"""Example controller: brake the outer front wheel when a rollover is predicted.
 
-Answers `rollover_prediction`, which rollover_warning.py gives, with `brake_torque_cmd`. The brake
-comes on with the predicted load transfer ratio beyond a threshold, and fully when the inner wheels
-would lift within `full_braking_time`. The braked tire has less side force left, its drag turns the
-vehicle out of the bend, and the speed falls: all three make the lateral acceleration less.
+Answers `rollover_prediction`, published by rollover_warning.py, with `brake_torque_cmd`. The brake
+torque grows with the predicted load transfer ratio above a threshold, and is largest when the inner
+wheels are predicted to lift within `full_braking_time`. The braked tire can build up less lateral
+force, its drag yaws the vehicle out of the turn, and the speed falls: all three reduce the lateral
+acceleration.
 """
 
 from vehicle_roll_sim.controller import Controller, Topic, run
 
 LF, RF = 0, 1
 RATIO, TIME_TO_ROLLOVER = 2, 3
-"""Places in `rollover_prediction`."""
+"""Indices in `rollover_prediction`."""
 
 
 class RollBraking(Controller):

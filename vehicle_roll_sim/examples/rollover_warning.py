@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A warning to start from: load transfer and time to rollover, foreseen with a roll-plane model.
+"""Example warning: load transfer and time to rollover, predicted with a roll-plane model.
 
 Answers `imu` with `rollover_prediction` (std_msgs/Float64MultiArray: time, load_transfer_ratio,
 predicted_load_transfer_ratio, time_to_rollover), for controllers such as roll_braking.py, and with
-`rollover_warning` (std_msgs/Bool). The model is in vehicle_roll_sim.analysis.rollover_prediction,
-its vehicle that of the simulator's parameters.
+`rollover_warning` (std_msgs/Bool). The model is vehicle_roll_sim.analysis.rollover_prediction; its
+vehicle is read from the simulator's parameters.
 """
 
 import math
@@ -16,11 +16,11 @@ from vehicle_roll_sim.analysis.rollover_prediction import (
     Prediction,
     RolloverPredictor,
 )
-from vehicle_roll_sim.ros.simulated_vehicle import simulated_vehicle
-from vehicle_roll_sim.ros.simulator_client import SimulatorClient
+from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
+from vehicle_roll_sim.ros.clients.simulator_client import SimulatorClient
 
 FORESIGHT = ("horizon", "interval", "persistence", "smoothing")
-"""Its numbers."""
+"""Parameters of the prediction."""
 
 
 class RolloverWarning(Controller):
@@ -34,8 +34,8 @@ class RolloverWarning(Controller):
 
     def __init__(self):
         super().__init__()
-        self.simulator = self.declare_parameter("simulator", "simulator").value  # node's name
-        self.warning_time = self.parameter("warning_time", 0.5)  # warn that long before, s
+        self.simulator = self.declare_parameter("simulator", "simulator").value  # node name
+        self.warning_time = self.parameter("warning_time", 0.5)  # time to rollover to warn at, s
         self.foresight = Foresight(
             **{name: self.parameter(name, getattr(Foresight, name)) for name in FORESIGHT}
         )
@@ -50,7 +50,9 @@ class RolloverWarning(Controller):
         time = imu.header.stamp.sec + 1e-9 * imu.header.stamp.nanosec
         rates, specific = imu.angular_velocity, imu.linear_acceleration
         roll = roll_of(imu.orientation)
-        lateral = math.cos(roll) * specific.y - math.sin(roll) * specific.z  # along the ground
+        lateral = (
+            math.cos(roll) * specific.y - math.sin(roll) * specific.z
+        )  # parallel to the ground
         found = self.predictor.update(time, roll, rates.x, lateral)
         prediction = [
             time,
@@ -72,7 +74,7 @@ class RolloverWarning(Controller):
 
 
 def roll_of(q) -> float:
-    """Roll angle (rad) of an attitude as a quaternion."""
+    """Roll angle (rad) of an attitude given as a quaternion."""
     return math.atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x**2 + q.y**2))
 
 

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
-"""A controller to start from: brakes on one side keep the yaw rate near what the steering asks for.
+"""Example controller: single-wheel braking keeps the yaw rate near the one steered for.
 
 Answers two topics of a set, `motion` (steering, speed, yaw rate) and `tire_normal_forces`, with
-`brake_torque_cmd`. What the steering d asks for at the speed u is the steady turn
+`brake_torque_cmd`. The reference is the yaw rate of the steady turn at the steering angle d and the
+speed u,
 
     r = u d / (wheelbase + understeer u^2), at most grip g / u.
 
-Where the yaw rate is beyond that, the outer front wheel is braked, and where it is below, the
-inner rear one: by `gain` for each rad/s beyond a dead band, at most `braking` times its load.
+If the vehicle yaws faster, the outer front wheel is braked; if it yaws more slowly, the inner rear
+one. The torque is `gain` per rad/s beyond a dead band, at most `braking` times the wheel's normal
+load.
 """
 
 from vehicle_roll_sim.controller import Controller, by_name, run
@@ -25,10 +27,10 @@ class YawControl(Controller):
         super().__init__()
         self.wheelbase = self.parameter("wheelbase", 2.54)  # m
         self.understeer = self.parameter("understeer", 0.0015)  # rad per m/s^2
-        self.grip = self.parameter("grip", 0.6)  # lateral acceleration that is asked for, over g
+        self.grip = self.parameter("grip", 0.6)  # largest reference lateral acceleration, over g
         self.gain = self.parameter("gain", 6000.0)  # N m per rad/s
         self.dead_band = self.parameter("dead_band", 0.03)  # rad/s
-        self.braking = self.parameter("braking", 0.25)  # m, the largest torque over the load
+        self.braking = self.parameter("braking", 0.25)  # m, largest torque over normal load
 
     def answer(self, motion, loads) -> list[float]:
         now = by_name(motion)
@@ -43,7 +45,7 @@ class YawControl(Controller):
         return torques
 
     def wanted(self, speed: float, steering: float) -> float:
-        """The yaw rate (rad/s) that the steering (rad) asks for at a speed (m/s)."""
+        """The reference yaw rate (rad/s) for a steering angle (rad) at a speed (m/s)."""
         rate = speed * steering / (self.wheelbase + self.understeer * speed**2)
         most = self.grip * GRAVITY / max(speed, 1.0)
         return max(-most, min(most, rate))

@@ -1,6 +1,6 @@
-"""A simulator, controllers and a manoeuvre, recorded; ends with the manoeuvre."""
+"""A simulator, controllers and a manoeuvre, recorded in a bag; ends with the manoeuvre."""
 
-from vehicle_roll_sim.ros import launching as start
+from vehicle_roll_sim.ros.launching import processes as start
 
 
 def processes(given):

@@ -1,6 +1,6 @@
-"""A simulator and a manoeuvre, recorded if a bag is named; ends with the manoeuvre."""
+"""A simulator and a manoeuvre, recorded if `bag` is given; ends with the manoeuvre."""
 
-from vehicle_roll_sim.ros import launching as start
+from vehicle_roll_sim.ros.launching import processes as start
 
 
 def processes(given):

@@ -1,7 +1,7 @@
-"""A simulator, robot_state_publisher and RViz, until one of them ends; drive it from elsewhere."""
+"""A simulator with robot_state_publisher and RViz, until one of them ends; drive it separately."""
 
-from vehicle_roll_sim.ros import launch_pictures
-from vehicle_roll_sim.ros import launching as start
+from vehicle_roll_sim.ros.launching import pictures as launch_pictures
+from vehicle_roll_sim.ros.launching import processes as start
 
 
 def processes(given):

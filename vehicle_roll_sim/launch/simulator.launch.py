@@ -1,6 +1,6 @@
 """A simulator alone, until Ctrl-C."""
 
-from vehicle_roll_sim.ros import launching as start
+from vehicle_roll_sim.ros.launching import processes as start
 
 
 def generate_launch_description():

@@ -1,36 +1,40 @@
-"""The outline of a vehicle's body on the ground, and the cones that it strikes."""
+"""The outline of a vehicle's body on the ground, and detection of cone strikes."""
 
 import dataclasses
 
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 TIRE_WIDTH = 0.205
-"""m: that of a 205/60R15, the reference vehicle's tire; vehicle files have none."""
+"""m: width of the reference tire, 205/60R15; vehicle files do not specify it."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class BodySettings:
-    """How wide and how long the body is, which vehicle files do not say."""
+    """Width and overhangs of the body, which vehicle files do not specify."""
 
     vehicle_width: float = parameter(
-        f"width of the body; 0: the larger track and {TIRE_WIDTH:g} m of tire",
+        f"width of the body; 0: the larger track width plus a tire width of {TIRE_WIDTH:g} m",
         "m",
         0.0,
         10.0,
         default=0.0,
     )
-    front_overhang: float = parameter("body ahead of the front axle", "m", 0.0, 10.0, default=0.8)
-    rear_overhang: float = parameter("body behind the rear axle", "m", 0.0, 10.0, default=0.9)
+    front_overhang: float = parameter(
+        "length of the body ahead of the front axle", "m", 0.0, 10.0, default=0.8
+    )
+    rear_overhang: float = parameter(
+        "length of the body behind the rear axle", "m", 0.0, 10.0, default=0.9
+    )
 
     def outline_of(self, vehicle: Vehicle) -> "Outline":
-        """Raises InputError for a body that is narrower than the larger track."""
+        """The outline; raises InputError if the body is narrower than the larger track width."""
         track = max(vehicle.front_track, vehicle.rear_track)
         if self.vehicle_width and self.vehicle_width < track:
-            allowed = f"at least the larger track, {track:g} m"
+            allowed = f"at least the larger track width, {track:g} m"
             raise InputError("vehicle_width", self.vehicle_width, allowed)
         return Outline(
             width=self.vehicle_width or track + TIRE_WIDTH,
@@ -41,9 +45,9 @@ class BodySettings:
 
 @dataclasses.dataclass(frozen=True)
 class Outline:
-    """A rectangle: its width, and how far it reaches ahead of the sprung c.g. and behind it (m).
+    """A rectangle: its width, and its extent ahead of and behind the sprung c.g. (m).
 
-    It turns with the yaw angle and neither leans nor pitches.
+    It rotates with the yaw angle; roll and pitch are ignored.
     """
 
     width: float
@@ -51,11 +55,11 @@ class Outline:
     behind: float
 
     def strike_times(self, history: History, cones: np.ndarray) -> np.ndarray:
-        """When each of the cones (n, 2), points on the ground, comes to be inside (s); nan: never.
+        """Time at which each cone is struck, shape (n,) (s); nan if it is not.
 
-        Seen from the vehicle a cone moves on a straight line from one sample to the next: with
-        samples 10 ms apart that is within a millimetre of how it does. A cone on the edge is not
-        inside.
+        cones: points on the ground, shape (n, 2) (m). A cone is struck when it enters the
+        rectangle; a cone on its edge is not inside. Between samples a cone is assumed to move in a
+        straight line relative to the vehicle: accurate to a millimetre for samples 10 ms apart.
         """
         time = history["time"]
         if len(time) < 2:
@@ -67,14 +71,20 @@ class Outline:
         return time[first] + share * (time[first + 1] - time[first])
 
     def _seen_from_the_vehicle(self, history: History, cones: np.ndarray) -> np.ndarray:
-        """Places of the cones, ahead and to the left, shape (2, samples, cones) (m)."""
+        """Positions of the cones relative to the vehicle, shape (2, samples, cones) (m).
+
+        First index: ahead of the sprung c.g., and to its left.
+        """
         x, y, yaw = (history[name][:, np.newaxis] for name in ("x", "y", "yaw"))
         east, north = cones[:, 0] - x, cones[:, 1] - y
         sine, cosine = np.sin(yaw), np.cos(yaw)
         return np.array([east * cosine + north * sine, north * cosine - east * sine])
 
     def _entries(self, places: np.ndarray) -> np.ndarray:
-        """Share of each interval after which a cone is inside the rectangle; nan: not in it."""
+        """Fraction of each sample interval at which a cone enters the rectangle, else nan.
+
+        Shape (samples - 1, cones).
+        """
         begin, way = places[:, :-1], np.diff(places, axis=1)
         least = np.array([-self.behind, -self.width / 2])[:, np.newaxis, np.newaxis]
         most = np.array([self.ahead, self.width / 2])[:, np.newaxis, np.newaxis]

@@ -1,6 +1,6 @@
-"""Commands from a CSV file: a column `time` and any of the command columns, linear in between.
+"""Commands from a CSV file with a column `time` and any of the command columns.
 
-Two rows of one time are a step.
+Values are interpolated linearly; two rows with the same time are a step.
 """
 
 import dataclasses
@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_in, unknown_name
+from vehicle_roll_sim.files.table_file import read_table
 from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
-from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.table_file import read_table
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 LARGEST_FILE = 200_000_000
@@ -27,7 +27,7 @@ COLUMNS = {
         for i, wheel in enumerate(WHEELS)
     },
 }
-"""Column name: field of the command, and wheel for a field of four."""
+"""Column name: field of the command, and index of the wheel if the field has four values."""
 EXAMPLE = """\
 time,steering,brake_torque_lf,brake_torque_rf
 0.0,0.0,0,0
@@ -38,15 +38,16 @@ time,steering,brake_torque_lf,brake_torque_rf
 4.0,0.05,300,300
 5.0,0.0,0,0
 """
-"""A file to start from: a turn that is steered in within 0.1 s, and brakes that come at once."""
+"""Template of a command file: a steering ramp of 0.1 s, and a step of the brake torques."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class CommandTable(OpenLoop):
-    """Commands at given times (s): linear between rows, held outside them.
+    """Commands at given times: interpolated linearly between rows, constant outside them.
 
-    times do not fall; where one stands twice the commands step, from the values of the first row
-    to those of the second.
+    times: (n,) (s), non-decreasing; where two are equal, the commands step from the values of the
+    first row to those of the second. columns: arrays (n,) by column name (rad, N m, N). file: name
+    used in warnings.
     """
 
     times: np.ndarray
@@ -55,7 +56,7 @@ class CommandTable(OpenLoop):
 
     @property
     def doubts(self) -> list[str]:
-        """Of the steering: a line for each of its columns that goes further than wheels do."""
+        """One line for each steering column with an implausibly large angle."""
         lines = []
         for name in self.columns.keys() & {"steering", "rear_steering"}:
             row = int(np.argmax(np.abs(self.columns[name])))
@@ -74,10 +75,10 @@ class CommandTable(OpenLoop):
         return tuple(self.times[1:][np.diff(self.times) == 0.0].tolist())
 
     def drive(self, times: np.ndarray, commands: np.ndarray) -> None:
-        """At the time of a step the second row counts, but for the last of several `times`.
+        """Set `commands` (n,) at `times` (n,) (s).
 
-        These are the stages of integration steps, so there the last step ends: before the step of
-        the commands.
+        At the time of a step the second row applies, except at the last of several `times`: they
+        are the stages of integration steps, of which the last one ends just before the step.
         """
         first = int(np.searchsorted(self.times, times[-1]))
         ends_on_row = len(times) > 1 and first < len(self.times) and self.times[first] == times[-1]
@@ -90,9 +91,9 @@ class CommandTable(OpenLoop):
 
 
 def load_commands(path: str | Path) -> CommandTable:
-    """Read a command file, as long as its last time; raises InputError naming line and column.
+    """Read a command file; its last time is the duration. Raises InputError naming line and column.
 
-    Warns (PlausibilityWarning) of steering beyond what wheels do, as in degrees.
+    Issues a PlausibilityWarning for implausibly large steering angles, such as angles in degrees.
     """
     path = Path(path)
     header, lines = read_table(path, LARGEST_FILE)
@@ -106,16 +107,19 @@ def load_commands(path: str | Path) -> CommandTable:
 
 
 def command_table(columns: Mapping[str, Sequence[float]]) -> CommandTable:
-    """The columns of a command file as arrays, shape (n,); raises InputError naming the column."""
+    """Commands from arrays (n,) by the names of the columns of a command file.
+
+    Raises InputError naming the column.
+    """
     names = list(columns)
     _check_header("commands", names)
     table = {name: _column(f"commands: {name}", columns[name]) for name in names}
     for name, values in table.items():
         if len(values) != len(table["time"]):
-            counts = f"{len(values)} values", f"{len(table['time'])} values, as many as times"
+            counts = f"{len(values)} values", f"{len(table['time'])} values, one for each time"
             raise InputError(f"commands: {name}", *counts)
         if name.startswith("brake_torque") and values.min() < 0.0:
-            raise InputError(f"commands: {name}", float(values.min()), "no number below 0")
+            raise InputError(f"commands: {name}", float(values.min()), "numbers of at least 0")
     return _table(table, "commands", ["commands: time"] * len(table["time"]))
 
 
@@ -130,9 +134,9 @@ def _column(field: str, values: Sequence[float]) -> np.ndarray:
 
 
 def _table(columns: dict[str, np.ndarray], file: str, where: list[str]) -> CommandTable:
-    """A table of finite columns, `time` among them; `where` names the time of each row.
+    """Build a table from finite columns that include `time`.
 
-    file: what warnings call it.
+    where: the field name for the time of each row, for error messages. file: name for warnings.
     """
     times = _with_exact_steps(columns.pop("time"))
     latest = []
@@ -147,19 +151,20 @@ def _table(columns: dict[str, np.ndarray], file: str, where: list[str]) -> Comma
 
 
 def _with_exact_steps(times: np.ndarray) -> np.ndarray:
-    """Times (s) with those that stand twice as simulated time has them, in whole nanoseconds."""
+    """Times (s), with those of steps rounded to whole nanoseconds like simulated time."""
     is_same = np.diff(times) == 0.0
     is_step = np.append(is_same, False) | np.append(False, is_same)
     return np.where(is_step, np.round(times * NANOSECONDS) / NANOSECONDS, times)
 
 
 def _check_time(where: str, latest: list[float]) -> None:
-    """The last of up to three times is not below the one before, nor equal to both."""
+    """Raise InputError if the last of up to three times is less than the one before, or if all
+    three are equal."""
     *before, time = latest
     if before and time < before[-1]:
-        raise InputError(where, time, f"at least {before[-1]:g}, the time of the row before")
+        raise InputError(where, time, f"at least {before[-1]:g}, the time of the previous row")
     if before == [time, time]:
-        raise InputError(where, time, "at most two rows of one time, which are a step")
+        raise InputError(where, time, "at most two rows with the same time, which are a step")
 
 
 def _check_header(where: str, header: list[str]) -> None:
@@ -169,7 +174,7 @@ def _check_header(where: str, header: list[str]) -> None:
         if header.count(name) > 1:
             raise InputError(f"{where}: column", name, "each column once")
     if "time" not in header:
-        raise InputError(where, ",".join(header), "column names, `time` among them")
+        raise InputError(where, ",".join(header), "column names that include `time`")
 
 
 def _numbers(path: Path, line: int, header: list[str], row: list[str]) -> list[float]:
@@ -186,5 +191,5 @@ def _number(path: Path, line: int, name: str, text: str) -> float:
             f"{path}: line {line}: {name}", text, "a finite number, with a decimal point"
         )
     if value < 0.0 and name.startswith("brake_torque"):
-        raise InputError(f"{path}: line {line}: {name}", text, "a number that is not below 0")
+        raise InputError(f"{path}: line {line}: {name}", text, "a number of at least 0")
     return value

@@ -1,11 +1,11 @@
-"""What the standards judge a run by, read off its history."""
+"""Pass/fail criteria of the standards, evaluated from the history of a run."""
 
 import math
 
 import numpy as np
 
 from vehicle_roll_sim.model.records import LF, RF
-from vehicle_roll_sim.simulation.history import History
+from vehicle_roll_sim.runs.history import History
 
 TWO_INCHES = 0.0508
 """m"""
@@ -15,10 +15,10 @@ SIDES = (slice(LF, None, 2), slice(RF, None, 2))
 
 
 def two_wheel_lift(history: History) -> float:
-    """Time (s) of the first sample with both wheels of a side two inches or more off the ground.
+    """Time (s) of the first sample with both wheels of one side at least 2 inches off the ground.
 
-    nan if there is none, or if the model has no tire compressions, which off the ground are the
-    height of the wheel, below 0.
+    nan if there is none, or if the model has no tire compression. Off the ground the tire
+    compression is negative: minus the height of the tire above the ground.
     """
     heights = -history.wheels("tire_compression")
     lifted = np.any([np.all(heights[:, side] >= TWO_INCHES, axis=1) for side in SIDES], axis=0)
@@ -26,20 +26,20 @@ def two_wheel_lift(history: History) -> float:
 
 
 def has_wheel_heights(history: History) -> bool:
-    """Whether the model says how far its wheels are off the ground."""
+    """Whether the model computes the height of its wheels above the ground."""
     return not np.isnan(history.wheels("tire_compression")).all()
 
 
 def two_wheel_lift_line(history: History) -> dict[str, str]:
-    """The line of the summary."""
+    """The line on two-wheel lift in the summary of a run."""
     if not has_wheel_heights(history):
-        return {"two-wheel lift": "unknown: the model has no wheel heights"}
+        return {"two-wheel lift": "unknown: the model does not compute wheel heights"}
     time = two_wheel_lift(history)
     return {"two-wheel lift": "none" if math.isnan(time) else f"{time:.3f} s"}
 
 
 def value_at(history: History, name: str, time: float) -> float:
-    """A signal at a time (s), linear between samples; nan beyond the end of the run."""
+    """A signal at a time (s), interpolated linearly; nan after the end of the run."""
     if time > history["time"][-1] + ROUNDING:
         return math.nan
     return float(np.interp(time, history["time"], history[name]))

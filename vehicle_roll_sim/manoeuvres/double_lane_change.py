@@ -1,4 +1,4 @@
-"""The double lane changes of ISO 3888: between cones, by a driver who follows a path."""
+"""Double lane changes of ISO 3888: a driver follows a path between cones."""
 
 import dataclasses
 import math
@@ -10,43 +10,51 @@ from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.base import SIDES
 from vehicle_roll_sim.manoeuvres.body_outline import BodySettings, Outline
 from vehicle_roll_sim.manoeuvres.criteria import ROUNDING, two_wheel_lift_line
+from vehicle_roll_sim.manoeuvres.driver.path_following import PathFollowing
 from vehicle_roll_sim.manoeuvres.handwheel import HOLD
 from vehicle_roll_sim.manoeuvres.lane_change_track import (
     Track,
     double_lane_change_track,
     obstacle_avoidance_track,
 )
-from vehicle_roll_sim.manoeuvres.path_following import PathFollowing
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 SPACING = 0.1
-"""m between points of the path, which bends within 5 m or more: straight lines do between them."""
+"""m between points of the path; linear interpolation suffices because its bends are at least 5 m
+long."""
 BESIDE = 5.0
-"""m of the path before the place of the vehicle and beyond its preview that the driver sees too."""
+"""m of the path provided behind the vehicle and beyond the preview distance."""
 COARSEST = 0.05
-"""s between samples, up to which the strikes are exact to a centimetre."""
+"""s: longest sample interval at which cone strikes are accurate to a centimetre."""
 UNKNOWN = Outline(math.nan, math.nan, math.nan)
 """The outline before `for_vehicle`."""
 KMH = 3.6
-"""km/h in a m/s."""
+"""km/h per m/s."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class DoubleLaneChange(BodySettings, PathFollowing):
-    """Into the second lane and back; `for_vehicle` brings track and outline.
+    """Into the second lane and back; `for_vehicle` sets the track and the outline.
 
-    The vehicle begins on the middle line of the first lane, its front `approach` m ahead of it. The
-    path is that of the sprung c.g. (of the roll axis below it in the 8 DOF model).
+    The vehicle starts on the centre line of the first lane, with its front `approach` (m) before
+    the lane. The path is followed by the sprung c.g. (8 DOF model: by the roll axis below it).
+    layout: function of vehicle width (m) and side (1 or -1) that returns the track.
     """
 
     side: str = parameter("side of the first lane change", choices=tuple(SIDES), default="left")
-    approach: float = parameter("straight ahead of the track", "m", 0.0, 1e4, default=10.0)
+    approach: float = parameter(
+        "distance from the front of the vehicle to the track at the start",
+        "m",
+        0.0,
+        1e4,
+        default=10.0,
+    )
     layout: Callable[[float, float], Track]
     release: float = math.inf
-    """m into the first lane at which the front is when the throttle is released."""
+    """Distance of the vehicle's front into the first lane at which the throttle is released (m)."""
     track: Track | None = None
     outline: Outline = UNKNOWN
 
@@ -58,12 +66,12 @@ class DoubleLaneChange(BodySettings, PathFollowing):
 
     @property
     def track_begins(self) -> float:
-        """x (m) on the ground; the c.g. is at 0 at the reset."""
+        """x of the beginning of the track on the ground (m); the c.g. is at 0 at reset."""
         return self.outline.ahead + self.approach
 
     @property
     def cones(self) -> np.ndarray:
-        """Their places on the ground, shape (n, 2) (m)."""
+        """Positions of the cones on the ground, shape (n, 2) (m)."""
         return self.track.cones + np.array([self.track_begins, 0.0])
 
     def path_ahead(self, x: float, y: float, distance: float) -> np.ndarray:
@@ -74,7 +82,7 @@ class DoubleLaneChange(BodySettings, PathFollowing):
         return LaneChangeDriver(self)
 
     def result(self, history: History) -> "LaneChangeResult":
-        """What became of the cones and lanes, and how closely the path was followed."""
+        """Evaluate cones struck, lanes missed and the deviation from the path."""
         x, y = history["x"] - self.track_begins, history["y"]
         on_track = (x >= 0.0) & (x <= self.track.end)
         away = np.where(on_track, np.abs(y - self.track.path(x)), -1.0)
@@ -109,21 +117,25 @@ class DoubleLaneChange(BodySettings, PathFollowing):
 
     def _cones_struck(self, result: "LaneChangeResult") -> str:
         if not result.is_known:
-            return f"not known: samples are more than {COARSEST:g} s apart"
+            return f"unknown: samples are more than {COARSEST:g} s apart"
         text = f"{result.struck} of {len(result.strikes)}"
         if not result.struck:
             return text
         first = int(np.nanargmin(result.strikes))
         x, y = self.track.cones[first].tolist()
-        return f"{text}, first at {result.strikes[first]:.3f} s: the one at {x:.1f} m, {y:.2f} m"
+        return f"{text}, first at {result.strikes[first]:.3f} s: x {x:.1f} m, y {y:.2f} m"
 
 
 @dataclasses.dataclass(frozen=True)
 class LaneChangeResult:
-    """strikes: when each cone was struck (s), nan for those that were not. missed: lanes that were
-    not driven through. deviation: the largest one from the path, sideways, and where on the track
-    (m), nan if it was not entered. finished: when the rear left the track (s), and the forward
-    speed then (m/s), nan if it did not. interval: the longest between two samples (s)."""
+    """Results of one run.
+
+    strikes: time at which each cone was struck (n,) (s), nan if it was not. missed: number of lanes
+    missed. deviation, deviation_at: largest lateral deviation from the path (m) and its position
+    along the track (m), nan if the track was not entered. finished, final_speed: time at which the
+    rear left the track (s) and the forward speed then (m/s), nan if it did not. interval: longest
+    sample interval (s).
+    """
 
     strikes: np.ndarray
     missed: int
@@ -135,30 +147,32 @@ class LaneChangeResult:
 
     @property
     def struck(self) -> int:
+        """Number of cones struck."""
         return int(np.count_nonzero(~np.isnan(self.strikes)))
 
     @property
     def is_known(self) -> bool:
-        """Whether the samples are close enough together to tell which cones were struck."""
+        """Whether the sample interval is short enough to determine which cones were struck."""
         return self.interval <= COARSEST + ROUNDING
 
     @property
     def is_passed(self) -> bool:
-        """Through every lane to the end of the track without a cone."""
+        """Whether every lane and the end of the track were passed without striking a cone."""
         is_through = self.missed == 0 and not math.isnan(self.finished)
         return self.is_known and is_through and self.struck == 0
 
 
 def _verdict(result: LaneChangeResult) -> str:
     if not result.is_known:
-        return "not known"
+        return "unknown"
     return "passed" if result.is_passed else "failed"
 
 
 class LaneChangeDriver(Feedback):
-    """Holds the speed up to where the throttle is released, and follows the path.
+    """Follows the path, and holds the speed until the throttle is released.
 
-    `released` is the time (s) of the first period that begins beyond that place, inf until then.
+    `released`: time (s) of the first command period that begins beyond the point of release; inf
+    until then.
     """
 
     def __init__(self, manoeuvre: DoubleLaneChange):
@@ -184,7 +198,7 @@ ISO_DOUBLE_LANE_CHANGE = DoubleLaneChange(
     preview_time=0.8,
     layout=double_lane_change_track,
 )
-"""80 km/h, held."""
+"""80 km/h; the speed is held throughout."""
 ISO_SEVERE_DOUBLE_LANE_CHANGE = DoubleLaneChange(
     speed=50 / KMH,
     duration=10.0,
@@ -193,4 +207,4 @@ ISO_SEVERE_DOUBLE_LANE_CHANGE = DoubleLaneChange(
     layout=obstacle_avoidance_track,
     release=2.0,
 )
-"""50 km/h, the throttle released 2 m into the first lane."""
+"""50 km/h; the throttle is released 2 m into the first lane."""

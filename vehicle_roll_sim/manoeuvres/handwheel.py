@@ -1,4 +1,4 @@
-"""Manoeuvres that are defined at the handwheel, in degrees, for whatever vehicle drives them."""
+"""Manoeuvres defined by handwheel angle (deg), independent of the vehicle's steering ratio."""
 
 import abc
 import dataclasses
@@ -12,41 +12,44 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 LARGEST_HANDWHEEL = 1440.0
-"""deg: four turns."""
+"""deg: four turns from straight ahead."""
 HOLD = 2000.0
-"""N m s/m: keeps the entry speed within a few cm/s."""
+"""N m s/m: default speed-hold gain; keeps the speed within a few cm/s of the entry speed."""
 METRES_PER_SECOND_OF_A_MPH = 0.44704
 ROUNDING = 1e-12
-"""Relative: an angle that is a multiple of another one may come out so much larger."""
+"""Relative tolerance for rounding in angles computed as a multiple of another angle."""
 
 
 def largest_handwheel(steering_ratio: float) -> float:
-    """Largest handwheel angle (deg): four turns, or 60 deg at the road wheels."""
+    """Largest handwheel angle (deg): four turns or 60 deg at the road wheels, if that is less."""
     return min(LARGEST_HANDWHEEL, STEEPEST * steering_ratio)
 
 
 def at_the_road_wheels(angle: float, steering_ratio: float) -> str:
-    """A handwheel angle (deg) in words, with the road-wheel angle that belongs to it."""
+    """A handwheel angle (deg) in words, with the corresponding road-wheel angle."""
     road_wheel = f"{angle / steering_ratio:g} deg at the road wheels"
     return f"{angle:g} deg, which is {road_wheel} with steering_ratio {steering_ratio:g}"
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class HandwheelManoeuvre(Manoeuvre):
-    """Steered at the handwheel. `for_vehicle` brings the steering ratio, nan before."""
+    """A manoeuvre defined by handwheel angle; `for_vehicle` sets the steering ratio, nan before."""
 
-    start: float = parameter("when the steering begins", "s", 0.0, LONGEST, default=1.0)
+    start: float = parameter("time at which steering begins", "s", 0.0, LONGEST, default=1.0)
     steering_ratio: float = math.nan
 
     needs_vehicle = True
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "HandwheelManoeuvre":
-        """With the vehicle's steering ratio; raises InputError for wheels that turn too far."""
+        """A copy with the vehicle's steering ratio.
+
+        Raises InputError if the handwheel angle exceeds the largest one of the vehicle.
+        """
         ready = dataclasses.replace(self, steering_ratio=vehicle.steering_ratio)
         return ready.filled_in(vehicle, options).checked()
 
     def filled_in(self, vehicle: Vehicle, options: Options) -> "HandwheelManoeuvre":
-        """With whatever else depends on the vehicle."""
+        """A copy with any other values that depend on the vehicle and its model."""
         return self
 
     @property
@@ -55,6 +58,7 @@ class HandwheelManoeuvre(Manoeuvre):
         """The largest handwheel angle (deg, left positive)."""
 
     def checked(self) -> "HandwheelManoeuvre":
+        """Return self; raises InputError if `amplitude` exceeds the largest handwheel angle."""
         largest = largest_handwheel(self.steering_ratio)
         if not abs(self.amplitude) <= largest * (1.0 + ROUNDING):
             allowed = f"at most {at_the_road_wheels(largest, self.steering_ratio)}"
@@ -62,13 +66,13 @@ class HandwheelManoeuvre(Manoeuvre):
         return self
 
     def road_wheel(self, handwheel: np.ndarray) -> np.ndarray:
-        """Road-wheel angles (rad) of handwheel angles (deg)."""
+        """Convert handwheel angles (deg) to road-wheel angles (rad)."""
         return np.radians(handwheel / self.steering_ratio)
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class HandwheelProgramme(HandwheelManoeuvre, OpenLoop):
-    """Steered at the handwheel, as a function of time."""
+    """An open-loop manoeuvre: the handwheel angle is a function of time."""
 
     @abc.abstractmethod
     def handwheel(self, times: np.ndarray) -> np.ndarray:
@@ -79,6 +83,9 @@ class HandwheelProgramme(HandwheelManoeuvre, OpenLoop):
 
 
 def ramp(times: np.ndarray, start: float, rate: float, amplitude: float) -> np.ndarray:
-    """0 until `start` (s), then at `rate` (deg/s) to `amplitude` (deg, signed), where it stays."""
+    """Ramp angles (n,) (deg) at `times` (n,) (s).
+
+    0 until `start` (s), then at `rate` (deg/s) to `amplitude` (deg, signed), where it is held.
+    """
     turned = np.clip(rate * (times - start), 0.0, abs(amplitude))
     return math.copysign(1.0, amplitude) * turned

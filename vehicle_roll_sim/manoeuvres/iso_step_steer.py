@@ -1,4 +1,4 @@
-"""The step steer of ISO 7401: how quickly the vehicle answers, at a given lateral acceleration."""
+"""Step steer of ISO 7401: response times at a given steady lateral acceleration."""
 
 import dataclasses
 import math
@@ -12,39 +12,39 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
     LARGEST_HANDWHEEL,
     HandwheelProgramme,
 )
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.run import run
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 STEADY_WINDOW = 0.5
-"""s at the end of a run whose mean is the steady value."""
+"""s: the steady value is the mean over this time at the end of a run."""
 CLOSE_ENOUGH = 1e-3
-"""m/s^2 from the lateral acceleration that is wanted."""
+"""m/s^2: tolerance of the steady lateral acceleration."""
 ATTEMPTS = 20
 SLOWEST = 1.0
-"""m/s: speed of the first guess at least."""
+"""m/s: lowest speed assumed for the first guess."""
 RESPONDED = 0.9
-"""Share of the steady value that counts as the answer."""
+"""The response time ends at this share of the steady value."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class IsoStepSteer(HandwheelProgramme):
-    """Straight ahead at a speed that is held, then the handwheel is turned as in a step."""
+    """Straight ahead at constant speed, then a near step of the handwheel angle."""
 
     lateral_acceleration: float = parameter(
-        "steady lateral acceleration that is wanted, left positive", "m/s^2", -20.0, 20.0
+        "target steady lateral acceleration, left positive", "m/s^2", -20.0, 20.0
     )
     handwheel_angle: float = parameter(
-        "handwheel angle, left positive; 0: that of the lateral acceleration",
+        "handwheel angle, left positive; 0: determined from lateral_acceleration",
         "deg",
         -LARGEST_HANDWHEEL,
         LARGEST_HANDWHEEL,
         default=0.0,
     )
-    rise: float = parameter("time in which the handwheel is turned", "s", 1e-3, LONGEST)
+    rise: float = parameter("rise time of the handwheel angle, 0 to 100 %", "s", 1e-3, LONGEST)
 
     @property
     def amplitude(self) -> float:
@@ -54,16 +54,19 @@ class IsoStepSteer(HandwheelProgramme):
         return self.handwheel_angle * np.clip((times - self.start) / self.rise, 0.0, 1.0)
 
     def filled_in(self, vehicle: Vehicle, options: Options) -> "IsoStepSteer":
-        """With the handwheel angle; raises InputError if no step gives the acceleration."""
+        """A copy with the handwheel angle.
+
+        Raises InputError if no angle gives the lateral acceleration.
+        """
         if self.handwheel_angle or not self.lateral_acceleration:
             return self
         angle = self._angle_for_acceleration(vehicle, options)
         return dataclasses.replace(self, handwheel_angle=angle)
 
     def _angle_for_acceleration(self, vehicle: Vehicle, options: Options) -> float:
-        """Handwheel angle (deg) for the steady acceleration, by the secant method.
+        """Handwheel angle (deg) for the target acceleration, by the secant method.
 
-        It begins with a vehicle that turns as its wheels point.
+        The first guess is the Ackermann angle.
         """
         wanted = self.lateral_acceleration
         wheelbase = vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle
@@ -78,12 +81,12 @@ class IsoStepSteer(HandwheelProgramme):
                 break
             step = missed * (angle - before) / (missed - missed_before)
             before, missed_before, angle = angle, missed, angle - step
-        problem = f"no step of the handwheel gives {wanted:g} m/s^2"
-        allowed = "less of it, another speed, or the handwheel angle"
+        problem = f"no handwheel angle gives a steady {wanted:g} m/s^2"
+        allowed = "a lower value, another speed, or handwheel_angle instead"
         raise InputError("lateral_acceleration", wanted, allowed, problem)
 
     def _steady_acceleration(self, angle: float, vehicle: Vehicle, options: Options) -> float:
-        """Lateral acceleration (m/s^2) at the end of a step to `angle` (deg); nan if it fails."""
+        """Steady lateral acceleration (m/s^2) after a step to `angle` (deg); nan if a run stops."""
         simulation = Simulation(vehicle, options)
         simulation.reset(self.speed)
         step = dataclasses.replace(self, handwheel_angle=angle)
@@ -103,9 +106,10 @@ class IsoStepSteer(HandwheelProgramme):
         return lines
 
     def response(self, history: History, name: str) -> tuple[float, float]:
-        """Response time (s) of a signal, and its overshoot over the steady value.
+        """Response time (s) of a signal, and its overshoot as a fraction of the steady value.
 
-        From half the steering to 90 % of the steady value, linear between samples (ISO 7401).
+        ISO 7401: the response time runs from 50 % of the steering input to 90 % of the steady
+        value, interpolated linearly between samples. nan without a steady value.
         """
         final = steady(history, name, self.duration)
         if math.isnan(final) or final == 0.0:
@@ -118,15 +122,15 @@ class IsoStepSteer(HandwheelProgramme):
 
 
 ANSWERS = {"yaw rate": "yaw_rate", "acceleration": "lateral_acceleration", "roll": "roll"}
-"""Label and signal of each answer in the report."""
+"""Label and signal of each response in the report."""
 ISO_STEP_STEER = IsoStepSteer(
     speed=100 / 3.6, lateral_acceleration=4.0, rise=0.15, duration=6.0, speed_hold=HOLD
 )
-"""100 km/h, 4 m/s^2; 10 to 90 % of the handwheel angle within 0.12 s."""
+"""100 km/h, 4 m/s^2; the handwheel angle rises from 10 to 90 % within 0.12 s."""
 
 
 def steady(history: History, name: str, duration: float) -> float:
-    """Mean of the end of a run of that duration (s); nan if it ended before."""
+    """Mean of a signal over the last STEADY_WINDOW of a run; nan if it ended before `duration`."""
     time = history["time"]
     if time[-1] < duration - STEADY_WINDOW:
         return math.nan

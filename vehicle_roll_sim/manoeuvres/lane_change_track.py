@@ -1,7 +1,7 @@
-"""The tracks of ISO 3888: three lanes between cones, and the path through their middle.
+"""The tracks of ISO 3888: three lanes marked by cones, and the path through their centres.
 
-x is measured from the beginning of the track, y from the middle of the first lane, both in m, and
-the first lane change is to the left, towards positive y.
+x is measured from the beginning of the track, y from the centre line of the first lane, both in m.
+The first lane change is to the left, towards positive y.
 """
 
 import dataclasses
@@ -9,17 +9,16 @@ import dataclasses
 import numpy as np
 
 OBSTACLE_GAP, LEAST_EXIT = 1.0, 3.0
-"""m (ISO 3888-2): sideways between the second lane and the two others, and the least width of the
-last lane."""
+"""m (ISO 3888-2): lateral gap between the second lane and the others; minimum width of the last."""
 LANE_OFFSET = 3.5
-"""m (ISO 3888-1): sideways between the right borders of the second lane and of the two others."""
+"""m (ISO 3888-1): lateral offset between the right borders of the second lane and the others."""
 CONES_OF_A_BORDER = 3
-"""At the beginning of a lane, in its middle and at its end."""
+"""At the beginning, the middle and the end of a lane."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Lane:
-    """From x to x, and from y of the right border to y of the left one (m)."""
+    """A lane: x of its start and end, y of its right and left border (m)."""
 
     start: float
     end: float
@@ -33,7 +32,7 @@ class Lane:
 
 @dataclasses.dataclass(frozen=True)
 class Track:
-    """Three lanes in the order in which they are driven; side -1: mirrored."""
+    """Three lanes in driving order; side: 1, or -1 for the mirrored track."""
 
     lanes: tuple[Lane, Lane, Lane]
     side: float = 1.0
@@ -44,7 +43,7 @@ class Track:
 
     @property
     def cones(self) -> np.ndarray:
-        """Places (n, 2) on the borders, which the base circles of the cones touch from outside."""
+        """Points (n, 2) (m) on the lane borders, touched from outside by the bases of the cones."""
         places = [
             (x, self.side * border)
             for lane in self.lanes
@@ -54,7 +53,7 @@ class Track:
         return np.array(places)
 
     def missed_lanes(self, x: np.ndarray, y: np.ndarray) -> list[bool]:
-        """For each lane whether a way through these places (m) is beside it at any of them."""
+        """For each lane, whether a point (x, y) (m) alongside it is outside its borders."""
         y = self.side * y
         return [
             bool(np.any((x >= lane.start) & (x <= lane.end) & ((y < lane.right) | (y > lane.left))))
@@ -62,10 +61,11 @@ class Track:
         ]
 
     def path(self, x: np.ndarray) -> np.ndarray:
-        """y of the path: the middle of each lane, and between two lanes the curve
+        """y (n,) of the path at `x` (n,) (m).
 
-        s = 10 t^3 - 15 t^4 + 6 t^5, t = 0 ... 1, without a step in direction or curvature. Ahead of
-        the track and behind it the path goes straight on.
+        The path follows the centre of each lane. Between two lanes it is the polynomial
+        s = 10 t^3 - 15 t^4 + 6 t^5, t = 0 ... 1, whose direction and curvature are continuous. It
+        is straight before and after the track.
         """
         first = self.lanes[0]
         y = np.full(np.shape(x), first.middle)
@@ -76,9 +76,9 @@ class Track:
 
 
 def obstacle_avoidance_track(width: float, side: float = 1.0) -> Track:
-    """ISO 3888-2 for a vehicle of that width (m): 12, 13.5, 11, 12.5 and 12 m, 61 m in all.
+    """ISO 3888-2 for a vehicle of that width (m): 12, 13.5, 11, 12.5 and 12 m, 61 m in total.
 
-    The borders of the first and the last lane that face the second one lie on one line.
+    The borders of the first and last lane that face the second lane are collinear.
     """
     facing = (1.1 * width + 0.25) / 2
     beyond = facing + OBSTACLE_GAP
@@ -91,10 +91,9 @@ def obstacle_avoidance_track(width: float, side: float = 1.0) -> Track:
 
 
 def double_lane_change_track(width: float, side: float = 1.0) -> Track:
-    """ISO 3888-1 for a vehicle of that width (m): 15, 30, 25, 25, 15 and 15 m, 125 m in all.
+    """ISO 3888-1 for a vehicle of that width (m): 15, 30, 25, 25, 15 and 15 m, 125 m in total.
 
-    The last two sections are one lane. The right borders of the first and the last lane lie on one
-    line.
+    The last two sections form one lane. The right borders of the first and last lane are collinear.
     """
     right = -(1.1 * width + 0.25) / 2
     beyond = right + LANE_OFFSET

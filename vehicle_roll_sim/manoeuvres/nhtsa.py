@@ -1,4 +1,4 @@
-"""NHTSA's rollover manoeuvres: the J-turn, and the fishhook with roll-rate feedback (1b)."""
+"""NHTSA's rollover manoeuvres: J-turn and fishhook with roll-rate feedback (1b)."""
 
 import dataclasses
 import math
@@ -15,20 +15,22 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
     ramp,
 )
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class RolloverManoeuvre(ScaledManoeuvre):
-    """The handwheel is turned, held and brought back; what counts is whether two wheels lift."""
+    """The handwheel is turned, held and returned to zero; the criterion is two-wheel lift."""
 
-    handwheel_rate: float = parameter("rate of the handwheel", "deg/s", 1e-3, 1e5)
-    hold: float = parameter("how long the handwheel is held in the end", "s", 0.0, LONGEST)
-    back: float = parameter("time in which it is brought back", "s", 1e-3, LONGEST, default=2.0)
+    handwheel_rate: float = parameter("rate of the handwheel angle", "deg/s", 1e-3, 1e5)
+    hold: float = parameter("time for which the final angle is held", "s", 0.0, LONGEST)
+    back: float = parameter(
+        "time in which the handwheel is returned to zero", "s", 1e-3, LONGEST, default=2.0
+    )
 
     def brought_back(self, times: np.ndarray, since: float) -> np.ndarray:
-        """Share of the last angle that is left, 1 to 0, if it was arrived at `since` (s)."""
+        """Factor on the final angle, falling from 1 to 0; the angle was reached at `since` (s)."""
         return 1.0 - np.clip((times - since - self.hold) / self.back, 0.0, 1.0)
 
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
@@ -37,7 +39,7 @@ class RolloverManoeuvre(ScaledManoeuvre):
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class JTurn(RolloverManoeuvre, HandwheelProgramme):
-    """One turn of the handwheel, held and brought back."""
+    """One turn of the handwheel, held and then returned to zero."""
 
     def handwheel(self, times: np.ndarray) -> np.ndarray:
         turned = ramp(times, self.start, self.handwheel_rate, self.amplitude)
@@ -47,10 +49,10 @@ class JTurn(RolloverManoeuvre, HandwheelProgramme):
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Fishhook(RolloverManoeuvre):
-    """A turn held until the roll rate has fallen, then as far to the other side, and back."""
+    """A turn held until the roll rate has dropped, then the same angle to the other side."""
 
     reversal_roll_rate: float = parameter(
-        "roll rate at which the handwheel is reversed once it has fallen so far",
+        "the handwheel is reversed when the roll rate, after rising above this value, drops to it",
         "deg/s",
         0.0,
         1e3,
@@ -61,29 +63,30 @@ class Fishhook(RolloverManoeuvre):
 
     @property
     def turned(self) -> float:
-        """When the first turn is complete (s)."""
+        """Time at which the first turn is complete (s)."""
         return self.start + abs(self.amplitude) / self.handwheel_rate
 
     def handwheel(self, times: np.ndarray, reversal: float) -> np.ndarray:
-        """Handwheel angles (deg) at `times` if it is reversed at `reversal` (s; inf: never)."""
+        """Handwheel angles (deg) at `times` (s), both (n,), with the reversal at `reversal` (s)."""
         first = ramp(times, self.start, self.handwheel_rate, self.amplitude)
         other_way = ramp(times, reversal, self.handwheel_rate, -2.0 * self.amplitude)
         arrived = reversal + 2.0 * abs(self.amplitude) / self.handwheel_rate
         return (first + other_way) * self.brought_back(times, arrived)
 
     def report(self, history: History, driver: "FishhookDriver") -> dict[str, str]:
-        reversed_at = "none: the roll rate did not rise and fall so far"
+        reversed_at = "none: the roll rate did not rise above the threshold and drop again"
         if driver.reversal < math.inf:
-            reversed_at = f"{driver.reversal:.3f} s at {driver.roll_rate:.3f} deg/s of roll"
+            reversed_at = f"{driver.reversal:.3f} s at a roll rate of {driver.roll_rate:.3f} deg/s"
         return {**super().report(history, driver), "steering reversal": reversed_at}
 
 
 class FishhookDriver(Feedback):
-    """Turns the handwheel of a fishhook, and reverses it when the roll rate tells so.
+    """Turns the handwheel of a fishhook, and reverses it depending on the roll rate.
 
-    That is in the first period that begins after the turn is complete and with a roll rate, to the
-    outside of the turn, that has been above that of the reversal and is so no more. `reversal` is
-    its time (s), inf until then, and `roll_rate` the roll rate then (deg/s, towards the outside).
+    The reversal takes place in the first command period that begins after the first turn is
+    complete and in which the roll rate, towards the outside of the turn, has been above the
+    threshold and no longer is. `reversal`: time of the reversal (s), inf until then. `roll_rate`:
+    the roll rate at that time (deg/s, towards the outside).
     """
 
     def __init__(self, manoeuvre: Fishhook):
@@ -118,7 +121,7 @@ NHTSA_J_TURN = JTurn(
     duration=9.0,
     speed_hold=HOLD,
 )
-"""Handwheel to 8.0 times the angle at 0.3 g at 1000 deg/s, held 4 s, back in 2 s."""
+"""Handwheel to 8.0 times the angle at 0.3 g at 1000 deg/s, held for 4 s, returned in 2 s."""
 NHTSA_FISHHOOK = Fishhook(
     speed=LOWEST_ENTRY,
     scalar=6.5,
@@ -128,4 +131,5 @@ NHTSA_FISHHOOK = Fishhook(
     duration=10.0,
     speed_hold=HOLD,
 )
-"""Handwheel to 6.5 times that angle at 720 deg/s, reversed at 1.5 deg/s, held 3 s, back in 2 s."""
+"""Handwheel to 6.5 times the angle at 0.3 g at 720 deg/s, reversed when the roll rate drops to
+1.5 deg/s, held for 3 s, returned in 2 s."""

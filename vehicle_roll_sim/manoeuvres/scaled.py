@@ -1,25 +1,31 @@
-"""Manoeuvres whose size is a multiple of the handwheel angle at which the vehicle is at 0.3 g."""
+"""Manoeuvres whose amplitude is a multiple of the handwheel angle at 0.3 g."""
 
 import dataclasses
 
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL, HandwheelManoeuvre
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import steering_at_03g
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class ScaledManoeuvre(HandwheelManoeuvre):
-    """Straight ahead, then the throttle is dropped and the handwheel turned."""
+    """Straight ahead; then the throttle is dropped and the handwheel is turned.
+
+    The handwheel amplitude is `scalar` times the angle at a lateral acceleration of 0.3 g.
+    """
 
     scalar: float = parameter(
-        "handwheel angle over that at 0.3 g, left positive", "", -100.0, 100.0
+        "ratio of the handwheel amplitude to the handwheel angle at 0.3 g, left positive",
+        "",
+        -100.0,
+        100.0,
     )
     steering_at_03g: float = parameter(
-        "handwheel angle at 0.3 g; 0: found by slowly increasing steers of the vehicle",
+        "handwheel angle at 0.3 g; 0: determined by slowly-increasing-steer runs",
         "deg",
         0.0,
         LARGEST_HANDWHEEL,

@@ -1,4 +1,4 @@
-"""Sine with dwell (FMVSS 126): its steering, and what a vehicle must do to pass."""
+"""Sine with dwell (FMVSS 126): steering input and pass criteria."""
 
 import dataclasses
 import math
@@ -10,29 +10,29 @@ from vehicle_roll_sim.manoeuvres.base import LONGEST
 from vehicle_roll_sim.manoeuvres.criteria import value_at
 from vehicle_roll_sim.manoeuvres.handwheel import HOLD, HandwheelProgramme
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 
 DWELL_AT = 0.75
-"""Share of the sine that is steered before the dwell: to its second peak."""
+"""Fraction of the sine's period before the dwell: up to its second peak."""
 YAW_RATE_LIMITS = {1.0: 0.35, 1.75: 0.20}
-"""Time after the end of the steering (s): largest yaw rate over its peak."""
+"""Time after completion of steer (s): maximum ratio of the yaw rate to its peak."""
 DISPLACEMENT_AFTER, LEAST_DISPLACEMENT = 1.07, 1.83
-"""s after the beginning of the steering, and m to the side by then."""
+"""Time after the beginning of steer (s), and the minimum lateral displacement (m) at that time."""
 DISPLACEMENT_FROM = 5.0
-"""Smallest amplitude, over the angle at 0.3 g, of which that displacement is wanted."""
+"""Smallest `scalar` at which that lateral displacement is required."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class SineWithDwell(ScaledManoeuvre, HandwheelProgramme):
-    """One sine of the handwheel that stays at its second peak for a while."""
+    """One period of a sine at the handwheel, with a dwell at its second peak."""
 
     frequency: float = parameter("frequency of the sine", "Hz", 1e-3, 100.0, default=0.7)
-    dwell: float = parameter("stay at the second peak", "s", 0.0, LONGEST, default=0.5)
+    dwell: float = parameter("dwell time at the second peak", "s", 0.0, LONGEST, default=0.5)
 
     @property
     def end(self) -> float:
-        """When the steering is complete (s)."""
+        """Time of completion of steer (s)."""
         return self.start + 1.0 / self.frequency + self.dwell
 
     def handwheel(self, times: np.ndarray) -> np.ndarray:
@@ -47,8 +47,8 @@ class SineWithDwell(ScaledManoeuvre, HandwheelProgramme):
         ratios = {}
         for ratio, (after, limit) in limits:
             text = _text(100.0 * ratio, "% of its peak")
-            ratios[f"yaw rate after {after:.2f} s"] = f"{text} (at most {100.0 * limit:g})"
-        wanted = f"at least {LEAST_DISPLACEMENT:g}, from {DISPLACEMENT_FROM:g} times on"
+            ratios[f"yaw rate after {after:.2f} s"] = f"{text} (at most {100.0 * limit:g} %)"
+        wanted = f"at least {LEAST_DISPLACEMENT:g} m if scalar is {DISPLACEMENT_FROM:g} or more"
         return {
             **super().report(history, driver),
             **ratios,
@@ -57,7 +57,7 @@ class SineWithDwell(ScaledManoeuvre, HandwheelProgramme):
         }
 
     def result(self, history: History) -> "SineWithDwellResult":
-        """The criteria of a run with this manoeuvre; what it did not get to is nan."""
+        """The criteria evaluated from a run; values at times that it did not reach are nan."""
         side = math.copysign(1.0, self.amplitude)
         peak = self._second_peak(history["time"], -side * history["yaw_rate"])
         ratios = [
@@ -67,7 +67,10 @@ class SineWithDwell(ScaledManoeuvre, HandwheelProgramme):
         return SineWithDwellResult(self.scalar, tuple(ratios), moved)
 
     def _second_peak(self, time: np.ndarray, yaw_rate: np.ndarray) -> float:
-        """Largest yaw rate (rad/s) to the second side while the handwheel is there; nan if none."""
+        """Peak yaw rate (rad/s) in the second direction of steer, until completion of steer.
+
+        yaw_rate: positive in that direction (rad/s). nan if it is never positive.
+        """
         reversal = self.start + 0.5 / self.frequency
         there = yaw_rate[(time >= reversal) & (time <= self.end)]
         return float(there.max()) if np.any(there > 0.0) else math.nan
@@ -75,11 +78,12 @@ class SineWithDwell(ScaledManoeuvre, HandwheelProgramme):
 
 @dataclasses.dataclass(frozen=True)
 class SineWithDwellResult:
-    """Magnitudes of the yaw rate 1.00 and 1.75 s after the steering, over their peak, and the
-    displacement (m) to the side that was steered to first.
+    """Results of one run.
 
-    The peak is that from the handwheel's change of sign to the end of the steering. scalar: the
-    amplitude over the angle at 0.3 g.
+    scalar: handwheel amplitude over the angle at 0.3 g. yaw_rate_ratios: magnitude of the yaw rate
+    1.00 and 1.75 s after completion of steer, over its peak between the sign change of the
+    handwheel angle and completion of steer. displacement: lateral displacement towards the side
+    of the first turn (m).
     """
 
     scalar: float
@@ -95,8 +99,8 @@ class SineWithDwellResult:
 
 
 def _text(value: float, unit: str) -> str:
-    return "not known" if math.isnan(value) else f"{value:.3f} {unit}"
+    return "unknown" if math.isnan(value) else f"{value:.3f} {unit}"
 
 
 SINE_WITH_DWELL = SineWithDwell(speed=80 / 3.6, scalar=5.0, duration=6.0, speed_hold=HOLD)
-"""80 km/h, then coasting; of the amplitudes of the series that from which all is judged."""
+"""80 km/h, then coasting; the smallest amplitude of the series at which all criteria apply."""

@@ -1,4 +1,4 @@
-"""NHTSA's slowly increasing steer: how far the handwheel is turned for 0.3 g."""
+"""NHTSA's slowly increasing steer: determines the handwheel angle at 0.3 g."""
 
 import dataclasses
 import math
@@ -15,49 +15,50 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
     largest_handwheel,
     ramp,
 )
-from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.run import run
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 
 LEVEL = 0.3
+"""g: lateral acceleration at which the handwheel angle is determined."""
 FIT_FROM, FIT_TO = 0.1, 0.375
-"""g: where the handwheel angle is read, and the data that the straight line goes through."""
+"""g: range of lateral acceleration for the linear fit."""
 FEWEST = 10
-"""Samples without which a line is not to be trusted."""
+"""Minimum number of samples for the fit."""
 TOO_LITTLE = f"not enough samples between {FIT_FROM:g} and {FIT_TO:g} g"
 STANDARD_ANGLE = 270.0
-"""deg: how far NHTSA has the handwheel turned, where the wheels turn so far."""
+"""deg: final handwheel angle of the standard, reduced if the road wheels cannot turn that far."""
 STRETCH = 1.0
-"""s: how often it is looked whether there is data enough."""
+"""s: interval between checks for enough data."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class SlowlyIncreasingSteer(HandwheelProgramme):
-    """A speed that is held, and a handwheel that turns slowly as far as it shall.
+    """The handwheel is turned slowly to a final angle at constant speed.
 
-    Once the vehicle is beyond 0.375 g the throttle is dropped: no torque drives it into a spin.
+    The throttle is dropped above 0.375 g, so that drive torque does not cause a spin.
     """
 
     handwheel_angle: float = parameter(
-        "handwheel angle at which it stays, left positive",
+        "final handwheel angle, left positive",
         "deg",
         -LARGEST_HANDWHEEL,
         LARGEST_HANDWHEEL,
     )
-    handwheel_rate: float = parameter("rate of the handwheel", "deg/s", 1e-3, 1e5)
+    handwheel_rate: float = parameter("rate of the handwheel angle", "deg/s", 1e-3, 1e5)
     complete: float = math.inf
 
     @property
     def throttle_dropped(self) -> float:
-        """Time (s) at which there is data enough, by `for_vehicle`."""
+        """Time (s) at which the vehicle exceeds 0.375 g; set by `for_vehicle`."""
         return self.complete
 
     def filled_in(self, vehicle: Vehicle, options: Options) -> "SlowlyIncreasingSteer":
-        """With the time at which the vehicle passes 0.375 g on a level road."""
+        """A copy with the time at which the vehicle exceeds 0.375 g on a level road."""
         steer = self.within_the_wheels()
         history = history_to_the_level(steer, vehicle, options)
         passed = np.abs(history["lateral_acceleration"]) > FIT_TO * GRAVITY
@@ -66,7 +67,7 @@ class SlowlyIncreasingSteer(HandwheelProgramme):
         return dataclasses.replace(steer, complete=float(history["time"][np.argmax(passed)]))
 
     def within_the_wheels(self) -> "SlowlyIncreasingSteer":
-        """With the standard's angle cut to what the wheels of the vehicle turn; others stay."""
+        """Reduce the standard's angle to the largest one of the vehicle; keep any other angle."""
         largest = largest_handwheel(self.steering_ratio)
         if abs(self.handwheel_angle) != STANDARD_ANGLE or largest >= STANDARD_ANGLE:
             return self
@@ -86,7 +87,7 @@ class SlowlyIncreasingSteer(HandwheelProgramme):
         return {"handwheel angle at 0.3 g": found, **self._limit_line()}
 
     def _limit_line(self) -> dict[str, str]:
-        """Where the handwheel goes as far as the wheels turn."""
+        """A line of the report if the final angle is the largest one of the vehicle."""
         largest = largest_handwheel(self.steering_ratio)
         if abs(self.handwheel_angle) != largest:
             return {}
@@ -100,13 +101,13 @@ SLOWLY_INCREASING_STEER = SlowlyIncreasingSteer(
     duration=22.0,
     speed_hold=HOLD,
 )
-"""50 mph held, 13.5 deg/s to 270 deg, or as far as the wheels turn."""
+"""50 mph; 13.5 deg/s to 270 deg, or to the largest handwheel angle of the vehicle."""
 
 
 def angle_at_level(history: History, steering_ratio: float) -> float:
-    """Handwheel angle (deg) at a lateral acceleration of 0.3 g, to either side positive.
+    """Magnitude of the handwheel angle (deg) at a lateral acceleration of 0.3 g.
 
-    From the straight line through the data between 0.1 and 0.375 g; nan without enough data.
+    From a linear fit to the data between 0.1 and 0.375 g; nan without enough data.
     """
     band = band_of_the_fit(history)
     if band is None:
@@ -118,8 +119,9 @@ def angle_at_level(history: History, steering_ratio: float) -> float:
 
 
 def band_of_the_fit(history: History) -> slice | None:
-    """The rows between 0.1 and 0.375 g, to either side; None if 0.375 g is not reached from
-    below, or there are too few rows for a line that can be trusted.
+    """Rows whose lateral acceleration is between 0.1 and 0.375 g, to either side.
+
+    None if 0.375 g is not reached from below, or if there are fewer than FEWEST rows.
     """
     acceleration = np.abs(history["lateral_acceleration"]) / GRAVITY
     first, end = np.argmax(acceleration >= FIT_FROM), np.argmax(acceleration > FIT_TO)
@@ -127,14 +129,14 @@ def band_of_the_fit(history: History) -> slice | None:
 
 
 def steering_at_03g(vehicle: Vehicle, options: Options) -> float:
-    """Mean handwheel angle (deg) at 0.3 g of a slowly increasing steer to the left and the right.
+    """Handwheel angle (deg) at 0.3 g: mean of a slowly increasing steer to the left and the right.
 
-    On a level road. Runs of a simulation are alike, so one to each side does. Raises InputError if
-    the vehicle does not come to 0.375 g.
+    On a level road. One run to each side is enough because simulated runs are repeatable. Raises
+    InputError if the vehicle does not reach 0.375 g.
     """
     angles = [_angle_to_a_side(vehicle, options, side) for side in (1.0, -1.0)]
     if any(map(math.isnan, angles)):
-        problem = "no 0.375 g in a slowly increasing steer of this vehicle"
+        problem = "this vehicle does not reach 0.375 g in a slowly increasing steer"
         raise InputError("steering_at_03g", 0.0, "a number above 0 deg", problem)
     return float(np.mean(angles))
 
@@ -151,7 +153,7 @@ def _angle_to_a_side(vehicle: Vehicle, options: Options, side: float) -> float:
 def history_to_the_level(
     steer: SlowlyIncreasingSteer, vehicle: Vehicle, options: Options
 ) -> History:
-    """A run to just beyond 0.375 g, or as far as it goes."""
+    """Run until just above 0.375 g, or until the run ends."""
     simulation, rows = Simulation(vehicle, options), []
     simulation.reset(steer.speed)
     is_beyond = False

@@ -1,4 +1,4 @@
-"""The steady-state circles of ISO 4138: at constant speed, radius or handwheel angle."""
+"""Steady-state circular tests of ISO 4138: at constant speed, radius or handwheel angle."""
 
 import dataclasses
 import math
@@ -6,13 +6,13 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.manoeuvres.driver.path_following import PathFollowing
 from vehicle_roll_sim.manoeuvres.handwheel import (
     HOLD,
     LARGEST_HANDWHEEL,
     HandwheelManoeuvre,
     ramp,
 )
-from vehicle_roll_sim.manoeuvres.path_following import PathFollowing
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import SlowlyIncreasingSteer
 from vehicle_roll_sim.manoeuvres.steady_turn import RisingSpeed, RisingSpeedDriver, SteadyTurn
 from vehicle_roll_sim.simulation.options import Options
@@ -21,20 +21,20 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 SMALLEST_RADIUS, LARGEST_RADIUS = 10.0, 1e4
 """m"""
 POINT_EVERY = 0.01
-"""rad along the circle: between two points a straight line is R / 80000 inside of it."""
+"""rad along the circle: the chord between two points is at most R / 80000 inside the arc."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class SteadyStateCircle(SteadyTurn, SlowlyIncreasingSteer):
-    """At constant speed: the handwheel turns slowly."""
+    """At constant speed: the handwheel is turned slowly."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class ConstantRadiusCircle(RisingSpeed, PathFollowing):
-    """On a circle that is followed from the reset on, where the vehicle is tangential to it."""
+    """At constant radius: a driver follows a circle that is tangential to the initial heading."""
 
     radius: float = parameter(
-        "radius of the circle, left positive", "m", -LARGEST_RADIUS, LARGEST_RADIUS
+        "radius of the circle, positive for a left turn", "m", -LARGEST_RADIUS, LARGEST_RADIUS
     )
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "ConstantRadiusCircle":
@@ -44,7 +44,7 @@ class ConstantRadiusCircle(RisingSpeed, PathFollowing):
         return super().for_vehicle(vehicle, options)
 
     def path_ahead(self, x: float, y: float, distance: float) -> np.ndarray:
-        """From a quarter of the circle behind the vehicle to as much beyond the distance."""
+        """Points (n, 2) (m) from a quarter circle behind the vehicle to one beyond `distance`."""
         beside = math.atan2(x, (self.radius - y) * math.copysign(1.0, self.radius))
         last = math.pi / 2 + distance / abs(self.radius)
         angles = beside + np.arange(-math.pi / 2, last, POINT_EVERY)
@@ -57,12 +57,12 @@ class ConstantRadiusCircle(RisingSpeed, PathFollowing):
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class ConstantHandwheelCircle(RisingSpeed, HandwheelManoeuvre):
-    """With the handwheel turned once and then held."""
+    """At constant handwheel angle: the handwheel is turned once and then held."""
 
     handwheel_angle: float = parameter(
-        "handwheel angle that is held, left positive", "deg", -LARGEST_HANDWHEEL, LARGEST_HANDWHEEL
+        "constant handwheel angle, left positive", "deg", -LARGEST_HANDWHEEL, LARGEST_HANDWHEEL
     )
-    handwheel_rate: float = parameter("rate of the handwheel", "deg/s", 1e-3, 1e5)
+    handwheel_rate: float = parameter("rate of the handwheel angle", "deg/s", 1e-3, 1e5)
 
     @property
     def amplitude(self) -> float:
@@ -79,12 +79,12 @@ class ConstantHandwheelCircle(RisingSpeed, HandwheelManoeuvre):
 STEADY_STATE_CIRCLE = SteadyStateCircle(
     speed=100 / 3.6, handwheel_angle=30.0, handwheel_rate=0.5, duration=62.0, speed_hold=HOLD
 )
-"""100 km/h, and 0.5 deg/s up to 30 deg."""
+"""100 km/h; handwheel at 0.5 deg/s up to 30 deg."""
 CONSTANT_RADIUS_CIRCLE = ConstantRadiusCircle(
     speed=8.0, radius=100.0, preview_time=0.65, duration=250.0, speed_hold=HOLD
 )
-"""100 m, from 8 m/s on."""
+"""Radius 100 m; speed rising from 8 m/s."""
 CONSTANT_HANDWHEEL_CIRCLE = ConstantHandwheelCircle(
     speed=8.0, handwheel_angle=30.0, handwheel_rate=30.0, duration=250.0, speed_hold=HOLD
 )
-"""30 deg, from 8 m/s on: with the reference vehicle a circle of 78 to 85 m."""
+"""Handwheel at 30 deg, speed rising from 8 m/s; the reference vehicle's radius is 78 to 85 m."""

@@ -1,4 +1,4 @@
-"""What the steady-state circles of ISO 4138 have in common: gradients, and a speed that rises."""
+"""Common parts of the ISO 4138 circles: gradients, and a slowly rising speed."""
 
 import dataclasses
 import math
@@ -9,45 +9,48 @@ import numpy as np
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.base import LONGEST, Manoeuvre
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import TOO_LITTLE, band_of_the_fit
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.metrics import roll_gradient, understeer_gradient
 from vehicle_roll_sim.simulation.command import Feedback, Programme
-from vehicle_roll_sim.simulation.history import History
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 
 ENOUGH = 0.4 * GRAVITY
-"""m/s^2: speed times yaw rate at which the speed rises no more, just beyond the data's 0.375 g."""
+"""m/s^2: speed times yaw rate above which the speed stops rising; just above the 0.375 g needed."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class SteadyTurn(Manoeuvre):
-    """A turn so slow to change that every moment is steady; `for_vehicle` brings the wheelbase."""
+    """A quasi-steady turn: every sample counts as steady state.
+
+    `for_vehicle` sets the wheelbase (m; nan before).
+    """
 
     wheelbase: float = math.nan
     steady_from = 0.0
-    """Time (s) from which on the data counts."""
+    """Time (s) from which data is evaluated."""
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "SteadyTurn":
-        """With the wheelbase (m)."""
+        """A copy with the vehicle's wheelbase (m)."""
         wheelbase = vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle
         return dataclasses.replace(super().for_vehicle(vehicle, options), wheelbase=wheelbase)
 
     def gradients(self, history: History) -> tuple[float, float]:
-        """Understeer gradient, at the road wheels, and roll gradient (deg per m/s^2).
+        """Understeer gradient, at the road wheels, and roll gradient (deg/(m/s^2)).
 
-        Slopes over lateral acceleration of steering - wheelbase * yaw rate / speed, which is 0 in
-        a turn as the wheels point, and of the roll angle, between 0.1 and 0.375 g. At constant
-        radius the second term does not change, at constant handwheel angle the first does not.
-        nan without data.
+        They are the slopes, over lateral acceleration from 0.1 to 0.375 g, of two angles: the
+        road-wheel angle less the Ackermann angle, steering - wheelbase * yaw rate / speed, and the
+        roll angle. At constant radius the Ackermann angle is constant; at constant handwheel angle
+        the steering is. nan without enough data.
         """
         history = History(history.rows[history["time"] >= self.steady_from])
         band = band_of_the_fit(history) if len(history.rows) else None
         if band is None:
             return math.nan, math.nan
-        acceleration = history["lateral_acceleration"][band]
-        needed = self.wheelbase * history["yaw_rate"] / history["u"]
-        angles = (history["steering"] - needed, history["roll"])
-        slopes = [np.polyfit(acceleration, angle[band], 1)[0] for angle in angles]
-        return math.degrees(slopes[0]), math.degrees(slopes[1])
+        names = ("lateral_acceleration", "steering", "yaw_rate", "u", "roll")
+        acceleration, *turn, roll = (history[name][band] for name in names)
+        understeer = understeer_gradient(acceleration, *turn, self.wheelbase)
+        return math.degrees(understeer), math.degrees(roll_gradient(acceleration, roll))
 
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         labels = ("understeer gradient", "roll gradient")
@@ -59,22 +62,26 @@ class SteadyTurn(Manoeuvre):
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class RisingSpeed(SteadyTurn):
-    """A turn at a speed that rises slowly."""
+    """A turn at a slowly rising speed."""
 
-    acceleration: float = parameter("rate of the speed", "m/s^2", 1e-4, 10.0, default=0.05)
-    rises_from: float = parameter("when the speed begins to rise", "s", 0.0, LONGEST, default=5.0)
+    acceleration: float = parameter(
+        "rate of change of the speed", "m/s^2", 1e-4, 10.0, default=0.05
+    )
+    rises_from: float = parameter(
+        "time at which the speed begins to rise", "s", 0.0, LONGEST, default=5.0
+    )
 
     @property
     def steady_from(self) -> float:
-        """Then the turn that was begun has settled."""
+        """Time (s) by which the initial transient has settled."""
         return self.rises_from
 
 
 class RisingSpeedDriver(Feedback):
-    """Raises the speed until there is data enough, then holds it.
+    """Raises the speed until there is enough data, then holds it.
 
-    steer: the road-wheel angle (rad) for a time (s) and a state. `enough` is the time (s) from
-    which on the speed is held, inf until then.
+    steer: function that returns the road-wheel angle (rad) for a time (s) and a state. `enough`:
+    the time (s) from which the speed is held; inf until then.
     """
 
     def __init__(self, manoeuvre: RisingSpeed, steer: Callable[[float, Mapping], float]):

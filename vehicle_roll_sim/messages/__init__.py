@@ -1,1 +1,1 @@
-"""What the simulator says: its topics, and its messages as bytes. Below any middleware."""
+"""The simulator's topics and messages, as serialized bytes; independent of any middleware."""

@@ -1,6 +1,6 @@
-"""The sets that a simulator published, put together again and made into a history.
+"""Groups the messages of a simulator into sets again and converts them to a history.
 
-Works on decoded messages of any library: their fields are those of their definitions.
+This works on messages decoded by any library, as long as fields have the names of the definitions.
 """
 
 import bisect
@@ -13,26 +13,26 @@ from vehicle_roll_sim.messages.sets import COMMAND_LABELS
 from vehicle_roll_sim.messages.topics import STATE_SET
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.history import COLUMNS, COMMANDS, History
+from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, History
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import GRAVITY
 
 STATE, COMMAND, IMU, LOADS = "state", "applied_command", "imu", "tire_normal_forces"
 COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS))
-"""The topics that a history is made of."""
+"""The topics from which a history is built."""
 
 
 NEEDED = {"x", "y", "yaw", "u", "v", "yaw_rate", "roll", "roll_rate"}
-"""States that every model has."""
+"""States that every model publishes."""
 
 
 class Collected:
     """Messages of one run, each with the time at which it was sent (ns), in that order.
 
-    A set begins with its `state` and one process sends it in order, so whatever was sent between
-    two states belongs to the first of them. Where two messages of a topic lie between two states,
-    the times are those of a receiver, whose topics overtake one another: then each message belongs
-    to the state that is nearest.
+    A set begins with its `state`, and one process sends it in order, so a message sent between two
+    states belongs to the first of them. If two messages of one topic lie between two states, the
+    times are those of a receiver, where topics overtake one another: each message then belongs to
+    the nearest state.
     """
 
     def __init__(self):
@@ -40,16 +40,16 @@ class Collected:
         self._others = {topic.name: [] for topic in COLLECTED if topic.name != STATE}
 
     def keep(self, name: str, sent: int, message) -> None:
-        """Note a message of another topic than `state`."""
+        """Add a message of a topic other than `state`. sent: when it was sent (ns)."""
         self._others[name].append((sent, message))
 
     def is_complete(self) -> bool:
-        """Whether all messages of the last set have come."""
+        """Whether all messages of the last set are present."""
         sent = self.states[-1][0]
         return all(self._sent_between(name, sent, math.inf) for name in self._others)
 
     def history(self, road: Road) -> History:
-        """One row for every complete set, driven on `road`; what no topic carries is nan."""
+        """One row for each complete set, driven on `road`; nan in columns that no topic carries."""
         sets = list(self.sets())
         commands = [command.data[len(COMMAND_LABELS) - len(COMMANDS) :] for _, command, *_ in sets]
         return History([_row(road, *parts) for parts in sets], np.array(commands))
@@ -64,7 +64,7 @@ class Collected:
                 yield (state, *parts)
 
     def _sent_between(self, name: str, start: int, end: float):
-        """The message of a topic that was sent between two times, None if there was none."""
+        """The first message of a topic sent between two times (ns), None if there is none."""
         kept = self._others[name]
         place = bisect.bisect_left(kept, start, key=lambda entry: entry[0])
         if place < len(kept) and kept[place][0] < end:
@@ -73,7 +73,10 @@ class Collected:
 
 
 def _shared_out(kept: list[tuple[int, object]], states: np.ndarray) -> dict[int, object]:
-    """The message of each state, by its place, of one topic; states: when they were sent (ns)."""
+    """The messages of one topic, by the index of the state to which they belong.
+
+    states: when the states were sent (ns).
+    """
     times = np.array([sent for sent, _ in kept], dtype=states.dtype)
     places = np.searchsorted(states, times, side="right") - 1
     if len(np.unique(places)) < len(places) or (places < 0).any():
@@ -83,13 +86,13 @@ def _shared_out(kept: list[tuple[int, object]], states: np.ndarray) -> dict[int,
 
 
 def by_name(message) -> dict[str, float]:
-    """The values of a labelled multi-array."""
+    """The values of a labelled multi-array (such as `state` or `motion`) as a dict by label."""
     labels = (dimension.label for dimension in message.layout.dim)
     return dict(zip(labels, message.data, strict=True))
 
 
 def is_ours(name: str, message) -> bool:
-    """Whether a message of a collected topic can be a simulator's; others may use its name, too."""
+    """Whether a message of a collected topic can come from a simulator: others may use its name."""
     if name == STATE:
         labels = [dimension.label for dimension in message.layout.dim]
         is_whole = labels[:1] == ["time"] and len(labels) == len(message.data)
@@ -112,7 +115,7 @@ def _row(road: Road, state: dict, command, imu, loads) -> np.ndarray:
 
 
 def _lateral_acceleration(road: Road, state: dict, imu) -> float:
-    """Along the y axis of frame 2: the specific force there, and gravity, which it leaves out."""
+    """Acceleration (m/s^2) along the y axis of frame 2: the specific force there plus gravity."""
     roll, pitch = state["roll"], state.get("pitch", 0.0)
     attitude = (np.sin(roll), np.cos(roll), np.sin(pitch), np.cos(pitch))
     specific = imu.linear_acceleration

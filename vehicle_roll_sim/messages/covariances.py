@@ -1,6 +1,7 @@
-"""Covariances of `imu` and `odom`, given by their diagonals, for filters that use these messages.
+"""Covariances of `imu` and `odom`, given as diagonals, for filters that use these messages.
 
-The data themselves are exact, whatever is told. All 0 is "unknown" to who reads sensor_msgs/Imu.
+The data themselves are exact, whatever the covariances say. In sensor_msgs/Imu, all zeros mean
+"covariance unknown".
 """
 
 import dataclasses
@@ -10,11 +11,11 @@ import numpy as np
 from vehicle_roll_sim.declaration import parameter
 
 LARGEST = 1e12
-"""Larger than any variance that means something."""
+"""Larger than any meaningful variance."""
 
 
 def _diagonal(description: str, unit: str, size: int):
-    about = f"variances of {description}, 0: unknown"
+    about = f"variances of {description}; all 0: unknown"
     return parameter(about, unit, 0.0, LARGEST, size=size, default=(0.0,) * size)
 
 
@@ -27,7 +28,7 @@ class ImuCovariances:
     linear_acceleration_covariance_diagonal: tuple = _diagonal("specific force", "m^2/s^4", 3)
 
     def spread(self, numbers: np.ndarray) -> None:
-        """Set them among the 37 numbers of an Imu."""
+        """Write them into the 37 numbers of an Imu message."""
         numbers[4:13:4] = self.orientation_covariance_diagonal
         numbers[16:25:4] = self.angular_velocity_covariance_diagonal
         numbers[28:37:4] = self.linear_acceleration_covariance_diagonal
@@ -35,20 +36,20 @@ class ImuCovariances:
 
 @dataclasses.dataclass(frozen=True)
 class OdomCovariances:
-    """Diagonals (x, y, z and about them) of the two covariances of a nav_msgs/Odometry."""
+    """Diagonals (x, y, z and rotations about them) of both covariances of a nav_msgs/Odometry."""
 
     pose_covariance_diagonal: tuple = _diagonal("x, y, z, roll, pitch, yaw", "m^2, rad^2", 6)
     twist_covariance_diagonal: tuple = _diagonal("velocity and rates", "m^2/s^2, rad^2/s^2", 6)
 
     def spread(self, numbers: np.ndarray) -> None:
-        """Set them among the 85 numbers of an Odometry."""
+        """Write them into the 85 numbers of an Odometry message."""
         numbers[7:43:7] = self.pose_covariance_diagonal
         numbers[49:85:7] = self.twist_covariance_diagonal
 
 
 @dataclasses.dataclass(frozen=True)
 class Covariances:
-    """Those of both messages, by their topics."""
+    """The covariances of both messages, by topic."""
 
     imu: ImuCovariances = ImuCovariances()
     odom: OdomCovariances = OdomCovariances()

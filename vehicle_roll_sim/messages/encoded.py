@@ -1,6 +1,6 @@
-"""Messages as the bytes that go out: encoded once, their changing numbers written in place.
+"""Messages as serialized bytes: encoded once, with their changing numbers overwritten in place.
 
-Filling and converting a message object field by field costs several times what sending it does.
+Filling and serializing a message object field by field costs several times as much as sending it.
 """
 
 import struct
@@ -9,23 +9,24 @@ from collections.abc import Callable
 import numpy as np
 
 Encode = Callable[[str, dict], bytes]
-"""Gives the CDR bytes of a message: its type ("std_msgs/msg/Float64"), and its fields by name, a
-message within as a dictionary again; what is not named is 0 or empty."""
+"""Returns the CDR bytes of a message, given its type ("std_msgs/msg/Float64") and a dictionary of
+its fields, with nested messages as nested dictionaries; omitted fields are 0 or empty."""
 STAMP = struct.Struct("<iI")
 """Seconds and nanoseconds."""
 STAMP_MARK = {"sec": 1_701_408_733, "nanosec": 987_654_321}
-"""A time that no message has by itself: where a message has it, it is stamped."""
+"""A placeholder time that no message contains otherwise; it is replaced by the stamp."""
 MARK = 0.7390851332151607
-"""A number that no field of a message has by itself."""
+"""A placeholder number that no message contains otherwise."""
 
 
 class Encoded:
     """The bytes of a message, in which numbers and stamps can be set.
 
-    count: how many numbers are open behind each place where the message has `mark`; they follow one
-    another as they do in its definition. kind: what numbers they are. tail: bytes of the message
-    behind its last numbers, if more must be cut off, which encoders reserve for empty lists.
-    `numbers` is a view of those behind the first mark, `groups` has one for each mark.
+    message: the encoded message with placeholders. count: how many numbers can be set from each
+    occurrence of `mark` on; they are contiguous, in the order of the definition. kind: their numpy
+    dtype. tail: bytes to keep after the last numbers; encoders may append more for empty lists,
+    which is cut off. `numbers` is a view of the numbers at the first mark, `groups` has one view
+    for each mark.
     """
 
     def __init__(
@@ -47,7 +48,7 @@ class Encoded:
         return places
 
     def stamp(self, seconds: int, nanoseconds: int) -> None:
-        """Set every stamp of the message."""
+        """Set every stamp in the message."""
         for place in self._stamps:
             STAMP.pack_into(self._bytes, place, seconds, nanoseconds)
 

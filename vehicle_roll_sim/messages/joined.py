@@ -1,4 +1,4 @@
-"""Messages of several topics, joined into the sets that they belong to while they arrive."""
+"""Joins arriving messages of several topics into the sets to which they belong."""
 
 import collections
 import itertools
@@ -8,16 +8,16 @@ from collections.abc import Iterable
 from vehicle_roll_sim.messages.topics import STATE_SET
 
 KEPT = 10
-"""Messages of a topic that wait for the rest of their set."""
+"""Queue length: messages per topic that wait for the rest of their set."""
 
 
 class JoinedSets:
-    """One message of each of the topics `names` for every set, whatever order they arrive in.
+    """Collects one message of each of the topics `names` per set, in whatever order they arrive.
 
-    A simulator sends a set in the order of STATE_SET, so whatever was sent between two messages of
-    the first of these topics belongs to the earlier one. A message from another node (an answer to
-    the set) may carry the time of another clock: it belongs to the set during which it was sent or
-    received. A set of which a message was lost is dropped once a later one is complete.
+    A simulator sends a set in the order of STATE_SET, so a message sent between two messages of the
+    first of these topics belongs to the earlier one. A message from another node (an answer to the
+    set) may carry the time of another clock: it belongs to the set during which it was sent or
+    received. An incomplete set is dropped once a later one is complete.
     """
 
     def __init__(self, names: Iterable[str]):
@@ -28,9 +28,9 @@ class JoinedSets:
         self._newest = -math.inf
 
     def add(self, name: str, sent: float, message) -> tuple | None:
-        """Keep a message that was sent at `sent` (ns); returns the set that is complete with it.
+        """Add a message sent at `sent` (ns); return the set that it completes, else None.
 
-        A set has a message for each name, in the order of `names`.
+        A set is a tuple with one message for each of `names`, in that order.
         """
         if name == self._first:
             if sent < self._newest:
@@ -42,13 +42,13 @@ class JoinedSets:
         return self._take_complete()
 
     def _forget_from(self, sent: float) -> None:
-        """The clock was set back: what was sent before that would never be of a later set."""
+        """Drop messages from before the clock was set back: they would never match a later set."""
         for name, kept in self._kept.items():
             early = [each for each in kept if each[0] < sent]
             self._kept[name] = collections.deque(early, maxlen=KEPT)
 
     def _take_complete(self) -> tuple | None:
-        """The complete set, if there is one; it and all that is older are not kept any longer."""
+        """Remove and return the first complete set, if any, together with everything older."""
         begins = [sent for sent, _ in self._kept[self._first]]
         for begin, end in itertools.pairwise([*begins, math.inf]):
             found = [self._sent_within(name, begin, end) for name in self.names]
@@ -61,5 +61,5 @@ class JoinedSets:
         return None
 
     def _sent_within(self, name: str, begin: float, end: float) -> tuple | None:
-        """The first message of a topic from `begin` to before `end` (ns), and when it was sent."""
+        """When the first message of a topic in `begin` <= time < `end` (ns) was sent, and it."""
         return next((each for each in self._kept[name] if begin <= each[0] < end), None)

@@ -1,4 +1,4 @@
-"""From a simulation to messages: the bytes of one per topic, brought up to date for every set."""
+"""From a simulation to messages: one encoded message per topic, updated for every set."""
 
 import functools
 import math
@@ -6,14 +6,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio
 from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.encoded import MARK, STAMP_MARK, Encode, Encoded
-from vehicle_roll_sim.messages.topics import CLOCK, STATE_SET, TRANSFORMS, WRENCH
+from vehicle_roll_sim.messages.topics import CLOCK, FLOAT, STATE_SET, TRANSFORMS, WRENCH
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.advance import NANOSECONDS
 from vehicle_roll_sim.model.frames import quaternion
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -27,18 +27,18 @@ MOTION_LABELS = (
     *("time", "steering", "rear_steering", "u", "v", "yaw_rate"),
     *("roll", "roll_rate", "lateral_acceleration"),
 )
-"""What controllers of a vehicle's handling need; the names mean what they do in `state`,
-`applied_command` and the CSV."""
+"""What vehicle dynamics controllers need. The names mean the same as in `state`, `applied_command`
+and the CSV."""
 SUSPENSION, STEERING, SPINNING = (
     tuple(f"{wheel}_{kind}_joint" for wheel in WHEELS)
     for kind in ("suspension", "steering", "wheel")
 )
 """Names of the joints."""
 ANGLES, RATES = slice(at.ROLL, at.YAW + 1), slice(at.ROLL_RATE, at.YAW_RATE + 1)
-"""Where the state has the Euler angles and the body rates."""
+"""Indices of the Euler angles and of the body rates in the state."""
 OF_ODOMETRY = 85
 POSITION, ATTITUDE, VELOCITY, TURNING = slice(3), slice(3, 7), slice(43, 46), slice(46, 49)
-"""Numbers of an Odometry: a pose and a twist, 7 and 6, with a covariance of 36 behind each."""
+"""Numbers of an Odometry: a pose (7) and a twist (6), each followed by a covariance (36)."""
 OF_IMU = 37
 IMU_ATTITUDE, IMU_RATES, SPECIFIC_FORCE = slice(4), slice(13, 16), slice(25, 28)
 """Numbers of an Imu: 4, 3 and 3, with a covariance of 9 behind each."""
@@ -49,19 +49,18 @@ OF_TRANSFORM = 7
 TRANSLATION, ROTATION = slice(3), slice(3, 7)
 """Numbers of a Transform."""
 EMPTY_LIST = 4
-"""Bytes of a list without elements: its length."""
+"""Bytes of an empty list: its length field."""
 FLAGS_MARK = (250, 251, 252, 253)
-"""Flags that no lift-off has."""
-RATIO = "load_transfer_ratio"
+"""A placeholder that no lift-off flags contain otherwise."""
 TYPES = {topic.name: topic.type for topic in STATE_SET}
 
 
 class Messages:
-    """The messages of a set, encoded by `encode`; a method for each brings it up to date.
+    """The messages of a set, encoded by `encode`; each has a method that updates and returns it.
 
-    applied: the command of the last period, to be kept up to date from outside. All stamped
-    messages of a set share the time that `set_time` is told. named: of each topic without a header
-    the names of its numbers, and the numbers, which are as new as its message.
+    applied: the command of the last period, to be updated by the owner. All stamped messages of a
+    set share the time passed to `set_time`. named: for each topic without a header, the names of
+    its numbers and a view of the numbers, which are as recent as its message.
     """
 
     def __init__(
@@ -81,8 +80,12 @@ class Messages:
         self._loads = self._labelled("tire_normal_forces", WHEELS)
         self._motion = self._labelled("motion", MOTION_LABELS)
         self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
-        self._ratio = Encoded(encode(TYPES[RATIO], {"data": MARK}), 1)
-        self.named[RATIO] = (RATIO,), self._ratio.numbers
+        self._single = {
+            topic.name: Encoded(encode(topic.type, {"data": MARK}), 1)
+            for topic in STATE_SET
+            if topic.type == FLOAT
+        }
+        self.named |= {name: ((name,), each.numbers) for name, each in self._single.items()}
         self._clock = Encoded(encode(CLOCK.type, {"clock": STAMP_MARK}))
         position = {"position": {"x": MARK}}
         odometry = self._in_frame("odom") | {"pose": {"pose": position}}
@@ -97,14 +100,14 @@ class Messages:
         self._forces = [Encoded(encode(WRENCH, force), OF_WRENCH) for _ in WHEELS]
 
     def builder(self, topic: str) -> Callable[[], bytes]:
-        """The method that brings the message of a topic of the set up to date and returns it."""
+        """The method that updates the message of a topic of the set and returns its bytes."""
         family, _, wheel = topic.lstrip("/").partition("/")
         if wheel:
             return functools.partial(self.tire_force, WHEELS.index(wheel))
         return getattr(self, family)
 
     def _labelled(self, topic: str, labels, mark=(MARK,), kind: str = "<f8") -> Encoded:
-        """A multi-array whose layout names every element: dim[i].label is the name of data[i]."""
+        """A multi-array whose layout labels every element: dim[i].label is the name of data[i]."""
         dimensions = [{"label": name, "size": 1, "stride": 1} for name in labels]
         data = [*mark, *[0.0] * (len(labels) - len(mark))]
         fields = {"layout": {"dim": dimensions}, "data": data}
@@ -119,7 +122,7 @@ class Messages:
         return {"child_frame_id": self._frame_prefix + frame}
 
     def _joint_states(self) -> Encoded:
-        """Positions and velocities lie one behind the other, but for the count of the latter."""
+        """Positions and velocities are contiguous, except for the length field of the latter."""
         names = [*(SUSPENSION if self._whole_body else ()), *STEERING, *SPINNING]
         zeros = [0.0] * len(names)
         moving = {"name": names, "position": [MARK, *zeros[1:]], "velocity": zeros}
@@ -129,9 +132,9 @@ class Messages:
 
     @functools.cached_property
     def _transforms(self) -> Encoded:
-        """From odom to base_footprint, on the ground, and to base_link, if it has a height.
+        """From odom to base_footprint, on the ground, and to base_link, if the model has heave.
 
-        Made when first wanted: not every ROS has their type.
+        Created on first use, since not every ROS installation has the message type.
         """
         frames = ("base_footprint", "base_link") if self._whole_body else ("base_footprint",)
         at_mark = {"transform": {"translation": {"x": MARK}}}
@@ -139,7 +142,7 @@ class Messages:
         return Encoded(self._encode(TRANSFORMS.type, {"transforms": transforms}), OF_TRANSFORM)
 
     def set_time(self, nanoseconds: int) -> None:
-        """The stamp of the set (ns since the epoch of the stamps)."""
+        """Set the stamp of the next set (ns since the epoch of the stamps)."""
         self.stamp = divmod(nanoseconds, NANOSECONDS)
 
     def clock(self) -> bytes:
@@ -209,8 +212,13 @@ class Messages:
 
     def load_transfer_ratio(self) -> bytes:
         loads = self.simulation.outputs["normal_force"]
-        self._ratio.numbers[0] = load_transfer_ratio(loads)
-        return bytes(self._ratio)
+        return self._number("load_transfer_ratio", load_transfer_ratio(loads))
+
+    def _number(self, topic: str, value: float) -> bytes:
+        """The message of a topic of type Float64."""
+        message = self._single[topic]
+        message.numbers[0] = value
+        return bytes(message)
 
     def motion(self) -> bytes:
         state, command = self.simulation.state_vector, self.applied
@@ -224,7 +232,7 @@ class Messages:
         return bytes(self._motion)
 
     def _attitude(self) -> tuple[float, ...]:
-        """As a quaternion (x, y, z, w); of a model that does not pitch, roll and yaw."""
+        """Attitude as a quaternion (x, y, z, w); pitch is 0 in a model without it."""
         roll, pitch, yaw = self.simulation.state_vector[ANGLES].tolist()
         return quaternion(roll, 0.0 if math.isnan(pitch) else pitch, yaw)
 

@@ -1,4 +1,4 @@
-"""The topics `…_stamped`: messages that have no header, with a header and named values."""
+"""The topics `NAME_stamped`: messages without a header, published again with one."""
 
 from collections.abc import Callable
 
@@ -8,7 +8,7 @@ from vehicle_roll_sim.messages.topics import STAMPED, STAMPED_ENDING, Topic
 
 
 def builder(messages: Messages, encode: Encode, topic: Topic) -> Callable[[], bytes]:
-    """What brings the message of a topic of the set up to date and returns it."""
+    """The function that updates the message of a topic of the set and returns its bytes."""
     if topic not in STAMPED:
         return messages.builder(topic.name)
     name = topic.name.removesuffix(STAMPED_ENDING)

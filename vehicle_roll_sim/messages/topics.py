@@ -1,14 +1,14 @@
-"""Every topic of the package: name, type and quality of service. Nodes and bags read it here."""
+"""Every topic of the package: name, type and QoS. Nodes and bags take them from here."""
 
 import dataclasses
 
+from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.command_inbox import channels
 
 
 @dataclasses.dataclass(frozen=True)
 class Topic:
-    """A topic: reliable, keep last `depth`; latched ones are transient local, others volatile."""
+    """A topic: reliable, keep last `depth`; transient local if latched, else volatile."""
 
     name: str
     type: str
@@ -30,7 +30,7 @@ COMMANDS = tuple(
     Topic(name, FLOAT if channel.size == 1 else ARRAY, depth=1)
     for name, channel in channels().items()
 )
-"""What the simulator listens to; the depth is that of a publisher of this package."""
+"""What the simulator subscribes to; the depth is that of publishers in this package."""
 STATE_SET = (
     Topic("state", ARRAY),
     Topic("applied_command", ARRAY),
@@ -43,21 +43,21 @@ STATE_SET = (
     Topic("load_transfer_ratio", FLOAT),
     Topic("motion", ARRAY),
 )
-"""What is published every period, in this order: a set begins with its `state`."""
+"""The topics of a set, which is published every period in this order, beginning with `state`."""
 STAMPED_ENDING = "_stamped"
 STAMPED = tuple(
     Topic(topic.name + STAMPED_ENDING, JOINTS)
     for topic in STATE_SET
     if topic.type in (FLOAT, ARRAY, FLAGS)
 )
-"""Of the set too, where they are asked for: what has no header, with one, every number by name.
+"""Also part of the set with `publish_stamped`: topics without a header, with a header and names.
 
-A JointState is the one message of ROS with a header and numbers that bear names, and tools to plot
-and to read bags show it by them."""
+JointState is the only standard message with a header and named numbers, and plotting and bag tools
+show the numbers by these names."""
 TRANSFORMS = Topic("/tf", "tf2_msgs/msg/TFMessage")
-"""Of the set too, where its type is installed."""
+"""Also part of the set, if its type is installed."""
 CLOCK = Topic("/clock", "rosgraph_msgs/msg/Clock")
-"""Before each set, where stamps are simulated time."""
+"""Published before each set, if stamps are simulated time."""
 ROLLOVER = _latched("rollover", "std_msgs/msg/Bool")
 ROBOT_DESCRIPTION = _latched("robot_description", TEXT)
 SIMULATION_DESCRIPTION = _latched("simulation_description", TEXT)

@@ -1,4 +1,4 @@
-"""The robot description (URDF) of a vehicle, from its parameters: what RViz and Foxglove draw."""
+"""The robot description (URDF) of a vehicle, built from its parameters, for RViz and Foxglove."""
 
 from xml.etree import ElementTree
 
@@ -7,13 +7,13 @@ from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 WHEEL_WIDTH = 0.2
-"""m, for the picture only."""
+"""m, for display only."""
 BODY_CLEARANCE = 0.25
-"""Height of the body's underside above ground (m), for the picture only."""
+"""Height of the body's underside above the ground (m), for display only."""
 SPOKE_WIDTH = 0.2
-"""Width of the bar by which a wheel is seen to spin, over the tire's radius."""
+"""Width of the bar that makes wheel spin visible, as a fraction of the tire radius."""
 PROUD = 0.01
-"""How far what is painted on a surface stands out of it (m)."""
+"""How far markings stand proud of a surface (m)."""
 TRAVEL = 0.5
 """Limit of the suspension joints (m)."""
 LOCK = 1.6
@@ -21,7 +21,7 @@ LOCK = 1.6
 AXES = {"prismatic": "0 0 1", "revolute": "0 0 1", "continuous": "0 1 0"}
 HERE = (0.0, 0.0, 0.0)
 LYING = (1.5707963267948966, 0.0, 0.0)
-"""Attitude of a cylinder whose axis is the axle (rad)."""
+"""Roll, pitch and yaw (rad) of a cylinder whose axis is the axle."""
 COLOURS = {
     "paint": (0.15, 0.35, 0.7, 1.0),
     "glass": (0.08, 0.1, 0.12, 1.0),
@@ -32,16 +32,17 @@ COLOURS = {
 
 
 def robot_description(simulation: Simulation) -> str:
-    """URDF of the simulated vehicle as its model has it (`urdf`)."""
+    """URDF of a simulated vehicle, with suspension joints if its model has them (`urdf`)."""
     return urdf(simulation.vehicle, not simulation.options.has_eight_dof)
 
 
 def urdf(vehicle: Vehicle, has_suspension: bool = True) -> str:
-    """URDF: base_link is the sprung c.g.; per wheel a suspension, a steering and a wheel joint.
+    """URDF as text. base_link is at the sprung c.g.; each wheel has a suspension, a steering and a
+    wheel joint.
 
-    Suspension joints are prismatic along the body's z axis, 0 at rest, or fixed; the wheel is the
-    last link. Wheels have the unloaded radius: their centres are that much above the ground, less
-    the compression of the tire, which is negative once they have lifted.
+    Suspension joints are prismatic along the body's z axis, 0 at rest, or fixed without
+    `has_suspension`; the wheel is the last link. Wheels have the unloaded radius: the height of a
+    wheel centre is that radius less the tire compression, which is negative after lift-off.
     """
     robot = ElementTree.Element("robot", name="vehicle")
     for name, colour in COLOURS.items():
@@ -62,9 +63,9 @@ def urdf(vehicle: Vehicle, has_suspension: bool = True) -> str:
 
 
 def _body(robot: ElementTree.Element, vehicle: Vehicle) -> None:
-    """A box from the underside to as far above the c.g., over the wheelbase and the track.
+    """A box as long as the wheelbase and as wide as the track, centred vertically on the c.g.
 
-    The windscreen shows where the front is.
+    A windscreen marks the front.
     """
     link = ElementTree.SubElement(robot, "link", name="base_link")
     front, rear = vehicle.cg_to_front_axle, vehicle.cg_to_rear_axle
@@ -76,7 +77,7 @@ def _body(robot: ElementTree.Element, vehicle: Vehicle) -> None:
 
 
 def _wheel(link: ElementTree.Element, radius: float) -> None:
-    """A tire, and a spoke from the axle to the rim by which it is seen to spin."""
+    """A tire, and a spoke from axle to rim that makes its spin visible."""
     geometry = _visual(link, "rubber", HERE, LYING)
     ElementTree.SubElement(geometry, "cylinder", radius=f"{radius:.10g}", length=str(WHEEL_WIDTH))
     size = (SPOKE_WIDTH * radius, WHEEL_WIDTH + PROUD, 0.9 * radius)
@@ -84,7 +85,7 @@ def _wheel(link: ElementTree.Element, radius: float) -> None:
 
 
 def _joint(robot, name: str, motion: str, parent: str, origin, limit: float = 0.0) -> str:
-    """Add a joint and the link behind it, the link last; returns the link's name."""
+    """Add a joint and then its child link; returns the link's name."""
     joint = ElementTree.SubElement(robot, "joint", name=f"{name}_joint", type=motion)
     child = f"{name}_link"
     ElementTree.SubElement(joint, "origin", xyz=_numbers(origin), rpy=_numbers(HERE))

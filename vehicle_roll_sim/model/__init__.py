@@ -1,1 +1,1 @@
-"""The mathematics: equations of motion, tires, integration. No ROS, no files, no clocks."""
+"""The physics: equations of motion, tires, integration. No ROS, no files, no clocks."""

@@ -1,28 +1,29 @@
-"""A wheel on the road: load, radius, slip and the forces of the contact patch."""
+"""A wheel on the road: normal load, loaded radius, slip, and contact-patch forces."""
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.frames import yawed_to_body
-from vehicle_roll_sim.model.jit import kernel, math
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
-from vehicle_roll_sim.model.tire import tire_forces
-from vehicle_roll_sim.model.transient_slip import transient_slip
-from vehicle_roll_sim.model.upright_tire import upright_contact
+from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.model.tire.transient_slip import transient_slip
+from vehicle_roll_sim.model.tire.upright import upright_contact
 
 SLOWEST_ROLLING = 1e-9
-"""Floor of the speed that slip is divided by (m/s): keeps a wheel that stands across finite."""
+"""m/s: lower limit of the speed in the denominator of slip; keeps slip finite at zero speed."""
 
 
 @kernel
 def normal_force(support):
-    """Fzg of one wheel (N): never negative, 0 off the ground (eq. 16)."""
+    """Fzg: normal load of one wheel (N), never negative, 0 off the ground (eq. 16)."""
     return support if support > 0.0 else 0.0
 
 
 @kernel
 def loaded_radius(tire_compression, radius, attitude):
-    """Radius r of a tire compressed by xt towards the ground, as the source has it (m; eqs 15, 16).
+    """Loaded radius r of a tire with vertical compression xt (m; eqs 15, 16).
 
-    The source shortens the radius along the body's z axis by the compression along the vertical.
+    As in the paper, the radius along the body's z axis is reduced by the vertical compression
+    divided by the cosines of pitch and roll.
     """
     _, c_roll, _, c_pitch = attitude
     return radius - tire_compression / (c_pitch * c_roll) if tire_compression > 0.0 else radius
@@ -30,7 +31,7 @@ def loaded_radius(tire_compression, radius, attitude):
 
 @kernel
 def steer(command, outputs):
-    """Steering angle of every wheel (rad), its sine and cosine."""
+    """Road-wheel angle of every wheel (rad), its sine and cosine."""
     front, rear = command.steering, command.rear_steering
     at_front, at_rear = (math.sin(front), math.cos(front)), (math.sin(rear), math.cos(rear))
     for i in range(WHEEL_COUNT):
@@ -72,7 +73,7 @@ def contact_velocity(uu, vu, wu, wx, wy, r, attitude):
 def small_angle_contact_velocity(i, wx, wy, vehicle, options, outputs):
     """ug and vg for small angles (m/s; eqs 41, 42), or those of the corner (eqs 65, 66).
 
-    Harmless simplification of section 6.4: with `fixed_strut_length`, h stands for ls + r.
+    Admissible simplification of section 6.4: `fixed_strut_length` replaces ls + r by h.
     """
     reach = outputs.strut_length[i] + outputs.loaded_radius[i]
     if options.fixed_strut_length:
@@ -84,7 +85,7 @@ def small_angle_contact_velocity(i, wx, wy, vehicle, options, outputs):
 
 @kernel
 def contact_kinematics(state, vehicle, options, attitude, outputs):
-    """Load, loaded radius and contact velocity in frame 2 of every wheel (eqs 7, 8, 13-16)."""
+    """Normal load (N), loaded radius (m) and contact velocity in frame 2 (m/s; eqs 7, 8, 13-16)."""
     wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
     xt, wu = state[at.TIRE_COMPRESSION], state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):
@@ -105,7 +106,7 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 
 @kernel
 def contact_forces(state, vehicle, tire, options, outputs):
-    """Slip and contact forces of every wheel in frame 2 (eqs 3-6), the slip transient or not."""
+    """Transient or steady-state slip, and contact forces in frame 2 (N; eqs 3-6)."""
     wheel_motion(state, tire, outputs)
     if options.steady_state_slip:
         steady_state_slip(outputs)
@@ -121,8 +122,11 @@ def contact_forces(state, vehicle, tire, options, outputs):
 
 @kernel
 def contact_forces_on_body_axes(options, attitude, outputs):
-    """Fxgs and Fygs of every wheel, the contact forces in frame 1 (eqs 2, 38, 59), and the lateral
-    one that rolls the body with the loaded radius for a lever (Fygs, or F'ygs of eq. 74)."""
+    """Fxgs and Fygs, the contact forces of every wheel in frame 1 (N; eqs 2, 38, 59).
+
+    Also the lateral force that acts on the roll motion with the loaded radius as lever arm (Fygs,
+    or F'ygs of eq. 74).
+    """
     s_roll, _, s_pitch, c_pitch = attitude
     for i in range(WHEEL_COUNT):
         fx, fy = outputs.longitudinal_force[i], outputs.lateral_force[i]

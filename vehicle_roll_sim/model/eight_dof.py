@@ -1,19 +1,20 @@
-"""The vehicle with 8 degrees of freedom of section 8: equations 77-87.
+"""The 8-degree-of-freedom vehicle of section 8: equations 77-87.
 
-The body rolls about an axis that is fixed in the vehicle; it neither heaves nor pitches, and the
-wheels have no vertical motion. u and v belong to the point of the roll axis below the c.g. The
-states that this model does not have are nan.
+The body rolls about an axis fixed in the vehicle; it neither heaves nor pitches, and the wheels
+have no vertical motion. u and v are those of the point of the roll axis below the c.g. States that
+this model does not have are nan.
 
-Tire loads hold the accelerations, those the tire forces, and these the loads: they are iterated,
-from no acceleration, until they agree.
+Normal loads depend on the accelerations, these on the tire forces, and these on the normal loads:
+they are iterated, starting from zero acceleration, until they agree.
 """
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.contact import contact_forces, normal_force, steer
-from vehicle_roll_sim.model.frames import ground_to_yawed, heading_of, yawed_to_ground
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.frames import heading_of, yawed_to_ground
 from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import drag
+from vehicle_roll_sim.model.road.slope import slope_gravity_on_yawed_axes
 from vehicle_roll_sim.model.roll_axis import (
     corner_damping,
     corner_stiffness,
@@ -26,16 +27,16 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 
 MOST_ITERATIONS = 200
 AGREEMENT = 1e-12
-"""Change of the accelerations, relative to 1 m/s^2 or to themselves, that counts as none."""
+"""Convergence tolerance of the accelerations, relative to their magnitude plus 1 m/s^2."""
 
 
 @kernel
 def eight_dof_derivatives(state, command, vehicle, tire, options, outputs, rates):
-    """Rates of the states that this model has, and all that leads to them; see `derivatives`."""
+    """Rates of the states of this model, and all intermediate quantities; see `derivatives`."""
     heading = heading_of(state[at.YAW])
     steer(command, outputs)
     contact_velocities(state, vehicle, outputs)
-    slope_gravity(heading, vehicle, outputs)
+    slope_gravity_on_yawed_axes(heading, vehicle, outputs)
     accelerate(state, command, vehicle, tire, options, outputs)
     rates[at.X], rates[at.Y] = yawed_to_ground(heading, state[at.U], state[at.V])
     rates[at.YAW], rates[at.ROLL] = state[at.YAW_RATE], state[at.ROLL_RATE]
@@ -56,18 +57,12 @@ def contact_velocities(state, vehicle, outputs):
 
 
 @kernel
-def slope_gravity(heading, vehicle, outputs):
-    """Gravity along the plane of the road, on grade or bank, in frame 2 (m/s^2)."""
-    slope = outputs.slope_gravity
-    slope[0], slope[1] = ground_to_yawed(heading, vehicle.gravity_along, vehicle.gravity_across)
-
-
-@kernel
 def accelerate(state, command, vehicle, tire, options, outputs):
-    """Tire loads, tire forces and accelerations that agree with each other (eqs 77-87).
+    """Solve for consistent normal loads, tire forces and accelerations (eqs 77-87).
 
-    Broyden's method in ax and ay, which begins as the iteration of the three in turn. On grade or
-    bank they are those relative to free sliding. The accelerations are nan where none are found.
+    Broyden's method in ax and ay; its first step is a fixed-point iteration. On a grade or bank, ax
+    and ay exclude the component of gravity along the road. The accelerations are nan if the method
+    does not converge.
     """
     q, wz, slope = outputs.body_acceleration, state[at.YAW_RATE], outputs.slope_gravity
     q[:] = math.nan
@@ -91,7 +86,7 @@ def accelerate(state, command, vehicle, tire, options, outputs):
 
 @kernel
 def corrected(slopes, x_step, y_step, x_gap, y_gap):
-    """Slopes of the gaps over ax and ay, after a step that should have closed them (Broyden)."""
+    """Broyden's update of the Jacobian of the residuals with respect to ax and ay."""
     length = x_step**2 + y_step**2
     if length == 0.0:
         return slopes
@@ -102,7 +97,7 @@ def corrected(slopes, x_step, y_step, x_gap, y_gap):
 
 @kernel
 def solution(matrix, x, y):
-    """Of two linear equations, the matrix given row by row."""
+    """Solution of two linear equations; the matrix is given row by row."""
     xx, xy, yx, yy = matrix
     determinant = xx * yy - xy * yx
     return (yy * x - xy * y) / determinant, (xx * y - yx * x) / determinant
@@ -110,7 +105,7 @@ def solution(matrix, x, y):
 
 @kernel
 def tire_loads(state, command, ax, ay, vehicle, options, outputs):
-    """Load and loaded radius of every wheel at the accelerations ax and ay (eqs 84-87)."""
+    """Normal load (N) and loaded radius (m) of every wheel at ax and ay (m/s^2; eqs 84-87)."""
     pitching = vehicle.sprung_mass * vehicle.cg_height
     for i in range(WHEEL_COUNT):
         pitching += vehicle.unsprung_mass[i] * wheel_centre_height(i, vehicle)
@@ -132,7 +127,7 @@ def tire_loads(state, command, ax, ay, vehicle, options, outputs):
 
 @kernel
 def strut_reaction(i, state, vehicle, options):
-    """Force (N) with which the rolled body pulls at corner i: (kphi phi + bphi dphi/dt) / c."""
+    """(kphi phi + bphi dphi/dt) / c: reduction of the load at corner i by body roll (N)."""
     force = corner_stiffness(i, vehicle, options) * state[at.ROLL]
     force += corner_damping(i, vehicle, options) * state[at.ROLL_RATE]
     return force * vehicle.y[i]
@@ -140,10 +135,10 @@ def strut_reaction(i, state, vehicle, options):
 
 @kernel
 def active_load(i, command, vehicle, options):
-    """What the active normal forces of an axle add to the load of wheel i (N).
+    """Contribution of the active forces of an axle to the normal load of wheel i (N).
 
-    Not in the source. Their roll moment acts through the struts, which take their share of it, and
-    returns to the road as a pair; their sum would lift the body, which this model cannot show.
+    Not in the paper. The struts transmit their share of the roll moment, which acts on the road as
+    a pair of forces. The sum of the forces would lift the body, which this model cannot represent.
     """
     other = i + 1 if i % 2 == 0 else i - 1
     own = strut_share(i, vehicle, options) * command.normal_force[i]
@@ -158,7 +153,7 @@ def unsprung_imbalance(vehicle):
 
 @kernel
 def total_mass(vehicle):
-    """mt (kg)."""
+    """mt: mass of the whole vehicle (kg)."""
     mass = vehicle.sprung_mass
     for i in range(WHEEL_COUNT):
         mass += vehicle.unsprung_mass[i]
@@ -191,13 +186,13 @@ def lateral_acceleration(state, command, vehicle, options, outputs):
 
 @kernel
 def coupling(vehicle):
-    """hrc m: what ties roll to lateral motion (kg m)."""
+    """hrc m: coupling of roll and lateral motion (kg m)."""
     return roll_axis_depth(vehicle) * vehicle.sprung_mass
 
 
 @kernel
 def yaw_inertia(vehicle):
-    """Of the whole vehicle (kg m^2; under eq. 79)."""
+    """Yaw moment of inertia of the whole vehicle (kg m^2; defined below eq. 79)."""
     inertia = vehicle.yaw_inertia
     for i in range(WHEEL_COUNT):
         inertia += vehicle.unsprung_mass[i] * (vehicle.x[i] ** 2 + vehicle.y[i] ** 2)
@@ -206,13 +201,13 @@ def yaw_inertia(vehicle):
 
 @kernel
 def roll_inertia(vehicle):
-    """Of the sprung mass about the roll axis (kg m^2; eq. 80)."""
+    """Moment of inertia of the sprung mass about the roll axis (kg m^2; eq. 80)."""
     return vehicle.roll_inertia + coupling(vehicle) * roll_axis_depth(vehicle)
 
 
 @kernel
 def yaw_acceleration(ay, vehicle, outputs):
-    """rad/s^2, from the tire forces and the lateral acceleration ay (eq. 79)."""
+    """Yaw acceleration (rad/s^2) from the tire forces and the lateral acceleration ay (eq. 79)."""
     moment = over_wheels(vehicle.x, outputs.lateral_force)
     moment -= over_wheels(vehicle.y, outputs.longitudinal_force)
     return (moment - unsprung_imbalance(vehicle) * ay) / yaw_inertia(vehicle)
@@ -220,7 +215,7 @@ def yaw_acceleration(ay, vehicle, outputs):
 
 @kernel
 def roll_acceleration(state, command, ay, vehicle, options):
-    """rad/s^2, from weight, struts, active forces and the lateral acceleration ay (eq. 80)."""
+    """Roll acceleration (rad/s^2) from weight, struts, active forces and ay (m/s^2; eq. 80)."""
     moment = coupling(vehicle) * (vehicle.gravity * state[at.ROLL] + ay)
     for i in range(WHEEL_COUNT):
         strut = active_load(i, command, vehicle, options)
@@ -233,8 +228,8 @@ def roll_acceleration(state, command, ay, vehicle, options):
 def measured_accelerations(state, vehicle, outputs):
     """Acceleration of the sprung c.g. in frame 2 and its specific force in frame 1.
 
-    The c.g. lies hrc above the roll axis, beside it when rolled: terms as in 77, 78. It keeps its
-    height, as weight and struts have it in 80.
+    The c.g. is hrc above the roll axis and moves sideways in roll: terms as in equations 77 and 78.
+    Its height is constant, consistent with weight and struts in equation 80.
     """
     q, depth = outputs.body_acceleration, roll_axis_depth(vehicle)
     wx, wz, roll = state[at.ROLL_RATE], state[at.YAW_RATE], state[at.ROLL]

@@ -1,4 +1,4 @@
-"""Static equilibrium: what the springs carry at rest, and the state a run starts from."""
+"""Static equilibrium: compressions at rest, and the initial state of a run."""
 
 import numpy as np
 
@@ -6,21 +6,24 @@ from vehicle_roll_sim.model.records import STATE, WHEEL_COUNT
 
 
 def axle_load_share(to_front: float, to_rear: float) -> np.ndarray:
-    """Share of the sprung weight on each wheel (4), the sum being 1."""
+    """Share of the sprung weight on each wheel, shape (4,); the sum is 1.
+
+    to_front, to_rear: distances from the c.g. to the axles (m).
+    """
     wheelbase = to_front + to_rear
     front, rear = to_rear / (2 * wheelbase), to_front / (2 * wheelbase)
     return np.array([front, front, rear, rear])
 
 
 def static_suspension_compression(sprung_mass, share, spring_stiffness, gravity) -> np.ndarray:
-    """xsi of each corner (m; eq. 19 with the g that the source drops)."""
+    """xsi of each corner (m; eq. 19 with the factor g that the paper omits)."""
     return sprung_mass * gravity * share / spring_stiffness
 
 
 def static_tire_compression(
     sprung_mass, share, unsprung_mass, tire_stiffness, gravity
 ) -> np.ndarray:
-    """xti of each wheel (m; eq. 20 with the g that the source drops)."""
+    """xti of each tire (m; eq. 20 with the factor g that the paper omits)."""
     return (sprung_mass * share + unsprung_mass) * gravity / tire_stiffness
 
 
@@ -30,7 +33,7 @@ def static_strut_length(cg_height, tire_radius, tire_compression) -> np.ndarray:
 
 
 def equilibrium(vehicle: np.ndarray, speed: float) -> np.ndarray:
-    """The state (one STATE record in an array) of free rolling straight ahead at `speed` (m/s)."""
+    """The state of free rolling straight ahead at `speed` (m/s): an array of one STATE record."""
     state = np.zeros(1, STATE)
     car, start = vehicle[0], state[0]
     start.z = car.cg_height

@@ -1,9 +1,10 @@
-"""The vehicle with 14 degrees of freedom of Shim and Ghike (2007): model 1, equations 1-37.
+"""The 14-degree-of-freedom vehicle of Shim and Ghike (2007): model 1, equations 1-37.
 
-The simplified models are the same stages with other forms of some terms, chosen by the options.
+The simplified models share these stages; the options select other forms of some terms.
 """
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.contact import (
     contact_forces,
     contact_forces_on_body_axes,
@@ -14,35 +15,31 @@ from vehicle_roll_sim.model.frames import (
     attitude_of,
     body_to_yawed,
     euler_rates,
-    ground_to_yawed,
     heading_of,
     small_angle_euler_rates,
-    yawed_to_body,
     yawed_to_ground,
 )
-from vehicle_roll_sim.model.jit import kernel
 from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
-from vehicle_roll_sim.model.suspension import (
+from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
+from vehicle_roll_sim.model.suspension.links import (
     applied_link_forces,
     link_forces,
     link_load_transfer,
-    strut_forces,
-    strut_kinematics,
-    unsprung_rates,
 )
+from vehicle_roll_sim.model.suspension.struts import strut_forces, strut_kinematics, unsprung_rates
 from vehicle_roll_sim.model.wheel import wheel_rates
 
 
 @kernel
 def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, rates):
-    """Rates of all states, and all that leads to them; see `derivatives`."""
+    """Rates of all states, and all intermediate quantities; see `derivatives`."""
     roll, pitch = state[at.ROLL], state[at.PITCH]
     heading, exact = heading_of(state[at.YAW]), attitude_of(roll, pitch)
     attitude = (roll, 1.0, pitch, 1.0) if options.small_angles else exact
     steer(command, outputs)
 
-    slope_gravity(vehicle, heading, attitude, outputs)
+    slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
     contact_forces(state, vehicle, tire, options, outputs)
@@ -64,15 +61,6 @@ def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, ra
 
 
 @kernel
-def slope_gravity(vehicle, heading, attitude, outputs):
-    """Gravity along the plane of the road, on grade or bank, in frame 1 (m/s^2)."""
-    along, across = ground_to_yawed(heading, vehicle.gravity_along, vehicle.gravity_across)
-    slope = yawed_to_body(attitude, along, across, 0.0)
-    for axis in range(len(slope)):
-        outputs.slope_gravity[axis] = slope[axis]
-
-
-@kernel
 def attitude_rates(state, options, attitude):
     """Roll, pitch and yaw rates (rad/s; eqs 35-37, 51-53, 62-64)."""
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
@@ -85,7 +73,7 @@ def attitude_rates(state, options, attitude):
 
 @kernel
 def body_rates(state, options, heading, attitude, outputs, rates):
-    """Position, attitude and velocity of the sprung mass."""
+    """Rates of position, attitude and velocity of the sprung mass."""
     forward, left, rates[at.Z] = body_to_yawed(attitude, state[at.U], state[at.V], state[at.W])
     rates[at.X], rates[at.Y] = yawed_to_ground(heading, forward, left)
     turning = attitude_rates(state, options, attitude)
@@ -110,7 +98,7 @@ def compression_rates(state, options, attitude, outputs, rates):
 def accelerations(state, vehicle, attitude, outputs):
     """Acceleration of the sprung c.g. in frame 2, and its specific force in frame 1.
 
-    They are measurements: their axes are those of the exact attitude in every model.
+    They are measured quantities: in every model their axes are those of the exact attitude.
     """
     s_roll, c_roll, s_pitch, c_pitch = attitude
     q, u, v, w = outputs.body_acceleration, state[at.U], state[at.V], state[at.W]

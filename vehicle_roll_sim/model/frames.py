@@ -4,7 +4,7 @@ Angles are Rz(yaw) Ry(pitch) Rx(roll), ISO 8855 / REP-103: pitch positive nose d
 left side up. Variables named s_ and c_ are a sine and a cosine.
 """
 
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 
 
 @kernel
@@ -21,7 +21,7 @@ def heading_of(yaw):
 
 @kernel
 def body_to_yawed(attitude, x, y, z):
-    """A vector of frame 1 along the axes of frame 2: Ry(pitch) Rx(roll)."""
+    """Transform a vector from frame 1 to frame 2: Ry(pitch) Rx(roll)."""
     s_roll, c_roll, s_pitch, c_pitch = attitude
     y_pitched = c_roll * y - s_roll * z
     z_pitched = s_roll * y + c_roll * z
@@ -30,7 +30,7 @@ def body_to_yawed(attitude, x, y, z):
 
 @kernel
 def yawed_to_body(attitude, x, y, z):
-    """A force of frame 2 along the axes of frame 1 (eq. 2)."""
+    """Transform a vector from frame 2 to frame 1 (eq. 2)."""
     s_roll, c_roll, s_pitch, c_pitch = attitude
     z_pitched = s_pitch * x + c_pitch * z
     return (
@@ -42,14 +42,14 @@ def yawed_to_body(attitude, x, y, z):
 
 @kernel
 def yawed_to_ground(heading, x, y):
-    """A horizontal vector of frame 2 along the axes of the ground: Rz(yaw)."""
+    """Transform a horizontal vector from frame 2 to the ground frame: Rz(yaw)."""
     s_yaw, c_yaw = heading
     return c_yaw * x - s_yaw * y, s_yaw * x + c_yaw * y
 
 
 @kernel
 def ground_to_yawed(heading, x, y):
-    """A horizontal vector of the ground along the axes of frame 2."""
+    """Transform a horizontal vector from the ground frame to frame 2."""
     s_yaw, c_yaw = heading
     return c_yaw * x + s_yaw * y, -s_yaw * x + c_yaw * y
 
@@ -58,13 +58,13 @@ def ground_to_yawed(heading, x, y):
 def euler_rates(attitude, wx, wy, wz):
     """Roll, pitch and yaw rates (rad/s) from the body rates (eqs 37, 35, 36)."""
     s_roll, c_roll, s_pitch, c_pitch = attitude
-    turning = (wy * s_roll + wz * c_roll) / c_pitch
-    return wx + turning * s_pitch, wy * c_roll - wz * s_roll, turning
+    yaw_rate = (wy * s_roll + wz * c_roll) / c_pitch
+    return wx + yaw_rate * s_pitch, wy * c_roll - wz * s_roll, yaw_rate
 
 
 @kernel
 def small_angle_euler_rates(roll, pitch, wx, wy, wz):
-    """Roll, pitch and yaw rates (rad/s) of small angles (eqs 53, 51, 52)."""
+    """Roll, pitch and yaw rates (rad/s) for small angles (eqs 53, 51, 52)."""
     return wx + wz * pitch, wy - wz * roll, wy * roll + wz
 
 

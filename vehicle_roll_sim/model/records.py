@@ -1,26 +1,26 @@
 """The data that the equations read and write, as numpy structured dtypes: names and layout.
 
-Wheels come in the order lf, rf, lr, rr everywhere. SI units and radians.
+The order of wheels is lf, rf, lr, rr everywhere. SI units and radians.
 """
 
 from collections import namedtuple
 
 import numpy as np
 
-from vehicle_roll_sim.model.jit import constants
+from vehicle_roll_sim.model.compiled.jit import constants
 
 WHEELS = ("lf", "rf", "lr", "rr")
 WHEEL_COUNT = len(WHEELS)
 LF, RF, LR, RR = range(WHEEL_COUNT)
 DEGREES_OF_ACCELERATION = 6
 DU, DV, DW, DWX, DWY, DWZ = range(DEGREES_OF_ACCELERATION)
-"""Places of the derivatives of u, v, w and of the body rates among the accelerations."""
+"""Indices of the derivatives of u, v, w and of the body rates among the accelerations."""
 
 
 def record_dtype(*fields) -> np.dtype:
-    """A structured dtype of float64 fields whose elements give their fields as attributes.
+    """A structured dtype of float64 fields, whose elements have their fields as attributes.
 
-    `fields` are names (scalars), (name, shape) or (name, type) pairs.
+    fields: names (scalars), or pairs (name, shape) or (name, type).
     """
     return np.dtype((np.record, [_field(field) for field in fields]))
 
@@ -33,6 +33,7 @@ def _field(field):
 
 
 def per_wheel(*names: str) -> tuple:
+    """Fields with one value per wheel."""
     return tuple((name, WHEEL_COUNT) for name in names)
 
 
@@ -48,25 +49,25 @@ EIGHT_DOF_STATES = (
     *("x", "y", "yaw", "roll"),
     *("u", "v", "yaw_rate", "roll_rate", "wheel_speed"),
 )
-"""Those of the 8 DOF model, in the order of its equations."""
+"""The states of the 8 DOF model, in the order of its equations."""
 
 SLIP_STATES = ("longitudinal_slip", "lateral_slip")
-"""Those of transient slip: of each wheel the ratio that stands for the slip ratio, and the one that
-stands for the tangent of the slip angle (-)."""
+"""The states of transient slip, per wheel: transient values of the slip ratio and of the tangent of
+the slip angle (-)."""
 
 STATE = record_dtype(
     *((name, MODEL_STATE[name].shape or ()) for name in MODEL_STATE.names),
     *per_wheel("wheel_angle", *SLIP_STATES),
 )
-"""What is integrated: the 28 states and, after them, the spin angle of each wheel (rad) and the
-states of transient slip."""
+"""The integrated state: the 28 states, then the spin angle of each wheel (rad) and the states of
+transient slip."""
 
 MODEL_STATE_SIZE = MODEL_STATE.itemsize // 8
 STATE_SIZE = STATE.itemsize // 8
 
 
 def element_names(fields: tuple[str, ...]) -> tuple[str, ...]:
-    """Name of every element of these fields of STATE: a wheel's bears the wheel's name."""
+    """Name of every element of these fields of STATE; values per wheel end in the wheel's name."""
     return tuple(
         f"{name}_{wheel}" if STATE[name].shape else name
         for name in fields
@@ -79,7 +80,7 @@ STATE_NAMES = element_names(STATE.names)
 
 
 def _place(name: str):
-    """Where a field lies in the flat state vector: an index, or a slice of four."""
+    """Position of a field in the flat state vector: an index, or a slice of four."""
     dtype, offset = STATE.fields[name]
     first = offset // 8
     return slice(first, first + WHEEL_COUNT) if dtype.shape else first
@@ -101,9 +102,9 @@ COMMAND = record_dtype(
     *per_wheel("wheel_torque", "brake_torque", "normal_force"),
     *("speed_hold_gain", "speed_hold_target"),
 )
-"""What drives the model: road-wheel angles (rad), torque at each wheel (N m), the most that its
-brake can give (N m), active normal force at each corner (N), and a speed hold, a torque
-gain * (target - u) added at each rear wheel."""
+"""The commands: road-wheel angles (rad), drive torque at each wheel (N m), brake torque capacity at
+each wheel (N m), active force at each corner (N), and a speed hold, a torque gain * (target - u)
+added at each rear wheel (N m per m/s, m/s)."""
 
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
@@ -115,13 +116,13 @@ VEHICLE = record_dtype(
     *per_wheel("static_strut_length", "static_suspension_compression"),
     *per_wheel("static_tire_compression"),
 )
-"""The vehicle as the equations want it: front and rear values laid out per wheel."""
+"""The vehicle as input to the equations: front and rear values are laid out per wheel."""
 
 VehicleConstants = namedtuple(
     "VehicleConstants", [name for name in VEHICLE.names if not VEHICLE[name].shape]
 )
 vehicle_constants = constants(VehicleConstants)
-"""The values of a VEHICLE record that are the same for every wheel."""
+"""Copies the scalar fields of a VEHICLE record, those that are not per wheel."""
 
 OPTION_NAMES = (
     "euler_terms",
@@ -143,21 +144,21 @@ OPTION_NAMES = (
     "steady_state_slip",
 )
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
-"""Which form of a term the equations take; all off is model 1. Each is explained where it acts."""
+"""Forms of terms in the equations; all off is model 1. Each is explained where it is used."""
 
 CURVES = (
     *("longitudinal", "lateral", "longitudinal_weight", "lateral_weight"),
     *("longitudinal_at_shift", "lateral_at_shift", "ply_steer"),
 )
-"""Of a tire: forces of pure slip and their weights; those at the shifts of the weights and that of
-slip-induced ply-steer are 0 for many tires."""
+"""The curves of a tire: forces at pure slip and their weighting functions; the weighting functions
+at their shifts and the curve of slip-induced ply-steer are 0 for many tires."""
 CURVE_COUNT, MAIN_CURVES = len(CURVES), 4
 LONGITUDINAL, LATERAL, LONGITUDINAL_WEIGHT, LATERAL_WEIGHT = range(MAIN_CURVES)
 LONGITUDINAL_AT_SHIFT, LATERAL_AT_SHIFT, PLY_STEER = range(MAIN_CURVES, CURVE_COUNT)
 
 
 def per_curve(*names: str) -> tuple:
-    """Fields for every curve of every wheel: those of a curve lie side by side."""
+    """Fields with one value per curve and wheel; the wheels of a curve are adjacent."""
     return tuple((name, CURVE_COUNT * WHEEL_COUNT) for name in names)
 
 
@@ -182,11 +183,11 @@ OUTPUTS = record_dtype(
     ("body_acceleration", DEGREES_OF_ACCELERATION),
     ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
 )
-"""Everything that is computed on the way from a state to its derivative.
+"""Everything that is computed between a state and its derivative.
 
-normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N); support: what the
-normal force would be if the ground could pull (N), below 0 when the wheel is off; acceleration: of
-the sprung c.g. along the axes of frame 2 (m/s^2); specific_force: what an accelerometer at the c.g.
-reads, in frame 1 (m/s^2); body_acceleration: derivatives of u, v, w and the body rates. The rest
-are the terms of the equations, named where they are computed. What a model does not have is nan.
+normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N). support: normal load
+before clipping at 0 (N), negative off the ground. acceleration: of the sprung c.g. along the axes
+of frame 2 (m/s^2). specific_force: reading of an accelerometer at the c.g., in frame 1 (m/s^2).
+body_acceleration: derivatives of u, v, w and the body rates. The others are terms of the equations,
+described where they are computed. Outputs that a model does not have are nan.
 """

@@ -1,7 +1,7 @@
 """The six equations of the sprung mass as one linear system in its accelerations (eqs 29-34)."""
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.jit import kernel, math, term
+from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import (
     DU,
     DV,
@@ -11,18 +11,18 @@ from vehicle_roll_sim.model.records import (
     DWZ,
     WHEEL_COUNT,
 )
-from vehicle_roll_sim.model.suspension import carried_mass
+from vehicle_roll_sim.model.suspension.links import carried_mass
 
 AIR_DENSITY = 1.225
-"""kg/m^3, of the standard atmosphere at sea level."""
+"""kg/m^3: standard atmosphere at sea level."""
 
 
 @kernel
 def mass_matrix(vehicle, options, outputs):
-    """Left-hand side: the inertia of the body and of what its links carry along.
+    """Left-hand side: inertia of the body and of the unsprung masses coupled by the links.
 
-    Symmetric and positive definite without a roll centre; with one, the roll equation has the
-    roll centre's depth for a lever where the others have the length of the strut.
+    Symmetric and positive definite without a roll centre. With a roll centre, the lever arm in the
+    roll equation is the depth of the roll centre instead of the strut length.
     """
     a = outputs.mass_matrix
     a[:, :] = 0.0
@@ -63,8 +63,10 @@ def mass_matrix(vehicle, options, outputs):
 
 @kernel
 def moved_mass(vehicle, options):
-    """Mass in the longitudinal and lateral equations (kg): lumping the unsprung masses into it is
-    the mistake of section 5."""
+    """Mass in the longitudinal and lateral equations (kg).
+
+    Lumping the unsprung masses into it is the error described in section 5.
+    """
     mass = vehicle.sprung_mass
     if options.lumped_unsprung_mass:
         for i in range(WHEEL_COUNT):
@@ -130,11 +132,12 @@ def roll_moment(i, vehicle, options, outputs):
 
 @kernel
 def solve_in_place(a, f):
-    """Replace f by the solution of a q = f; `a` is destroyed. Gaussian elimination.
+    """Replace f by the solution of a q = f by Gaussian elimination; `a` is overwritten.
 
-    The longitudinal and the lateral equation do not hold each other's acceleration, the roll
-    equation not that of pitch, and the vertical acceleration is in its own equation only. No
-    pivoting: the matrix is an inertia, dominated by its diagonal, with every pivot a mass.
+    The sparsity is exploited: the longitudinal and lateral equations do not contain each other's
+    acceleration, the roll equation does not contain pitch, and the vertical acceleration occurs in
+    its own equation only. Pivoting is unnecessary, since the matrix is a diagonally dominant
+    inertia matrix.
     """
     eliminate(a, f, DU, (DWY, DWZ), (DWY, DWZ))
     eliminate(a, f, DV, (DWX, DWZ), (DWX, DWY, DWZ))
@@ -151,7 +154,7 @@ def solve_in_place(a, f):
 
 @term
 def eliminate(a, f, unknown, others, rows):
-    """Have the row of an unknown give it by the others in it, and put that into further rows."""
+    """Normalize the row of an unknown and eliminate the unknown from `rows`."""
     pivot = a[unknown, unknown]
     f[unknown] /= pivot
     for other in others:
@@ -164,6 +167,6 @@ def eliminate(a, f, unknown, others, rows):
 
 @term
 def complete(a, f, unknown, others):
-    """Take the others off the right-hand side of an unknown."""
+    """Back substitution: subtract the other unknowns from the right-hand side."""
     for other in others:
         f[unknown] -= a[unknown, other] * f[other]

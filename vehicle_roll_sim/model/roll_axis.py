@@ -1,6 +1,6 @@
-"""The body on its roll axis: what equations 77-87 and the roll-plane models have in common."""
+"""The body on its roll axis: common terms of equations 77-87 and the roll-plane models."""
 
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 
 
@@ -21,9 +21,9 @@ def roll_axis_depth(vehicle):
 
 @kernel
 def strut_share(i, vehicle, options):
-    """Share of corner i's travel over the ground that its strut takes, the tire the rest (-).
+    """Share of the strut in the travel of corner i relative to the ground; the rest is the tire's.
 
-    kt / (ks + kt): strut and tire in series. All of it, where the tire counts as rigid.
+    kt / (ks + kt): strut and tire in series. 1 for rigid tires.
     """
     if options.rigid_tires:
         return 1.0
@@ -45,7 +45,7 @@ def corner_damping(i, vehicle, options):
 
 @kernel
 def roll_stiffness(vehicle, options):
-    """Roll stiffness of both axles (N m/rad): the sum of c^2 / 2 times a corner's of each."""
+    """Total roll stiffness of both axles (N m/rad): sum of c^2 / 2 times the corner stiffness."""
     stiffness = 0.0
     for i in range(WHEEL_COUNT):
         stiffness += vehicle.y[i] ** 2 * corner_stiffness(i, vehicle, options)
@@ -54,14 +54,14 @@ def roll_stiffness(vehicle, options):
 
 @kernel
 def wheel_centre_height(i, vehicle):
-    """hu: height of wheel centre i over the ground at rest (m)."""
+    """hu: height of wheel centre i above the ground at rest (m)."""
     return vehicle.tire_radius - vehicle.static_tire_compression[i]
 
 
 def motion_above_axis(state, depth: float) -> tuple[float, ...]:
-    """Of the sprung c.g., from the motion of the axis at `depth` (m) below it, as a STATE record.
+    """x, y (m, ground frame) and u, v (m/s, body frame) of the sprung c.g. in the 8 DOF model.
 
-    Position on the ground's axes (m), velocity ahead and to the left on the body's (m/s).
+    state: a STATE record with the motion of the roll axis. depth: of the axis below the c.g. (m).
     """
     roll, yaw, aside = float(state["roll"]), float(state["yaw"]), -depth * state["roll"]
     ahead = state["u"] - state["yaw_rate"] * aside

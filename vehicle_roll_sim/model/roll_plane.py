@@ -1,13 +1,13 @@
-"""The oldest and cheapest predictors of lift-off: the vehicle from behind, in steady cornering.
+"""Roll-plane models: the simplest predictors of lift-off, in steady cornering.
 
-Rigid: the whole vehicle is one body on two wheels; its threshold is the static stability factor.
+Rigid: the whole vehicle is one body on two wheels; the threshold is the static stability factor.
 Suspended, quasi-static: the sprung mass rolls about the roll axis (eq. 81) on springs and tires in
-series, and its weight moves outwards.
+series, and its c.g. moves outwards.
 """
 
 import numpy as np
 
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OPTIONS
 from vehicle_roll_sim.model.roll_axis import roll_axis_depth, roll_stiffness
 
@@ -15,11 +15,10 @@ from vehicle_roll_sim.model.roll_axis import roll_axis_depth, roll_stiffness
 class RollPlane:
     """A roll-plane model of one vehicle.
 
-    vehicle: one VEHICLE record in an array (`Vehicle.record()`). suspended: False for the rigid
-    one. Attributes: `weight` of the whole vehicle (N), `track`, the mean of both axles (m),
-    `cg_height` of the whole vehicle (m), `static_stability_factor` (-) and `roll_gradient`, rad of
-    roll per m/s^2 of lateral acceleration: 0 of the rigid model, infinite where the springs cannot
-    hold the body upright.
+    vehicle: an array of one VEHICLE record (`Vehicle.record()`). suspended: False for the rigid
+    model. Attributes: `weight` of the whole vehicle (N), `track`, mean track width (m), `cg_height`
+    of the whole vehicle (m), `static_stability_factor` (-), and `roll_gradient` (rad/(m/s^2)),
+    which is 0 for the rigid model and inf if the springs cannot hold the body upright.
     """
 
     def __init__(self, vehicle: np.ndarray, suspended: bool = True):
@@ -45,13 +44,13 @@ class RollPlane:
 
     @property
     def _overturning_arm(self) -> float:
-        """Overturning moment per weight of the vehicle and g of lateral acceleration (m)."""
+        """Overturning moment per vehicle weight and per g of lateral acceleration (m)."""
         outward = self._sprung_mass * self._depth * self.roll_gradient
         return self.cg_height + outward * self._gravity**2 / self.weight
 
     @property
     def lift_off_threshold(self) -> float:
-        """Lateral acceleration (m/s^2) at which the inner wheels carry nothing any more."""
+        """Lateral acceleration (m/s^2) at which the inner wheels lift off."""
         return self._gravity * self.track / (2 * self._overturning_arm)
 
     def roll(self, lateral_acceleration):

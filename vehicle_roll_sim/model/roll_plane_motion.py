@@ -1,23 +1,24 @@
-"""The suspended roll-plane model in motion: the body swings about the roll axis, wheels stay down.
+"""Dynamic roll-plane model: the body rolls about the roll axis, all wheels stay on the ground.
 
-J roll'' = m h (f + g roll) - K roll - C roll', where f is the lateral force of the tires per mass
-of the whole vehicle, m h the moment of the sprung mass about the roll axis (eq. 81), K and C
-stiffness and damping of springs and tires in series. The axis follows the tires' forces sideways,
-so that J is less than about a fixed axis: Jx + m mu / (m + mu) h^2, with the unsprung mass mu.
+J roll'' = m h (f + g roll) - K roll - C roll', where f is the lateral tire force per mass of the
+whole vehicle, m h the first moment of the sprung mass about the roll axis (eq. 81), and K and C are
+the roll stiffness and damping of springs and tires in series. The axis can move laterally with the
+tire forces, so J is smaller than about a fixed axis: Jx + m mu / (m + mu) h^2, with the unsprung
+mass mu.
 """
 
 import numpy as np
 
-from vehicle_roll_sim.model.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OPTIONS, WHEEL_COUNT
 from vehicle_roll_sim.model.roll_axis import corner_damping, roll_stiffness, wheel_centre_height
 from vehicle_roll_sim.model.roll_plane import RollPlane
 
 
 class RollPlaneMotion(RollPlane):
-    """Roll acceleration and load transfer of a rolling body; all angles in rad, SI units.
+    """Roll acceleration and load transfer of the rolling body; SI units and radians.
 
-    vehicle: one VEHICLE record in an array (`Vehicle.record()`).
+    vehicle: an array of one VEHICLE record (`Vehicle.record()`).
     """
 
     def __init__(self, vehicle: np.ndarray):
@@ -36,12 +37,15 @@ class RollPlaneMotion(RollPlane):
         self._axis_lever = self._sprung_mass * share * self._depth * lever
 
     def tire_force(self, roll: float, roll_rate: float, lateral_acceleration: float) -> float:
-        """Lateral force of the tires per mass (m/s^2), from what the sprung c.g. measures."""
+        """Lateral tire force per vehicle mass (m/s^2), from signals measured at the sprung c.g.
+
+        roll: rad. roll_rate: rad/s. lateral_acceleration: of the sprung c.g. (m/s^2).
+        """
         moment = self._moment_about_axis(roll, roll_rate, lateral_acceleration)
         return lateral_acceleration + self._axis_follows * moment / self._roll_inertia
 
     def roll_acceleration(self, roll: float, roll_rate: float, force: float) -> float:
-        """rad/s^2 at a lateral force of the tires per mass (m/s^2)."""
+        """Roll acceleration (rad/s^2) at a lateral tire force per vehicle mass (m/s^2)."""
         inertia = self._roll_inertia + self._moment * self._axis_follows
         return self._moment_about_axis(roll, roll_rate, force) / inertia
 
@@ -50,7 +54,10 @@ class RollPlaneMotion(RollPlane):
         return tipping - self._stiffness * roll - self._damping * roll_rate
 
     def load_transfer_ratio_of(self, roll: float, roll_acceleration: float, force: float) -> float:
-        """(right - left) / total of the loads; beyond 1 the inner wheels cannot stay down."""
+        """(right - left) / total of the normal loads; a magnitude above 1 means lift-off.
+
+        roll: rad. roll_acceleration: rad/s^2. force: lateral tire force per vehicle mass (m/s^2).
+        """
         overturning = self._mass * self.cg_height * force + self._moment * self._gravity * roll
         inertia = self._roll_inertia + self._axis_lever
         moment = overturning - inertia * roll_acceleration

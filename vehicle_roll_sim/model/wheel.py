@@ -1,18 +1,18 @@
-"""The spin of the wheels: drive torque, brake, rolling resistance and what the tire does.
+"""The spin of the wheels: drive torque, brake, rolling resistance and tire force.
 
-A brake is dry friction: it opposes the spin, holds a wheel that stands and never turns it back.
-While a step lasts the direction of its friction stays the one at the beginning; a wheel that would
-have turned round by its brake in the step stops instead.
+A brake is dry friction: it opposes the spin, holds a stationary wheel and never reverses it. The
+direction of friction is that at the beginning of a step; a wheel that the friction would have
+reversed during the step stops instead.
 """
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.jit import kernel, math
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 
 
 @kernel
 def note_turning(state, outputs):
-    """Which way every wheel turns: 1, -1, or 0 if it stands."""
+    """Direction of spin of every wheel: 1, -1, or 0 if it is stationary."""
     spin = state[at.WHEEL_SPEED]
     for i in range(WHEEL_COUNT):
         outputs.turning[i] = math.copysign(1.0, spin[i]) if spin[i] != 0.0 else 0.0
@@ -20,14 +20,17 @@ def note_turning(state, outputs):
 
 @kernel
 def friction_capacity(i, command, vehicle, outputs):
-    """Most that brake and rolling resistance can oppose to the spin of wheel i (N m)."""
+    """Friction capacity of brake and rolling resistance at wheel i (N m)."""
     resistance = vehicle.rolling_resistance_coefficient * outputs.normal_force[i]
     return command.brake_torque[i] + resistance * outputs.loaded_radius[i]
 
 
 @kernel
 def with_friction(torque, capacity, turning):
-    """What is left of a torque on a wheel (N m) beside dry friction of that capacity."""
+    """Net torque on a wheel (N m) after dry friction of the given capacity (N m).
+
+    turning: direction of the spin, 1, -1 or 0.
+    """
     if turning != 0.0:
         return torque - turning * capacity
     if abs(torque) <= capacity:
@@ -37,7 +40,7 @@ def with_friction(torque, capacity, turning):
 
 @kernel
 def wheel_rates(state, command, vehicle, options, outputs, rates):
-    """Spin of the wheels: Jw dw/dt = T - r Fxt less friction, with the speed hold at the rear."""
+    """Spin acceleration: Jw dw/dt = T - r Fxt minus friction; the speed hold acts at the rear."""
     spin = state[at.WHEEL_SPEED]
     hold = command.speed_hold_gain * (command.speed_hold_target - state[at.U])
     for i in range(WHEEL_COUNT):
@@ -57,7 +60,7 @@ def wheel_rates(state, command, vehicle, options, outputs, rates):
 
 @kernel
 def stop_reversed(state, command, vehicle, outputs):
-    """Stand still what friction has turned round since `note_turning`."""
+    """Stop the wheels that friction has reversed since `note_turning`."""
     spin = state[at.WHEEL_SPEED]
     for i in range(WHEEL_COUNT):
         turned_round = outputs.turning[i] * spin[i] < 0.0

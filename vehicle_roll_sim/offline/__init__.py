@@ -1,1 +1,1 @@
-"""What the command line does, as Python calls: a run, a series, a linear model, a replay."""
+"""The functions of the command line as Python calls: run, series, linearize, replay."""

@@ -1,4 +1,4 @@
-"""Whatever a run is asked to drive, as a manoeuvre: by name, from a file or table, or a driver."""
+"""Conversion of the argument of `run` to a Manoeuvre: a name, a file, a table or a driver."""
 
 import dataclasses
 import math
@@ -10,9 +10,9 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, unknown_name, validated
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.manoeuvres.command_file import CommandTable, command_table, load_commands
-from vehicle_roll_sim.manoeuvres.manoeuvre import STANDARD
-from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme
 
 FIELD = "manoeuvre"
@@ -21,23 +21,23 @@ ALLOWED = (
     "a Feedback"
 )
 COMMANDED = ("steering", "rear_steering", "wheel_torque", "brake_torque", "normal_force")
-"""What a driver of the user's own may command."""
+"""The commands that a user-defined driver may issue."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Held:
-    """A Programme whose command never changes."""
+    """A Programme with a constant command."""
 
     command: Command
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
-        """The one COMMAND record, in an array."""
+        """An array of one COMMAND record, shape (1,), whatever the times."""
         return self.command.records()
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Driven(Manoeuvre):
-    """A driver of the user's own, with the speed and the length of its run."""
+    """A user-defined driver as a manoeuvre, with an entry speed and a duration."""
 
     driven_by: Programme | Feedback
 
@@ -50,23 +50,23 @@ class Driven(Manoeuvre):
 
 
 def manoeuvre_of(asked, values: Mapping, step_ns: int) -> Manoeuvre:
-    """The manoeuvre that is asked for, with some of its values replaced, in their declared units.
+    """Convert `asked` to a manoeuvre, with some of its values replaced, in their declared units.
 
-    asked: what ALLOWED says. step_ns: integration step (ns), of which the length of a command
-    table is made a multiple. Raises InputError for anything else, and by name for the values.
+    asked: see ALLOWED. step_ns: integration step (ns); the duration of a command table is rounded
+    up to a multiple of it. Raises InputError for anything else, and for invalid values by name.
     """
     if isinstance(asked, Command):
         asked = Held(asked)
     is_driver = callable(asked) and not isinstance(asked, Manoeuvre | type)
     if is_driver or isinstance(asked, Feedback):
         if "duration" not in values:
-            raise InputError("duration", None, "how long to drive (s)")
+            raise InputError("duration", None, "the duration of the run (s)")
         return Driven(driven_by=asked, **validated(Driven, values))
     manoeuvre = _named(asked)
     values = validated(type(manoeuvre), values)
     if isinstance(manoeuvre, CommandTable) and "duration" not in values:
         if not manoeuvre.duration > 0.0:
-            raise InputError("duration", None, "a file that ends at time 0 does not say how long")
+            raise InputError("duration", None, "required for commands that end at time 0")
         steps = math.ceil(manoeuvre.duration * NANOSECONDS / step_ns - 1e-6)
         values["duration"] = steps * step_ns / NANOSECONDS
     return dataclasses.replace(manoeuvre, **values)

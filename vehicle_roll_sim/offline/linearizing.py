@@ -1,4 +1,4 @@
-"""The linear model about steady driving."""
+"""Linearization about steady driving."""
 
 from vehicle_roll_sim.analysis import linear_model, trim
 from vehicle_roll_sim.declaration import InputError, given, number_of
@@ -16,12 +16,13 @@ def linearize(
     steering: float | None = None,
     lateral_acceleration: float | None = None,
 ) -> linear_model.LinearModel:
-    """A, B, C and D about steady driving on a level road, as `vehicle_roll_sim linearize` finds it.
+    """Linearize the model about steady driving on a level road, like `vehicle_roll_sim linearize`.
 
-    vehicle: the reference if there is none. speed: forward speed (m/s), held by the rear wheels.
-    steering: road-wheel angle (rad, left positive); in its place `lateral_acceleration` (m/s^2),
-    for which the steering is found. Straight ahead if there is neither. Raises InputError where
-    there is no such steady state, or no slope there.
+    vehicle: by default the reference vehicle. speed: forward speed (m/s), held by torque at the
+    rear wheels. steering: road-wheel angle (rad, left positive). lateral_acceleration: m/s^2, left
+    positive; given instead of the steering, which is then determined. Straight ahead by default.
+    Returns a LinearModel with A, B, C and D. Raises InputError if there is no such steady state or
+    the model cannot be linearized there.
     """
     if steering is not None and lateral_acceleration is not None:
         raise InputError("lateral_acceleration", lateral_acceleration, "not together with steering")

@@ -1,4 +1,4 @@
-"""Recorded runs simulated again on the commands that were applied."""
+"""Replay: recorded runs are simulated again with the recorded commands."""
 
 import dataclasses
 from collections.abc import Iterator
@@ -15,11 +15,12 @@ FIELD = "BAG"
 
 @dataclasses.dataclass(frozen=True)
 class ReplayResult:
-    """One recorded run: from which simulated time on it is known (s), and how it came out again.
+    """The result of replaying one recorded run.
 
-    recorded: what the bag says of the simulation, its version and machine; None where it does not.
-    replay: end, periods, difference, is_exact, is_complete, ... (bags.replay.Replay); None for a
-    run that does not begin at a reset.
+    begin: simulated time of the first recorded state (s). recorded: the simulation described in the
+    bag, with version and machine; None if the bag has no description. replay: end, periods,
+    difference, is_exact, is_complete, ... (bags.replay.Replay); None for a run that was not
+    recorded from its reset on.
     """
 
     begin: float
@@ -28,18 +29,18 @@ class ReplayResult:
 
     @property
     def is_reproduced(self) -> bool:
-        """Whether the whole run was reproduced to the bit."""
+        """Whether the whole run was reproduced bit for bit."""
         return self.replay is not None and self.replay.is_exact and self.replay.is_complete
 
 
 def replay(
     bag: str | Path, *, namespace: str | None = None, simulation: Simulation | None = None
 ) -> list[ReplayResult]:
-    """Simulate all runs in a bag again, as `vehicle_roll_sim replay` does.
+    """Simulate all runs in a bag again, like `vehicle_roll_sim replay`.
 
-    namespace: vehicle, if the bag has several. simulation: for a bag that does not say what was
-    simulated; one that does must agree with it. Raises InputError, also where no run begins at a
-    reset; needs the package rosbags.
+    namespace: selects a vehicle if the bag has several. simulation: required if the bag has no
+    description of the simulation; otherwise it must agree with the description. Raises InputError,
+    also if no run was recorded from its reset on. Requires the package rosbags.
     """
     if simulation is not None:
         given("simulation", simulation, Simulation)
@@ -47,14 +48,14 @@ def replay(
 
 
 def replays(folder: Path, namespace: str | None, told: Simulation | None) -> Iterator[ReplayResult]:
-    """The runs of a bag one by one, as `replay` gives them."""
+    """Replay the runs of a bag one by one; see `replay`."""
     need_library(FIELD)
     from vehicle_roll_sim.bags.reading import recorded_runs  # their library is optional
     from vehicle_roll_sim.bags.replay import replay as replay_run
 
     runs = recorded_runs(folder, namespace)
     if not any(run.begins_at_a_reset for run in runs):
-        allowed = "a recording of at least one run from its reset on, time 0"
+        allowed = "a recording of at least one run from its reset (time 0) on"
         raise InputError(FIELD, str(folder), allowed, f"{folder}: it begins under way")
     for run in runs:
         begin = float(run.states[0]["time"])
@@ -68,14 +69,15 @@ def replays(folder: Path, namespace: str | None, told: Simulation | None) -> Ite
 
 
 def _simulation(recorded: Described | None, told: Simulation | None, folder: Path) -> Simulation:
-    """What was recorded; raises InputError where bag and caller disagree, or neither says it."""
+    """The simulation to replay; raises InputError if bag and caller disagree or neither has one."""
     if recorded is None:
         if told is None:
-            allowed = "options that say what was simulated, as in `run`"
-            raise InputError(FIELD, str(folder), allowed, f"{folder} does not say it")
+            allowed = "describe the simulation by options, as for `run`"
+            problem = f"{folder} has no description of the simulation"
+            raise InputError(FIELD, str(folder), allowed, problem)
         return told
     if told is not None and (differs := difference(recorded.simulation, told)):
         name, theirs, ours = differs
         problem = f"{folder}: the bag has {theirs}"
-        raise InputError(name, theirs, f"the options say {ours}", problem)
+        raise InputError(name, theirs, f"the options give {ours}", problem)
     return recorded.simulation

@@ -1,4 +1,4 @@
-"""What a run was: its columns with units, its events, how it ended, and the files made of it."""
+"""The result of a run: columns with units, events, how it ended, and output files."""
 
 import dataclasses
 import math
@@ -7,26 +7,26 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.analysis.figure_size import Size, named_size
-from vehicle_roll_sim.analysis.metrics import load_transfer_ratio, peak
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import check_figure_format
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.model.events import TIME, VALUE, Condition
+from vehicle_roll_sim.model.integration.events import TIME, VALUE, Condition
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
-from vehicle_roll_sim.simulation.history import COLUMNS, UNITS, History
-from vehicle_roll_sim.simulation.output_file import check_figure_format
-from vehicle_roll_sim.simulation.summary import line, summary_lines
+from vehicle_roll_sim.runs.history import COLUMNS, UNITS, History
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio, peak
+from vehicle_roll_sim.runs.summary import line, summary_lines
 
 
 @dataclasses.dataclass(frozen=True)
 class RunResult:
-    """A run that is over; result["roll"] is a column, shape (rows,), in SI units and radians.
+    """The result of a run; `result["roll"]` is a column, shape (rows,), in SI units and radians.
 
-    manoeuvre: what was driven, sized to the vehicle. history: all rows. events: an EVENTS record:
-    lift-off and rollover times (s, nan for never), peaks. condition: RUNNING of a run that went
-    to its end, else why it stopped; time: when it ended (s); implausible: the state that diverged,
-    or None. report: what the manoeuvre is driven for, label and text. columns, units: names of the
-    columns and the unit of each.
+    manoeuvre: as driven, completed for the vehicle. history: all rows. events: EVENTS record with
+    lift-off and rollover times (s, nan for never) and peaks. condition: RUNNING if the run was
+    completed, else why it stopped. time: end of the run (s). implausible: the state that diverged,
+    or None. report: results of the manoeuvre, text by label. columns, units: names of the columns,
+    and their units by name.
     """
 
     manoeuvre: Manoeuvre
@@ -47,22 +47,22 @@ class RunResult:
         return len(self.history.rows)
 
     def wheels(self, quantity: str) -> np.ndarray:
-        """A quantity of all wheels, lf, rf, lr, rr: shape (rows, 4)."""
+        """A quantity at all wheels (lf, rf, lr, rr), shape (rows, 4)."""
         return np.column_stack([self[f"{quantity}_{wheel}"] for wheel in WHEELS])
 
     @property
     def summary(self) -> str:
-        """The lines that the command prints, without those of files."""
+        """The summary that the command prints, without the lines on output files."""
         report = [line(label, text) for label, text in self.report.items()]
         end = summary_lines(self.events, self.time, self.condition, self.implausible)
         return "\n".join([*report, *end])
 
     @property
     def metrics(self) -> dict[str, float]:
-        """The numbers of the run by name, SI units and radians; times (s) are nan for never.
+        """Metrics of the run by name, in SI units and radians; times (s) are nan for never.
 
-        Peaks of roll and lateral acceleration are those of every step, that of the load transfer
-        ratio (-1 to 1) of the rows. Peaks have the largest magnitude, with its sign.
+        Peaks are signed values of the largest magnitude. Those of roll and lateral acceleration are
+        taken over all integration steps, that of the load transfer ratio (-1 to 1) over the rows.
         """
         roll, acceleration = self.events.peak_roll, self.events.peak_lateral_acceleration
         ratio, ratio_time = peak(self["time"], load_transfer_ratio(self.wheels("normal_force")))
@@ -82,22 +82,22 @@ class RunResult:
         }
 
     def to_numpy(self) -> np.ndarray:
-        """All rows as a structured array, shape (rows,): a float64 field for each column."""
+        """All rows as a structured array, shape (rows,), with a float64 field for each column."""
         return structured(COLUMNS, list(self.history.rows.T))
 
     def to_pandas(self):
-        """All rows as a pandas DataFrame, units in `.attrs["units"]`; needs the package pandas."""
+        """All rows as a pandas DataFrame, units in `.attrs["units"]`; requires pandas."""
         return data_frame(self.to_numpy(), UNITS)
 
     def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
-        """Write all rows in full precision, as the command's --csv and --with-commands do."""
+        """Write all rows in full precision, like the options --csv and --with-commands."""
         self.history.write_csv(path_of(path, "path"), with_commands)
 
     def plot(self, path: str | Path, title: str = "", size: Size | str | None = None) -> None:
-        """Draw the standard figure (PNG, SVG or PDF); raises InputError for what it cannot be.
+        """Write the standard figure (PNG, SVG or PDF, by the suffix of `path`).
 
-        size: of the figure, a Size or a text such as "170x200" (mm); that of the screen if there is
-        none.
+        size: size of the figure, a Size or a text such as "170x200" (mm); by default one for the
+        screen. Raises InputError for an invalid argument.
         """
         if not isinstance(title, str):
             raise InputError("title", title, "a text")

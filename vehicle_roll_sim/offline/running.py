@@ -1,4 +1,4 @@
-"""A run of a manoeuvre, a command file or a driver, from reset to end."""
+"""Runs of a manoeuvre, a command file or a driver, from reset to end."""
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
@@ -6,16 +6,16 @@ from pathlib import Path
 
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import check_new_folder
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.offline.asked_for import manoeuvre_of
 from vehicle_roll_sim.offline.run_result import RunResult
 from vehicle_roll_sim.offline.tables import path_of
-from vehicle_roll_sim.simulation import run as stepwise
+from vehicle_roll_sim.runs import run as stepwise
+from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD, Witness
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.output_file import check_new_folder
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.run import DEFAULT_SAMPLE, HELD_PERIOD, Witness
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
     DEFAULT_STEP,
@@ -41,17 +41,17 @@ def run(
     progress: Callable[[float], None] = lambda seconds: None,
     **values: float | str,
 ) -> RunResult:
-    """Drive a manoeuvre from static equilibrium, as `vehicle_roll_sim run` does.
+    """Drive a manoeuvre from static equilibrium, like `vehicle_roll_sim run`.
 
     manoeuvre: the name of a standard manoeuvre, a Manoeuvre, the name of a command file (.csv), a
-    table of its columns (a mapping of arrays, or a DataFrame), a Command that is held, a Programme
-    or a Feedback. values: those of the manoeuvre, named as the options of the command and in their
-    units (deg; m/s; s), of a driver of your own `duration` and, else 50 km/h, `speed`. vehicle: the
-    reference if there is none. step, sample, command_period, rollover_angle: s and rad, as in
-    Simulation and simulation.run. bag: folder for what the node would have published; commands are
-    then held, for 10 ms unless `command_period` says otherwise. stamped: in the bag, also what
-    has no header, with one. progress: is told the simulated time (s) of every stretch. Raises
-    InputError.
+    table of its columns (a mapping of arrays, or a DataFrame), a constant Command, a Programme or a
+    Feedback. values: parameters of the manoeuvre, with the names and units of the command's options
+    (deg, m/s, s); for a user-defined driver `duration` (required) and `speed` (default 50 km/h).
+    vehicle: by default the reference vehicle. step, sample, command_period (s), rollover_angle
+    (rad): as in Simulation and simulation.run. bag: folder of a bag to write, with the messages
+    that the node would publish; commands are then held for `command_period`, by default 10 ms.
+    stamped: also write the messages without a header to the bag in stamped form. progress: called
+    with each increment of simulated time (s). Returns a RunResult. Raises InputError.
     """
     vehicle = preset() if vehicle is None else vehicle
     simulation = Simulation(vehicle, options, step=step, rollover_angle=rollover_angle, road=road)
@@ -77,7 +77,7 @@ def drive(
     stamped: bool = False,
     progress: Callable[[float], None] = lambda seconds: None,
 ) -> RunResult:
-    """Reset a simulation and drive a manoeuvre, as `run` does."""
+    """Reset a simulation and drive a manoeuvre; arguments and result as for `run`."""
     _check_multiples(manoeuvre, sample, command_period, simulation.step_ns)
     if stamped and bag is None:
         raise InputError("stamped", "", "together with bag", "there is no bag")
@@ -113,7 +113,7 @@ def drive(
 def _check_multiples(
     manoeuvre: Manoeuvre, sample: float, command_period: float, step_ns: int
 ) -> None:
-    """Times that the run is divided into must be multiples of the step."""
+    """Raise InputError unless the times of the run are multiples of the step."""
     whole_steps(manoeuvre.duration, step_ns, "duration")
     whole_steps(sample, step_ns, "sample")
     if command_period:
@@ -127,7 +127,7 @@ def _recorded(
     period: float,
     stamped: bool,
 ) -> AbstractContextManager[Witness | None]:
-    """The witness that writes the bag, if there is to be one."""
+    """Context of the witness that writes the bag; yields None without a bag."""
     if bag is None:
         return nullcontext()
     from vehicle_roll_sim.bags.run_bag import run_bag  # its library is optional

@@ -1,4 +1,4 @@
-"""A test series, or a search over entry speeds, as a table with its verdict."""
+"""Test series and entry-speed searches, as a table with a verdict."""
 
 import dataclasses
 import math
@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, given, parameters_of, unknown_name
-from vehicle_roll_sim.manoeuvres.series import series_named
-from vehicle_roll_sim.manoeuvres.series_of_runs import Series
-from vehicle_roll_sim.manoeuvres.speed_search import SpeedSearch
+from vehicle_roll_sim.manoeuvres.series.base import Series
+from vehicle_roll_sim.manoeuvres.series.catalogue import series_named
+from vehicle_roll_sim.manoeuvres.series.speed_search import SpeedSearch
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured, write_rows
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -19,10 +19,10 @@ from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 @dataclasses.dataclass(frozen=True)
 class SeriesResult:
-    """Rows of a series that is over; result["end"] is a column, a list of its values.
+    """The result of a series; `result["end"]` is a column, a list of its values.
 
-    columns: their names, SI units unless the name ends in another. remarks: what else there is to
-    say, label and text. verdict: what the rows mean.
+    columns: names of the columns; SI units unless the name ends in a unit. rows: one per run.
+    remarks: further remarks, text by label. verdict: the conclusion, in one line.
     """
 
     columns: tuple[str, ...]
@@ -39,7 +39,7 @@ class SeriesResult:
 
     @property
     def table(self) -> str:
-        """Columns side by side, numbers with three decimals, whole ones with none."""
+        """The table as text: numbers with three decimals, integers without."""
         cells = [self.columns, *([_cell(value) for value in row] for row in self.rows)]
         widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
         lines = (
@@ -49,15 +49,15 @@ class SeriesResult:
         return "\n".join(lines)
 
     def to_numpy(self) -> np.ndarray:
-        """The rows as a structured array, shape (rows,): numbers and texts as they are."""
+        """The rows as a structured array, shape (rows,), with numeric and text fields."""
         return structured(self.columns, [np.array(self[name]) for name in self.columns])
 
     def to_pandas(self):
-        """The rows as a pandas DataFrame; needs the package pandas."""
+        """The rows as a pandas DataFrame; requires pandas."""
         return data_frame(self.to_numpy(), {})
 
     def write_csv(self, path: str | Path) -> None:
-        """Write the table, numbers in full precision, as the command's --csv does."""
+        """Write the table with numbers in full precision, like the option --csv."""
         write_rows(path_of(path, "path"), self.columns, self.rows)
 
 
@@ -69,11 +69,12 @@ def series(
     progress: Callable[[], object] = lambda: None,
     **values: float | str,
 ) -> SeriesResult:
-    """Drive the test series of a manoeuvre, as `vehicle_roll_sim series` does, on a level road.
+    """Drive the test series of a manoeuvre on a level road, like `vehicle_roll_sim series`.
 
-    name: that of the manoeuvre. values: those that the command has options for, by the same names
-    and in their units; with one of the range of entry speeds it is the search. vehicle: the
-    reference if there is none. progress: called after every run. Raises InputError.
+    name: name of the manoeuvre. values: parameters with the names and units of the command's
+    options; any of those on the range of entry speeds selects the entry-speed search. vehicle: by
+    default the reference vehicle. progress: called after every run. Returns a SeriesResult. Raises
+    InputError.
     """
     if not isinstance(name, str):
         raise InputError("name", name, "the name of a manoeuvre")
@@ -85,7 +86,7 @@ def series(
     for each in values:
         if each not in known_values:
             if not known_values:
-                raise InputError(each, values[each], f"no value: the series {name} has none to set")
+                raise InputError(each, values[each], f"none: the series {name} has no parameters")
             raise unknown_name(each, known_values, "name")
     chosen = chosen.with_values({n: known_values[n].validate(v) for n, v in values.items()})
     vehicle = given("vehicle", preset() if vehicle is None else vehicle, Vehicle)
@@ -98,7 +99,7 @@ def drive_series(
     options: Options,
     progress: Callable[[], object] = lambda: None,
 ) -> SeriesResult:
-    """Drive a series whose values are set."""
+    """Drive a series with its present values; arguments and result as for `series`."""
     rows = []
     for row in chosen.rows(vehicle, options):
         rows.append(row)

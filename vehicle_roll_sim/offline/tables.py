@@ -1,4 +1,4 @@
-"""Results with named columns: to numpy, to pandas, and as CSV."""
+"""Conversion of results with named columns to numpy, pandas and CSV."""
 
 import csv
 import os
@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.simulation.output_file import replaced_file
+from vehicle_roll_sim.files.output_file import replaced_file
 
 
 def structured(columns: Sequence[str], values: Sequence[np.ndarray]) -> np.ndarray:
-    """A structured array with these columns, each of shape (n,): shape (n,)."""
+    """A structured array, shape (n,), with these columns, each of shape (n,)."""
     dtype = [(name, column.dtype) for name, column in zip(columns, values, strict=True)]
     table = np.empty(len(values[0]), dtype)
     for name, column in zip(columns, values, strict=True):
@@ -21,9 +21,9 @@ def structured(columns: Sequence[str], values: Sequence[np.ndarray]) -> np.ndarr
 
 
 def data_frame(table: np.ndarray, units: dict[str, str]):
-    """A pandas DataFrame of a structured array, with the units in `.attrs["units"]`.
+    """A pandas DataFrame from a structured array, with the units in `.attrs["units"]`.
 
-    Raises InputError where pandas is not installed.
+    Raises InputError if pandas is not installed.
     """
     try:
         import pandas
@@ -37,7 +37,7 @@ def data_frame(table: np.ndarray, units: dict[str, str]):
 
 
 def write_rows(path: Path, columns: Sequence[str], rows: Sequence[Sequence]) -> None:
-    """Rows as CSV in full precision; the file appears whole or not at all."""
+    """Write rows as CSV in full precision; the file is written completely or not at all."""
     with replaced_file(path) as partial, partial.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
@@ -45,14 +45,14 @@ def write_rows(path: Path, columns: Sequence[str], rows: Sequence[Sequence]) -> 
 
 
 def path_of(value: str | os.PathLike, field: str) -> Path:
-    """A file or folder that is named; raises InputError naming `field` for what is no name."""
+    """The path of a file or folder; raises InputError naming `field` if `value` is not one."""
     if not isinstance(value, str | os.PathLike) or not os.fspath(value):
         raise InputError(field, value, "the name of a file or folder")
     return Path(value)
 
 
 def known(name: str, columns: Sequence[str]) -> int:
-    """The place of a column; raises KeyError with the nearest names there are."""
+    """The index of a column; raises KeyError listing the available names."""
     if name not in columns:
         raise KeyError(f"no column {name!r}: one of {', '.join(columns)}")
     return list(columns).index(name)

@@ -1,8 +1,11 @@
-"""The model on ROS 2: nodes, messages, topics. Everything else works without it."""
+"""The ROS 2 side: nodes, QoS, parameters and launch support. Nothing else needs ROS 2."""
 
 import sys
 
-if sys.argv[:1] == ["-m"]:  # `python -m vehicle_roll_sim.ros.NODE`, on its way to the module
+if sys.argv[:1] == ["-m"]:  # while `python -m vehicle_roll_sim.ros.NODE` looks for the module
+    from vehicle_roll_sim import early_signals
+
+    early_signals.end_node_at_once(even_ignored=False)
     from vehicle_roll_sim.ros import missing
 
     if not missing.is_ros_installed():

@@ -1,7 +1,7 @@
-"""Partners on a topic: who they are, and which can never be connected.
+"""The other endpoints on a topic: which nodes own them, and which can never be connected.
 
-Those are of another type, or want too high a quality of service. The middleware would tell, by
-events that every wait of the node had to watch.
+Endpoints cannot be connected if their types differ or their QoS is incompatible. The middleware
+could report this through events, but these would add to the cost of every wait.
 """
 
 from rclpy.node import Node
@@ -12,15 +12,15 @@ from rclpy.topic_endpoint_info import TopicEndpointInfo
 from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 
 UNNAMED = "_NODE_NAME_UNKNOWN_"
-"""Node of an endpoint that was discovered before its node was, or that is not of ROS."""
+"""Node name of an endpoint that was discovered before its node, or that is not a ROS endpoint."""
 
-NAMELESS = "a node whose name is not known"
+NAMELESS = "a node of unknown name"
 
 
 def incompatible_partners(node: Node) -> list[str]:
-    """One line for each publisher and subscription elsewhere that does not fit one of the node.
+    """One line for each remote publisher or subscription that is incompatible with one of `node`.
 
-    Those whose node is not known yet are left to the next look, so that none is told twice.
+    Endpoints whose node is not known yet are left to the next call, so that none is reported twice.
     """
     topics = {own.topic_name for own in (*node.publishers, *node.subscriptions)}
     misfits = []
@@ -37,10 +37,10 @@ def incompatible_partners(node: Node) -> list[str]:
 
 
 def other_publishers(node: Node, topic: Topic) -> list[str]:
-    """Full names of the nodes that publish a topic, once for each publisher but that of `node`.
+    """Full names of the nodes that publish a topic, one for each publisher except that of `node`.
 
-    Two nodes may have one name, so the name alone does not tell whose a publisher is. Those whose
-    node is not known yet are left to the next look.
+    Two nodes may have the same name, so a name alone does not identify a publisher's owner.
+    Publishers whose node is not known yet are left to the next call.
     """
     name = node.resolve_topic_name(topic.name)
     found = node.get_publishers_info_by_topic(name)
@@ -57,17 +57,17 @@ def other_publishers(node: Node, topic: Topic) -> list[str]:
 
 
 def command_publishers(node: Node) -> dict[str, list[str]]:
-    """`other_publishers` of every command, by topic."""
+    """`other_publishers` of every command topic, by topic name."""
     return {topic.name: other_publishers(node, topic) for topic in COMMANDS}
 
 
 def publishers_of(node: Node, topic: str) -> list[str]:
-    """Full names of the nodes that publish a topic, given by its full name."""
+    """Full names of the nodes that publish `topic`, which is a full name as well."""
     return sorted(map(_full_name, node.get_publishers_info_by_topic(topic)))
 
 
 def fitting_listeners(node: Node, publisher: Publisher) -> int:
-    """How many subscriptions there are, as far as is known, that a publisher of `node` fits."""
+    """The number of known subscriptions that are compatible with a publisher of `node`."""
     topic = publisher.topic_name
     own = [each for each in node.get_publishers_info_by_topic(topic) if _is_of(node, each)]
     listeners = node.get_subscriptions_info_by_topic(topic)
@@ -86,10 +86,10 @@ def _is_of(node: Node, endpoint: TopicEndpointInfo) -> bool:
 
 
 def _mismatch(publisher: TopicEndpointInfo, listener: TopicEndpointInfo) -> str:
-    """Why two endpoints cannot be connected, or '' (also where one has no node yet)."""
+    """Why two endpoints cannot be connected, or '' (also while the node of one is not known)."""
     if UNNAMED in (publisher.node_name, listener.node_name):
         return ""
     if publisher.topic_type != listener.topic_type:
-        return f"{publisher.topic_type} is published, {listener.topic_type} listened to"
+        return f"published as {publisher.topic_type}, subscribed as {listener.topic_type}"
     verdict, reason = qos_check_compatible(publisher.qos_profile, listener.qos_profile)
     return reason.rstrip(";") if verdict == QoSCompatibility.ERROR else ""

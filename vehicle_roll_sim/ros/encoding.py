@@ -1,4 +1,4 @@
-"""Messages from plain values to bytes, by ROS's own classes and serialiser."""
+"""Serializes messages from plain values, with the message classes and serializer of ROS."""
 
 from rclpy.serialization import serialize_message
 

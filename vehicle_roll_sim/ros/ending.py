@@ -1,9 +1,9 @@
-"""How SIGINT and SIGTERM end a node: status 0 and no traceback, from its first moment to its last.
+"""How SIGINT and SIGTERM end a node: exit status 0 and no traceback, at any time.
 
-rclpy's own handlers come late, with `rclpy.init`; SIGINT then raises KeyboardInterrupt wherever the
-main thread is, also half-way through writing a message or destroying a node, and a handler that
-runs while an executor is made reads a list that is just being replaced, which has crashed. Here a
-signal shuts the context down, and a node ends when it notices.
+rclpy installs its own handlers late, in `rclpy.init`. SIGINT then raises KeyboardInterrupt wherever
+the main thread happens to be, even while it writes a message or destroys a node. And a handler that
+runs while an executor is being constructed reads a list that is being replaced; this has crashed.
+Here, a signal only shuts the context down, and the node ends when it notices.
 """
 
 import contextlib
@@ -12,34 +12,18 @@ import signal
 import threading
 from collections.abc import Callable, Iterable, Iterator
 
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
-
-
-def at_once(status: int = 0) -> None:
-    """From now on a signal ends the process as it is, for as long as there is nothing to lose.
-
-    A node (status 0) is ended by SIGINT even where it was started to ignore it, as in the
-    background of a script: that is how launch ends nodes. A command goes on ignoring it.
-    """
-
-    def end(signum, _) -> None:
-        if status and signum == signal.SIGINT:
-            with contextlib.suppress(OSError):  # not by sys.stderr, which may be writing just now
-                os.write(2, b"interrupted\n")
-        os._exit(status)
-
-    _handle(end, heeded() if status else SIGNALS)
+from vehicle_roll_sim.early_signals import SIGNALS
 
 
 def heeded(signals: Iterable[int] = SIGNALS) -> list[int]:
-    """Those of `signals` that this process was not started to ignore."""
+    """Those of `signals` that this process was not started with as ignored."""
     return [each for each in signals if signal.getsignal(each) is not signal.SIG_IGN]
 
 
 def shutting_down(shut_down: Callable[[], None]) -> None:
-    """From now on a signal has a thread call `shut_down`, whatever the main thread waits for.
+    """From now on, a signal makes a thread call `shut_down`, whatever the main thread is doing.
 
-    The last one that was told is called.
+    Only the most recently registered callback is called.
     """
     noted, waker = os.pipe()
     os.set_blocking(waker, False)
@@ -54,13 +38,13 @@ def shutting_down(shut_down: Callable[[], None]) -> None:
 
 
 def over() -> None:
-    """From now on signals change nothing: Python itself ends, without its handlers."""
+    """From now on, signals are ignored, so that interpreter exit is not interrupted."""
     _handle(signal.SIG_IGN)
 
 
 @contextlib.contextmanager
 def interruptible() -> Iterator[None]:
-    """Within, a signal also raises KeyboardInterrupt: for long computations, which see nothing."""
+    """Within the block, a signal raises KeyboardInterrupt, to interrupt long computations."""
     before = {signum: signal.signal(signum, signal.default_int_handler) for signum in SIGNALS}
     try:
         yield
@@ -69,10 +53,10 @@ def interruptible() -> Iterator[None]:
             signal.signal(signum, handler)
 
 
-def _handle(handler: Callable | signal.Handlers, signals: Iterable[int] = SIGNALS) -> None:
-    for signum in signals:
+def _handle(handler: Callable | signal.Handlers) -> None:
+    for signum in SIGNALS:
         signal.signal(signum, handler)
 
 
 def _nothing(*_) -> None:
-    """The wake-up that Python gives its file is enough."""
+    """Do nothing: Python has already written to the wake-up file descriptor."""

@@ -1,13 +1,23 @@
-"""The entry points of the executables: signals are seen to before anything large is imported.
+"""The entry points of the executables: signal handlers are installed before any large import.
 
-Also `python -m vehicle_roll_sim.ros.executables NAME`.
+`python -m vehicle_roll_sim.ros.executables NAME` runs one as well.
 """
 
-import importlib
-import signal
 import sys
 
-from vehicle_roll_sim.ros import ending, missing
+from vehicle_roll_sim import early_signals
+
+INTERRUPTED = 130
+"""Exit status of a command after Ctrl-C (the convention of shells)."""
+
+MODULES = {
+    "simulator": "simulator.node",
+    "manoeuvre": "clients.manoeuvre",
+    "recorder": "clients.recorder",
+    "demo": "orchestration.demo",
+    "compare": "orchestration.compare",
+}
+"""Where the main function of each executable is."""
 
 
 def simulator() -> int:
@@ -23,20 +33,27 @@ def recorder() -> int:
 
 
 def demo() -> int:
-    return _run("demo", 128 + signal.SIGINT)  # as shells have it
+    return _run("demo", INTERRUPTED)
 
 
 def compare() -> int:
-    return _run("compare", 128 + signal.SIGINT)
+    return _run("compare", INTERRUPTED)
 
 
 def _run(name: str, interrupted: int = 0) -> int:
-    """The main function of a module beside this one; its status after a signal before that."""
-    ending.at_once(interrupted)
+    """Run the main function of an executable; return the exit status.
+
+    interrupted: exit status after a signal during the imports.
+    """
+    early_signals.end_node_at_once(interrupted, even_ignored=not interrupted)
+    import importlib
+
+    from vehicle_roll_sim.ros import missing
+
     if not missing.is_ros_installed():
         return missing.end_without_ros(name)
     try:
-        module = importlib.import_module(f"vehicle_roll_sim.ros.{name}")
+        module = importlib.import_module(f"vehicle_roll_sim.ros.{MODULES[name]}")
     except ImportError as error:
         return missing.end_without_ros(name, error)
     return module.main()

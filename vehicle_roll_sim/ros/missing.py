@@ -1,6 +1,6 @@
-"""What a program says where ROS 2, or a part of it, is not installed.
+"""The error message of a program when ROS 2, or a part of it, is not installed.
 
-It imports little: every program runs it before its signal handlers are installed.
+This module imports little, since every program checks for ROS 2 before any large import.
 """
 
 import importlib.util
@@ -8,19 +8,19 @@ import importlib.util
 PACKAGE = "vehicle_roll_sim"
 REMEDY = (
     "install ROS 2 (Jazzy or newer), source its setup.bash and use its Python; "
-    f"`{PACKAGE}` itself needs none of it"
+    f"only the command `{PACKAGE}` works without it"
 )
 
 
 def is_ros_installed() -> bool:
-    """Whether there is a rclpy on the path; it is not imported."""
+    """Whether rclpy can be found; it is not imported."""
     return importlib.util.find_spec("rclpy") is not None
 
 
 def end_without_ros(program: str, error: ImportError | None = None) -> int:
-    """Say in one line on stderr what is missing and what to install; the exit status.
+    """Print one line on stderr on what is missing and how to install it; return the exit status.
 
-    An import of this package's own that fails is a fault and raised again.
+    A failed import of this package's own modules is a bug, and is raised again.
     """
     from vehicle_roll_sim.arguments import exit_status
     from vehicle_roll_sim.declaration import InputError
@@ -30,7 +30,7 @@ def end_without_ros(program: str, error: ImportError | None = None) -> int:
         raise error
     problem = f"no Python package {library}"
     if error and not isinstance(error, ModuleNotFoundError):
-        problem = str(error).partition("\n")[0]  # such as one that another Python compiled
+        problem = str(error).partition("\n")[0]  # such as one that was compiled for another Python
 
     def refuse() -> int:
         raise InputError("ROS 2", "", REMEDY, problem)

@@ -1,4 +1,4 @@
-"""Parameter files without a section for a node, which ROS ignores in silence: a warning."""
+"""Warnings about parameter files without a section for the node, which ROS ignores silently."""
 
 import itertools
 import re
@@ -10,25 +10,25 @@ import yaml
 from rclpy.node import Node
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.vehicle.text_file import read_text
+from vehicle_roll_sim.files.text_file import read_text
 
 BEGIN, END, OPTION = "--ros-args", "--", "--params-file"
-"""What is for ROS on a command line stands between the first two."""
+"""On a command line, the arguments for ROS stand between the first two."""
 PARAMETERS = "ros__parameters"
 EVERY_NODE = "/**"
 
 
 def warn_of_files_for_others(node: Node, words: Sequence[str] | None = None) -> None:
-    """A warning for each parameter file among `words` of which nothing is for `node`.
+    """Log a warning for each parameter file on the command line that has nothing for `node`.
 
-    words: of the command line, by default that of the process.
+    words: the command line (default: `sys.argv`).
     """
     name, given = node.get_fully_qualified_name(), node._parameter_overrides
     for file in _files(sys.argv if words is None else words):
         sections = _sections(file)
         if sections and not any(_is_for(name, given, *each) for each in sections.items()):
             node.get_logger().warning(
-                f"{file} has no section for this node, {name}, so none of it counts; "
+                f"{file} has no section for this node, {name}, and is ignored; "
                 f"it has sections for: {', '.join(sections)}"
             )
 
@@ -44,12 +44,12 @@ def _files(words: Sequence[str]) -> list[Path]:
 
 
 def _sections(file: Path) -> dict[str, set[str]]:
-    """Parameters by full name of a node, or its pattern; none where a file is not read twice."""
-    if not file.is_file():  # a pipe, say
+    """Parameter names by full node name or pattern; none if the file cannot be read again."""
+    if not file.is_file():  # such as a pipe
         return {}
     try:
         root = yaml.compose(read_text(file), Loader=yaml.SafeLoader)
-    except (InputError, yaml.YAMLError, RecursionError):  # what ROS could read all the same
+    except (InputError, yaml.YAMLError, RecursionError):  # ROS may still be able to read it
         return {}
     if not isinstance(root, yaml.MappingNode):
         return {}
@@ -63,7 +63,7 @@ def _sections(file: Path) -> dict[str, set[str]]:
 
 
 def _paths(node: yaml.Node, until: str | None = None, above: tuple = ()) -> Iterator[tuple]:
-    """(key, key, ..., value) of every value of a mapping and of those in it, down to a key."""
+    """(key, key, ..., value) of every leaf of nested mappings; `until` is a key not to go below."""
     if not isinstance(node, yaml.MappingNode):
         yield (*above, node)
         return
@@ -76,9 +76,10 @@ def _paths(node: yaml.Node, until: str | None = None, above: tuple = ()) -> Iter
 
 
 def _is_for(name: str, given: dict, section: str, parameters: set[str]) -> bool:
-    """Whether ROS takes a section for the node of that full name; not every version does any.
+    """Whether ROS applies a section to the node of that full name.
 
-    given: the parameters that the node got.
+    Not every ROS version supports every pattern, so a pattern also counts only if one of its
+    parameters arrived. given: the parameters that the node received.
     """
     if section in (name, EVERY_NODE):
         return True

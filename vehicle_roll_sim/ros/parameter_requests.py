@@ -1,4 +1,4 @@
-"""Requests to set parameters that rclpy's own services fail on, and the node with them: refused."""
+"""Refuses malformed requests to set parameters, which would crash rclpy's services and the node."""
 
 from collections.abc import Callable, Iterable
 
@@ -12,9 +12,9 @@ TYPES = {kind.value for kind in Parameter.Type}
 
 
 def refuse_malformed(node: Node) -> None:
-    """Have the services of `node` refuse parameters of no type that there is, or without a name.
+    """Make the services of `node` refuse parameters of an undefined type, or without a name.
 
-    Nothing of such a request is set.
+    Such a request changes nothing.
     """
     for service in node.services:
         if service.srv_type in (SetParameters, SetParametersAtomically):
@@ -37,7 +37,7 @@ def _checked(answer: Callable) -> Callable:
 
 
 def _problem(parameters: Iterable[ParameterMessage]) -> str:
-    """What is wrong with a request, '' if nothing is."""
+    """What is wrong with a request, or ''."""
     for parameter in parameters:
         if parameter.value.type not in TYPES:
             allowed = f"one of {min(TYPES)} to {max(TYPES)}"

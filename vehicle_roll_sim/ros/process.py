@@ -1,4 +1,4 @@
-"""What the main functions of all nodes share: start, spin, end without a traceback."""
+"""What the main functions of all nodes share: starting, spinning and ending without a traceback."""
 
 import argparse
 import contextlib
@@ -22,21 +22,22 @@ from rclpy.utilities import remove_ros_args, try_shutdown
 
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError, unknown_name
+from vehicle_roll_sim.early_signals import end_node_at_once
 from vehicle_roll_sim.ros import ending, qos_overrides
 from vehicle_roll_sim.ros.parameter_files import warn_of_files_for_others
 from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
 from vehicle_roll_sim.vehicle.plausibility import unwarned
 
 LOOK = 0.05
-"""s that a loop waits in `spin_once`, always the same: an executor that is asked with another
-timeout than before begins with its first subscription again, and the last ones would starve."""
+"""Timeout (s) of every `spin_once`. An executor called with a different timeout than before starts
+again with its first subscription, so varying timeouts would starve the last ones."""
 NOT_MADE = "Failed to create"
-"""In what rclpy says where the same name is given to topics of two types."""
+"""Part of rclpy's message if topics of two types are remapped to the same name."""
 OF_EVERY_NODE = ("use_sim_time", "start_type_description_service")
-"""Parameters that rclpy itself knows."""
-_being_made = threading.Lock()
-"""Held while an executor is made. If the context were shut down half-way through, destructors of
-rclpy would ask for what is not there yet and print a traceback."""
+"""Parameters that rclpy itself declares or reads."""
+_executor_lock = threading.Lock()
+"""Held while an executor is created. If the context were shut down in between, destructors of rclpy
+would use attributes that are not there yet, and print a traceback."""
 
 
 def node_main(
@@ -44,20 +45,20 @@ def node_main(
     body: Callable[[argparse.Namespace], int],
     words: list[str],
 ) -> int:
-    """Run `body` with the arguments among `words` (program name first); the exit status.
+    """Run `body` with the arguments in `words` (program name first); return the exit status.
 
-    `body` runs within an rclpy context. SIGINT and SIGTERM end it with status 0 (`ending`), as the
-    context is shut down; before that, at once.
+    `body` runs within an rclpy context, which SIGINT and SIGTERM shut down: it then ends with
+    status 0 (see `ending`). Before the context exists, signals end the process at once.
     """
 
     def command() -> int:
-        ending.at_once()
+        end_node_at_once()
         arguments = parser.parse_args(_without_ros_arguments(words))
         try:
             _find_log_folder(parser.prog)
             _initialise(words)
             ending.shutting_down(_shut_down)
-            with unwarned():  # nodes warn in their log
+            with unwarned():  # nodes log plausibility warnings themselves
                 return _run(body, arguments)
         except (KeyboardInterrupt, ExternalShutdownException):
             return 0
@@ -69,28 +70,29 @@ def node_main(
 
 
 def refuse_unknown_parameters(node: Node, known: Iterable[str] = ()) -> None:
-    """Every parameter that was given must be known, or declared if `known` is empty.
+    """Raise InputError, with the nearest name, for a parameter override that is not in `known`.
 
-    Qualities of service are left to `qos_overrides`. Raises InputError with the nearest name.
+    By default, `known` are the parameters declared so far. QoS overrides are left to
+    `qos_overrides`.
     """
     known = [*(known or node._parameters), *OF_EVERY_NODE]
-    for name in node._parameter_overrides:  # rclpy shows them nowhere else
+    for name in node._parameter_overrides:  # rclpy offers no public access
         if name not in known and not name.startswith(qos_overrides.PREFIX):
             raise unknown_name(name, known, "parameter")
 
 
 class NodeExecutor(SingleThreadedExecutor):
-    """An executor whose destructor prints no traceback where its context was shut down before."""
+    """An executor whose destructor prints no traceback if its context was shut down first."""
 
     _sigint_gc = None
 
 
 @contextlib.contextmanager
 def lifetime(node: Node) -> Iterator[Executor]:
-    """An executor for a node; in the end it is shut down, and both are gone."""
+    """An executor for a node; at the end, the node is destroyed and the executor shut down."""
     refuse_malformed(node)
     warn_of_files_for_others(node)
-    with _being_made:
+    with _executor_lock:
         executor = NodeExecutor(context=node.context)
         executor.add_node(node)
     try:
@@ -114,8 +116,8 @@ def _run(body: Callable[[argparse.Namespace], int], arguments: argparse.Namespac
 
 
 def _shut_down() -> None:
-    with _being_made, contextlib.suppress(RuntimeError):  # it is being shut down just now
-        try_shutdown()  # that of rclpy itself also takes away the handlers of signals
+    with _executor_lock, contextlib.suppress(RuntimeError):  # already being shut down
+        try_shutdown()  # `rclpy.try_shutdown` would also remove the signal handlers
 
 
 def _without_ros_arguments(words: list[str]) -> list[str]:
@@ -126,18 +128,18 @@ def _without_ros_arguments(words: list[str]) -> list[str]:
 
 
 def _find_log_folder(program: str) -> None:
-    """Where ROS could not write its logs, as without a home, they get a temporary folder."""
+    """Direct the logs to a temporary folder if ROS cannot write them, such as without a home."""
     if os.environ.get("ROS_LOG_DIR") or os.environ.get("ROS_HOME"):
         return
     home = os.environ.get("HOME")
     if home and _is_writable(Path(home, ".ros", "log")):
         return
     folder = os.environ["ROS_LOG_DIR"] = tempfile.mkdtemp(prefix="ros_log_")
-    print(f"{program}: ~/.ros/log cannot be written, logs are in {folder}", file=sys.stderr)
+    print(f"{program}: ~/.ros/log is not writable, logs are in {folder}", file=sys.stderr)
 
 
 def _is_writable(folder: Path) -> bool:
-    """Whether a folder, which is made if need be, takes files."""
+    """Whether files can be written to a folder; it is created if necessary."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError:
@@ -153,6 +155,6 @@ def _initialise(words: list[str]) -> None:
 
 
 def _not_started(error: Exception) -> InputError:
-    """Wrong --ros-args, or a log folder that cannot be made."""
+    """The error for wrong --ros-args, or for a log folder that cannot be created."""
     problem = " ".join(str(error).split())
     return InputError("ROS", "", "check --ros-args and ROS_LOG_DIR", problem)

@@ -1,7 +1,7 @@
-"""Qualities of service as parameters: `qos_overrides./TOPIC.publisher.depth` and their like.
+"""QoS overrides as parameters, such as `qos_overrides./TOPIC.publisher.depth`.
 
-Names and values are those of rclpy, which declares and applies what is given; here it is checked
-first, so that nothing is ignored and what is wrong is told in one line.
+Names and values are those of rclpy, which declares and applies them. They are checked here first,
+so that no override is silently ignored and a wrong one is reported in one line.
 """
 
 import copy
@@ -16,7 +16,7 @@ from rclpy.subscription import Subscription
 from vehicle_roll_sim.declaration import InputError, unknown_name
 
 PREFIX = "qos_overrides."
-"""How the names of these parameters begin."""
+"""Prefix of the names of these parameters."""
 PUBLISHER, SUBSCRIPTION = "publisher", "subscription"
 CHOICES = {
     "history": ("keep_last", "keep_all", "system_default"),
@@ -25,13 +25,13 @@ CHOICES = {
     "liveliness": ("automatic", "manual_by_topic", "system_default", "best_available"),
 }
 LEAST = {"depth": 1, "deadline": 0, "lifespan": 0, "liveliness_lease_duration": 0}
-"""The least of the policies that are whole numbers: messages, and ns, of which 0 is no limit."""
+"""Smallest value of each integer policy: `depth` in messages, the others in ns (0: no limit)."""
 POLICIES = {
     PUBLISHER: (*CHOICES, *LEAST),
     SUBSCRIPTION: (*CHOICES, *(name for name in LEAST if name != "lifespan")),
 }
 LOSSLESS = {"reliability": "reliable", "lifespan": 0}
-"""What these policies must be where no message may be lost."""
+"""Required values of these policies if no message may be lost."""
 
 
 def refuse_wrong_overrides(
@@ -41,31 +41,32 @@ def refuse_wrong_overrides(
     subscriptions: Iterable[str] = (),
     lossless: bool = False,
 ) -> None:
-    """Every override that was given must be one of a topic that `node` publishes or listens to.
+    """Raise InputError unless every override is one of a topic that `node` publishes or hears.
 
-    lossless: none may lose messages. Raises InputError.
+    lossless: also refuse overrides with which messages may be lost.
     """
     kinds: dict[str, list[str]] = {}
     for kind, names in ((PUBLISHER, publishers), (SUBSCRIPTION, subscriptions)):
         for name in names:
             kinds.setdefault(node.resolve_topic_name(name), []).append(kind)
-    for name, parameter in node._parameter_overrides.items():  # rclpy shows them nowhere else
+    for name, parameter in node._parameter_overrides.items():  # no public access
         if name.startswith(PREFIX):
             policy = _checked_policy(name, kinds)
             _check_value(name, policy, parameter.value)
             if lossless and parameter.value != LOSSLESS.get(policy, parameter.value):
-                allowed = f"{LOSSLESS[policy]}, for in lockstep no message may be lost"
+                allowed = f"{LOSSLESS[policy]}, because lockstep must not lose messages"
                 raise InputError(name, parameter.value, allowed)
 
 
 def _checked_policy(name: str, kinds: Mapping[str, list[str]]) -> str:
-    """The policy that a parameter is of; raises InputError unless all parts of its name are known.
+    """The policy that a parameter sets; raises InputError unless all parts of its name are known.
 
-    kinds: what a node is on each of its topics, by their full names.
+    kinds: the kinds of endpoint (publisher, subscription) that the node has, by full topic name.
     """
     parts = name.removeprefix(PREFIX).rsplit(".", 2)
     if len(parts) < 3:
-        raise InputError(name, "", f"{PREFIX}/TOPIC.{PUBLISHER}.depth and the like", "not whole")
+        allowed = f"a name such as {PREFIX}/TOPIC.{PUBLISHER}.depth"
+        raise InputError(name, "", allowed, "incomplete name")
     topic, kind, policy = parts
     if topic not in kinds:
         raise unknown_name(topic, sorted(kinds), name)
@@ -86,7 +87,7 @@ def _check_value(name: str, policy: str, value) -> None:
 
 
 def make_publisher(node: Node, kind: type, name: str, qos: QoSProfile, **options) -> Publisher:
-    """A publisher of messages of a kind, whose quality of service may be overridden."""
+    """A publisher of messages of a class; parameters may override its QoS."""
     overrides = _given(node, name, PUBLISHER)
     return node.create_publisher(
         kind, name, copy.copy(qos), qos_overriding_options=overrides, **options
@@ -96,7 +97,7 @@ def make_publisher(node: Node, kind: type, name: str, qos: QoSProfile, **options
 def make_subscription(
     node: Node, kind: type, name: str, callback, qos: QoSProfile, **options
 ) -> Subscription:
-    """A subscription to messages of a kind, whose quality of service may be overridden."""
+    """A subscription to messages of a class; parameters may override its QoS."""
     overrides = _given(node, name, SUBSCRIPTION)
     return node.create_subscription(
         kind, name, callback, copy.copy(qos), qos_overriding_options=overrides, **options
@@ -104,9 +105,9 @@ def make_subscription(
 
 
 def _given(node: Node, topic: str, kind: str) -> QoSOverridingOptions:
-    """The policies that were given for an endpoint, which rclpy is to declare and apply.
+    """The overrides given for an endpoint, for rclpy to declare and apply.
 
-    Of a topic that has two endpoints of a kind, they are those of both.
+    If a node has two endpoints of a kind on a topic, the overrides apply to both.
     """
     prefix = f"{PREFIX}{node.resolve_topic_name(topic)}.{kind}."
     policies = [name for name in POLICIES[kind] if prefix + name in node._parameter_overrides]

@@ -1,24 +1,24 @@
-"""The scripts of controllers: where they are, and the topics and parameters that they name."""
+"""Controller scripts: where they are, and the topics and parameters that they name."""
 
 import ast
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.ros.settings import COMMANDED
+from vehicle_roll_sim.ros.simulator.settings import COMMANDED
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 NO_CONTROLLERS = ("__init__", "executables")
 NEEDED = {"roll_braking": ("rollover_warning",)}
-"""Examples that answer what others say, which are started with them."""
+"""Examples that need others, which are started with them."""
 SAID = "said"
-"""What a controller declares its answers as."""
+"""The attribute in which a controller declares its answers."""
 
 
 def scripts_of(names: Iterable[str], field: str) -> list[Path]:
-    """The scripts of controllers: examples by name, others by path; those first that others need.
+    """The scripts of controllers, given by example name or path; those that others need come first.
 
-    Raises InputError naming `field` for what is neither.
+    Raises InputError naming `field` for a name that is neither.
     """
     found = []
     for name in names:
@@ -36,9 +36,10 @@ def _script(name: str, field: str) -> Path:
 
 
 def commanded_by(scripts: Iterable[Path], field: str) -> list[str]:
-    """The commands of the simulator that controllers answer with.
+    """The command topics of the simulator that controllers publish.
 
-    Those that they declare as `said`; where that is not written out, all that their texts name.
+    These are the topics that they declare as `said`. If a declaration is not a literal, all command
+    topics that occur as strings in the script count.
     """
     named = set()
     for script in scripts:
@@ -47,7 +48,7 @@ def commanded_by(scripts: Iterable[Path], field: str) -> list[str]:
 
 
 def texts_of(script: Path, field: str) -> set:
-    """The constants of a script."""
+    """The literal constants in a script; raises InputError naming `field` if it is not Python."""
     return _constants(_tree(script, field))
 
 
@@ -55,10 +56,10 @@ def _tree(script: Path, field: str) -> ast.AST:
     try:
         return ast.parse(script.read_text(encoding="utf-8"))
     except OSError as error:
-        raise InputError(field, str(script), "a script in Python", error.strerror) from None
+        raise InputError(field, str(script), "a Python script", error.strerror) from None
     except (SyntaxError, ValueError) as error:
         problem = f"{script}: {getattr(error, 'msg', error)}"
-        raise InputError(field, str(script), "a script in Python", problem) from None
+        raise InputError(field, str(script), "a Python script", problem) from None
 
 
 def _constants(tree: ast.AST) -> set:
@@ -77,7 +78,7 @@ def _said_in(tree: ast.AST) -> set:
 
 
 def _is_written_out(value: ast.AST | None) -> bool:
-    """Whether topics are given as texts, alone or in a tuple or list, or as a `Topic`."""
+    """Whether topics are literal: a string or `Topic(...)`, alone or in a tuple or list."""
     if isinstance(value, ast.Tuple | ast.List):
         return all(map(_is_written_out, value.elts))
     if isinstance(value, ast.Call):
@@ -88,9 +89,9 @@ def _is_written_out(value: ast.AST | None) -> bool:
 def assigned(
     parameters: Iterable[str], scripts: Sequence[Path], field: str
 ) -> dict[Path, list[str]]:
-    """Command-line words by script: each NAME:=VALUE for those that name it, or for all if none do.
+    """Arguments by script: each NAME:=VALUE goes to those that mention NAME, else to all.
 
-    A controller refuses a parameter that is meant for another.
+    Controllers refuse unknown parameters, so one that is meant for another must not reach them.
     """
     texts = {script: texts_of(script, field) for script in scripts}
     words = {script: [] for script in texts}

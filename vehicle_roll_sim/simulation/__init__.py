@@ -1,1 +1,1 @@
-"""Running the model: stepping, commands, recording, what came out. No ROS."""
+"""Running the model: stepping, commands, histories and their files. No ROS."""

@@ -1,4 +1,4 @@
-"""What drives the vehicle: a command that is held, or varies with time, or answers the state."""
+"""Commands to the vehicle: constant, a function of time, or feedback of the state."""
 
 import abc
 import dataclasses
@@ -20,13 +20,15 @@ class Command:
     """One set of commands, wheels in the order lf, rf, lr, rr.
 
     steering, rear_steering: road-wheel angle of both wheels of an axle (rad, left positive).
-    wheel_torque: external torque at each wheel (N m, signed). brake_torque: the most that the brake
-    of each wheel can oppose to its spin (N m, not below 0). normal_force: active force at each
-    suspension corner (N, positive pushes the body up). speed_hold_gain, speed_hold_target: at each
-    rear wheel a further torque gain * (target - u), in N m per m/s and m/s. Wheels take any
-    sequence of four numbers; all values are kept as floats. Raises InputError for a value that is
-    not a finite number, and for more or fewer than four. Warns (PlausibilityWarning) of steering
-    beyond what wheels do.
+    wheel_torque: drive torque at each wheel (N m, signed). brake_torque: brake torque capacity at
+    each wheel (N m, >= 0); it opposes the spin and can hold a stationary wheel. normal_force:
+    active force at each suspension corner (N, positive pushes the body up). speed_hold_gain,
+    speed_hold_target: additional torque at each rear wheel, gain * (target - u), in N m per m/s and
+    m/s.
+
+    Values per wheel may be any sequence of four numbers; all values are stored as floats. Raises
+    InputError for non-finite values and for sequences of another length. Issues a
+    PlausibilityWarning for implausibly large steering angles.
     """
 
     steering: float = 0.0
@@ -43,14 +45,14 @@ class Command:
             kept = _of_wheels if field.default is NO_FORCE else _number
             object.__setattr__(self, field.name, kept(field.name, value))
         if min(self.brake_torque) < 0.0:
-            raise InputError("brake_torque", self.brake_torque, "numbers that are not below 0")
+            raise InputError("brake_torque", self.brake_torque, "numbers of at least 0")
         for name in ("steering", "rear_steering"):
             if abs(angle := getattr(self, name)) > LARGEST_STEERING:
-                rounded = float(f"{angle:.2g}")  # few different lines for many commands
+                rounded = float(f"{angle:.2g}")  # so that many commands give few distinct warnings
                 warn([doubtful_steering(f"{name} of a command", rounded)])
 
     def records(self) -> np.ndarray:
-        """The command as the equations take it: a COMMAND record in an array, not to be changed."""
+        """The command as input to the equations: an array of one COMMAND record; do not modify."""
         return self._records
 
     @functools.cached_property
@@ -72,66 +74,68 @@ def _of_wheels(field: str, value) -> tuple[float, ...]:
     is_text = isinstance(value, str | bytes)
     is_sequence = (isinstance(value, Sequence) and not is_text) or getattr(value, "ndim", None) == 1
     if not is_sequence or len(value) != len(WHEELS):
-        raise InputError(field, value, "four numbers, of lf, rf, lr and rr")
+        raise InputError(field, value, "four numbers, for lf, rf, lr and rr")
     return tuple(_number(field, each) for each in value)
 
 
 Programme = Callable[[np.ndarray], np.ndarray]
-"""Commands as a function of time: takes n times (s) and gives n COMMAND records.
+"""Commands as a function of time: takes an array of n times (s), returns n COMMAND records.
 
-Where its commands step it may have an attribute `steps_at`, the times (s, rising). A run ends an
-integration step there: the programme is asked for times up to that one, whose last record is to be
-the one before the step, and then for times from it on.
+A programme whose commands step may have an attribute `steps_at`: the times of the steps (s,
+increasing). A run ends an integration step at each of them. The programme is first called with
+times up to the step, for which the last record must be that before the step, and then with times
+from the step on.
 """
 
 
 def records_of(command: "Command | Programme", times: Callable[[], np.ndarray]) -> np.ndarray:
-    """The COMMAND records for some times (s): one that is held, or one for each.
+    """The COMMAND records at some times (s): one that is held, or one for each time.
 
-    Raises InputError for what is no command. A value that is not finite is none that a run could go
-    on with: it ends as diverged; but a brake torque, which would count as none, is refused.
+    Raises InputError for anything that is not a command. Non-finite values are accepted, and the
+    run then ends as diverged, except for brake torques, which would otherwise be ignored silently.
     """
     if isinstance(command, Command):
         return command.records()
     if not callable(command):
         raise InputError("command", command, "a Command, or a function of an array of times")
-    wanted = times()
-    return _checked(command(wanted), len(wanted))
+    instants = times()
+    return _checked(command(instants), len(instants))
 
 
 def _checked(records, count: int) -> np.ndarray:
-    """What a driver has answered for `count` times, if it is that."""
+    """Return the records if they are valid commands for `count` times; raises InputError."""
     dtype, size = getattr(records, "dtype", None), np.size(records)
     if dtype != COMMAND or np.ndim(records) != 1 or size not in (1, count):
         allowed = f"one COMMAND record, or one for each of the {count} times"
-        problem = f"the function gave {type(records).__name__} of {size}, {dtype}"
+        problem = f"the function returned {type(records).__name__} of size {size}, dtype {dtype}"
         raise InputError("command", "", allowed, problem)
     brakes = records["brake_torque"]
     if not ((brakes >= 0.0) & (brakes < math.inf)).all():
         lowest = float(np.min(brakes))
-        raise InputError("brake_torque", lowest, "finite numbers that are not below 0")
+        raise InputError("brake_torque", lowest, "finite numbers of at least 0")
     return records
 
 
 class Feedback(abc.ABC):
-    """Commands that depend on the state: asked for at the beginning of each period, then held.
+    """Commands that depend on the state: computed at the beginning of each period, then held.
 
-    One object drives one run, from its beginning.
+    Use a new object for each run.
     """
 
     @abc.abstractmethod
     def command(self, time: float, state) -> np.ndarray | Command:
-        """A Command, or a COMMAND record in an array, for the period that begins at `time` (s).
+        """The command for the period that begins at `time` (s).
 
-        state: gives the scalar states by name, `state["roll_rate"]`, as a STATE record does.
+        Returns a Command, or an array of one COMMAND record. state: a mapping of scalar states by
+        name, such as `state["roll_rate"]` (SI units); a STATE record is one.
         """
 
 
 def command_at(driver: Programme | Feedback, time: float, state) -> Command:
-    """What `driver` answers to a state at `time` (s), to be held: as a node would be told it.
+    """The command of `driver` for a state at `time` (s), to be held as a node would hold it.
 
-    The speed hold becomes the torque that it gives at that speed. Raises InputError for an answer
-    that is no command.
+    The speed hold is replaced by its torque at the present speed. Raises InputError if the driver
+    returns anything that is not a command.
     """
     if isinstance(driver, Feedback):
         answer = driver.command(time, state)

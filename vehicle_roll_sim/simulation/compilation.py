@@ -1,22 +1,22 @@
-"""The model is compiled once, by a process of its own that whoever waits for it may abandon.
+"""Compilation of the model, once, in a separate process that survives an interruption.
 
-Several programs that start together on a fresh machine wait for the same compilation, and one that
-is interrupted loses nothing of it: the compiling process goes on to its end (15 to 30 s).
+Programs that start at the same time on a fresh machine all wait for the same compilation. If one of
+them is interrupted, the compiling process continues to its end (15 to 30 s).
 """
 
 import subprocess
 import sys
 from collections.abc import Callable
 
-from vehicle_roll_sim.model import jit
+from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 COMPILING = "compiling the model, once for this version: up to 30 s"
 LOCK = "lock"
-"""The file that a compiling process locks; the system unlocks it when the process ends."""
+"""The file that a compiling process locks; the operating system unlocks it when it ends."""
 LOOK = 0.05
-"""s between two looks at the compiling process."""
+"""s: interval at which the compiling process is polled."""
 COMPILE = f"""
 import fcntl, os, sys
 folder, sys.path[:] = sys.argv[1], sys.argv[2:]
@@ -25,13 +25,14 @@ with open(os.path.join(folder, {LOCK!r}), "w") as lock:
     from vehicle_roll_sim.simulation.compilation import fill_cache
     fill_cache(folder)
 """
-"""Nothing large is imported before the lock is held: most who want it find the work done."""
+"""Large imports follow the lock: most processes find the work done once they hold it."""
 
 
 def compile_model(wait: Callable[[subprocess.Popen], None] = subprocess.Popen.wait) -> None:
-    """Have the model compiled, or read from the cache, before time matters; says so if it lasts.
+    """Compile the model, or load it from the cache, before timing matters.
 
-    wait: waits for the compiling process; what it raises comes through, and the process goes on.
+    Prints a line to stderr if it must be compiled. wait: function that waits for the compiling
+    process; its exceptions propagate, and the process continues.
     """
     if jit.CACHE and jit.is_to_be_compiled():
         print(COMPILING, file=sys.stderr, flush=True)
@@ -41,7 +42,10 @@ def compile_model(wait: Callable[[subprocess.Popen], None] = subprocess.Popen.wa
 
 
 def _compiling_process() -> subprocess.Popen | None:
-    """One that a signal to this process and its group does not reach; None where none can be."""
+    """Start a compiling process in its own session, so that signals to this one do not reach it.
+
+    Returns None if no process can be started.
+    """
     if not sys.executable:
         return None
     words = [sys.executable, "-c", COMPILE, str(jit.CACHE), *sys.path]
@@ -55,7 +59,7 @@ def _compiling_process() -> subprocess.Popen | None:
 
 
 def fill_cache(folder: str) -> None:
-    """What the compiling process does: nothing if another one has been here before."""
+    """Compile the model in the compiling process, unless another one has done it already."""
     if jit.is_to_be_compiled() and str(jit.CACHE) == folder:
         Simulation(preset())
         jit.note_complete()

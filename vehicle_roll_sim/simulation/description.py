@@ -1,4 +1,4 @@
-"""What a simulation is, as one text from which it can be built again: it travels with results."""
+"""Description of a simulation as text from which it can be rebuilt; stored with its results."""
 
 import dataclasses
 import json
@@ -6,7 +6,7 @@ import math
 import platform
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -17,13 +17,13 @@ from vehicle_roll_sim.version import __version__
 PACKAGE = "vehicle_roll_sim"
 FIELD = "simulation description"
 VERSION, MACHINE = __version__, f"{platform.system()} {platform.machine()}"
-"""What results depend on to the last bit, beside what is simulated."""
+"""Version and machine, on which results depend to the last bit."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Described:
-    """A simulation that was described, with its publish period (s), and the version and machine
-    that it ran on."""
+    """A simulation rebuilt from a description, its publish period (s), and the version and machine
+    on which it ran."""
 
     simulation: Simulation
     period: float
@@ -32,14 +32,14 @@ class Described:
 
 
 def describe(simulation: Simulation, period_ns: int) -> str:
-    """A simulation whose commands are held for `period_ns`, as JSON in one line."""
+    """Describe a simulation whose commands are held for `period_ns` (ns), as one line of JSON."""
     about = {"package": PACKAGE, "version": VERSION, "machine": MACHINE}
     period = {"publish_period": period_ns / NANOSECONDS}
     return json.dumps(about | period | _parts(simulation))
 
 
 def _parts(simulation: Simulation) -> dict:
-    """What makes a simulation; limits that a tire does not have, infinite, are left out."""
+    """Everything that defines a simulation; infinite range limits of the tire are omitted."""
     vehicle = simulation.vehicle
     coefficients = vehicle.tire.coefficients.items()
     return {
@@ -54,9 +54,9 @@ def _parts(simulation: Simulation) -> dict:
 
 
 def described(text: str) -> Described:
-    """The simulation that `describe` has written down; raises InputError if it did not.
+    """Rebuild a simulation from the text written by `describe`; raises InputError.
 
-    With the step that it had, however large.
+    It keeps its step even if that is too large for stability.
     """
     try:
         told = json.loads(text)
@@ -67,7 +67,7 @@ def described(text: str) -> Described:
             step=told["step"],
             rollover_angle=told["rollover_angle"],
             road=Road(**told["road"]),
-            check_step=False,  # it has run, whatever its step
+            check_step=False,  # it was run with this step
         )
         period = float(told["publish_period"])
         return Described(simulation, period, str(told["version"]), str(told["machine"]))
@@ -75,12 +75,12 @@ def described(text: str) -> Described:
         field = f"{FIELD}: {error.field}"
         raise InputError(field, error.value, error.allowed, error.problem) from None
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        allowed = f"what {PACKAGE} writes"
+        allowed = f"a description written by {PACKAGE}"
         raise InputError(FIELD, "", allowed, f"{type(error).__name__}: {error}") from None
 
 
 def difference(first: Simulation, second: Simulation) -> tuple[str, object, object] | None:
-    """The first thing in which two simulations differ: its name, and what it is in each."""
+    """The first difference between two simulations: its name and both values; None if equal."""
     ours, theirs = _flat(_parts(first)), _flat(_parts(second))
     for name in ours | theirs:
         if ours.get(name) != theirs.get(name):
@@ -89,7 +89,7 @@ def difference(first: Simulation, second: Simulation) -> tuple[str, object, obje
 
 
 def _flat(parts: dict) -> dict:
-    """Names of parts within parts joined by a dot."""
+    """Flatten nested parts, joining names with a dot."""
     flat = {}
     for name, value in parts.items():
         inner = value.items() if isinstance(value, dict) else ()

@@ -1,25 +1,25 @@
-"""The simulated vehicle: reset it, step it, look at it. Everything else is built on this."""
+"""The simulated vehicle: reset it, step it, read its state. Everything else builds on this."""
 
 import math
 
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, given, number_of
-from vehicle_roll_sim.model.advance import NANOSECONDS, advance
+from vehicle_roll_sim.model.compiled.jit import (
+    interruptible,
+    kernel_argument,
+    silently,
+)
 from vehicle_roll_sim.model.equilibrium import equilibrium
-from vehicle_roll_sim.model.events import (
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS, advance
+from vehicle_roll_sim.model.integration.events import (
     LIMITS,
     MINIMUM_SPEED,
     Condition,
     no_events,
     plausible_magnitudes,
 )
-from vehicle_roll_sim.model.integrator import KEPT, STAGE_VECTORS
-from vehicle_roll_sim.model.jit import (
-    interruptible,
-    kernel_argument,
-    silently,
-)
+from vehicle_roll_sim.model.integration.integrator import KEPT, STAGE_VECTORS
 from vehicle_roll_sim.model.records import (
     MODEL_STATE,
     OUTPUTS,
@@ -32,25 +32,26 @@ from vehicle_roll_sim.model.records import (
 from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
 from vehicle_roll_sim.simulation.command import Command, Programme, records_of
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.snapshot import Restorable, identity
 from vehicle_roll_sim.simulation.stability import Modes
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 DEFAULT_STEP, SHORTEST_STEP, LONGEST_STEP = 0.001, 1e-6, 0.1
 """s"""
 DEFAULT_SPEED = 50 / 3.6
-"""m/s: the 50 km/h of the source's manoeuvres."""
+"""m/s: 50 km/h, as in the manoeuvres of the paper."""
 MAXIMUM_SPEED = 100.0
 """m/s"""
 DEFAULT_ROLLOVER_DEGREES = 85.0
 DEFAULT_ROLLOVER_ANGLE = math.radians(DEFAULT_ROLLOVER_DEGREES)
 ROLLOVER_ANGLES = (1e-6, math.pi / 2)
-"""rad: the least and the largest that may be set."""
+"""rad: allowed range of the rollover angle."""
 
 
 def whole_steps(duration: float, step_ns: int, field: str) -> int:
-    """How many steps make `duration` (s); raises InputError naming `field` if no whole number."""
+    """The number of steps in `duration` (s); raises InputError naming `field` if not whole."""
     allowed = f"a multiple of the step, {step_ns / NANOSECONDS:g} s"
     duration = number_of(duration, field, allowed)
     wanted = duration * NANOSECONDS / step_ns if math.isfinite(duration) else math.nan
@@ -60,7 +61,7 @@ def whole_steps(duration: float, step_ns: int, field: str) -> int:
 
 
 def _within(field: str, value, least: float, most: float, unit: str) -> float:
-    """A number in a range; raises InputError."""
+    """Return `value` as a float if it is within the range; raises InputError naming `field`."""
     allowed = f"a number from {least:g} to {most:g} {unit}"
     number = number_of(value, field, allowed)
     if not least <= number <= most:
@@ -69,26 +70,27 @@ def _within(field: str, value, least: float, most: float, unit: str) -> float:
 
 
 class Simulation(Restorable):
-    """A model of one vehicle: that with 14 degrees of freedom, unless the options say otherwise.
+    """A simulation of one vehicle, by default with the 14-degree-of-freedom model.
 
-    vehicle: what is simulated. options: variants of the equations. step: integration step (s),
-    rounded to whole nanoseconds. rollover_angle: roll angle (rad) at which a run stops. road: its
-    slope. check_step: whether `reset`, or the first `step` without one, refuses a step too large.
+    vehicle: the vehicle to simulate. options: model and variants of the equations. step:
+    integration step (s), rounded to whole nanoseconds. rollover_angle: roll angle at which a run
+    stops (rad). road: slope of the road. check_step: whether `reset`, or a first `step` without
+    `reset`, refuses an unstable step. Raises InputError for invalid arguments.
 
-    It starts in static equilibrium at 50 km/h. Attributes, all of the present simulated time:
+    It starts in static equilibrium at 50 km/h. Attributes, all at the present simulated time:
 
-    - `time` (s) and `time_ns`: since the last reset, an exact multiple of the step
+    - `time` (s) and `time_ns` (ns): since the last reset, an exact multiple of the step
     - `state`: a STATE record: `.roll`, `.u`, `.wheel_speed[LF]`, ... (model.records)
     - `outputs`: an OUTPUTS record: `.normal_force`, `.slip_angle`, `.acceleration`, ...
     - `model_state`, `state_names`: the states of the chosen model and their names
-    - `events`: an EVENTS record: lift-off and rollover times, peaks (model.events)
+    - `events`: an EVENTS record: lift-off and rollover times, peaks (model.integration.events)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
-    The records are views of memory that the next step changes: copy what is to be kept, or take a
-    `snapshot`. A copied or pickled simulation is independent of the first and goes on to the same
-    bits. States and outputs that the model does not have are nan. With the 8 DOF model x, y, u and
-    v are those of the point of the roll axis below the c.g.; `cg_motion` has the c.g. itself in
-    every model.
+    Units are SI and radians. The records are views of memory that the next step overwrites: copy
+    values to keep them, or take a `snapshot`. A copied or pickled simulation is independent of the
+    original and continues bit for bit like it. States and outputs that the model does not have are
+    nan. In the 8 DOF model x, y, u and v are those of the point of the roll axis below the c.g.;
+    `cg_motion` gives the c.g. itself in every model.
     """
 
     def __init__(
@@ -108,9 +110,8 @@ class Simulation(Restorable):
         step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
         self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
-        self._vehicle = vehicle.record()
-        self._vehicle["gravity"], along, across = self.road.gravity(GRAVITY)
-        self._vehicle["gravity_along"], self._vehicle["gravity_across"] = along, across
+        plant = Plant.of(vehicle, self.options, self.road)
+        self._vehicle = plant.vehicle
         self._limits = np.zeros(1, LIMITS)
         self._limits["rollover_angle"] = self.rollover_angle
         self._slowest = MINIMUM_SPEED if self.options.steady_state_slip else 0.0
@@ -122,9 +123,8 @@ class Simulation(Restorable):
             name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
         ]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
-        parts = (self._vehicle, vehicle.tire.record(), self.options.record(), self._limits)
-        self._plant = tuple(kernel_argument(part) for part in (*parts, Command().records()))
-        self._identity = identity(type(self).__name__, parts, self.step_ns)
+        self._plant = plant.arguments(self._limits, Command().records())
+        self._identity = identity(type(self).__name__, (*plant, self._limits), self.step_ns)
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
@@ -132,30 +132,31 @@ class Simulation(Restorable):
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
         self._memory = (self._state, self._outputs, self._events, self._stages)
         self.state, self.outputs, self.events = self._state[0], self._outputs[0], self._events[0]
-        self._modes = Modes(*parts[:3], self._places)
+        self._modes = Modes(plant, self._places)
         self._checks_step, self._checked_speed = check_step, None
         self._start(self._equilibrium(DEFAULT_SPEED))
         self._built = {"_built", *vars(self)} - before
 
     @property
     def time(self) -> float:
+        """Simulated time since the last reset (s)."""
         return self.time_ns / NANOSECONDS
 
     @property
     def state_vector(self) -> np.ndarray:
-        """The state as a flat vector of the elements STATE_NAMES (a view)."""
+        """The state as a flat vector (a view), shape (STATE_SIZE,), named by STATE_NAMES."""
         return self._vector
 
     @property
     def model_state(self) -> np.ndarray:
-        """The states of the model in the order of its equations, named by `state_names`."""
+        """The states of the model in the order of its equations, shape (n,), see `state_names`."""
         return self.state_vector[self._places]
 
     @property
     def cg_motion(self) -> tuple[float, ...]:
-        """Position of the sprung c.g. on the ground's axes (m), its velocity on the body's (m/s).
+        """x, y, z of the sprung c.g. in the ground frame (m), and u, v, w in the body frame (m/s).
 
-        nan for what the model does not have: in the 8 DOF model the c.g. keeps its height.
+        nan for components that the model does not have: z and w in the 8 DOF model.
         """
         now = self.state
         if not self.options.has_eight_dof:
@@ -164,18 +165,21 @@ class Simulation(Restorable):
         return x, y, math.nan, ahead, left, math.nan
 
     def _without_absent(self, states: np.ndarray) -> np.ndarray:
-        """STATE records with nan for what the model does not have."""
+        """Set the states that the model does not have to nan in STATE records; returns them."""
         for name in self._absent:
             states[name] = np.nan
         return states
 
     @property
     def static_suspension_compression(self) -> np.ndarray:
-        """Compression of the suspension springs at rest, shape (4,) (m; eq. 19)."""
+        """Static compression of the suspension springs, shape (4,) (m; eq. 19)."""
         return self._vehicle[0]["static_suspension_compression"]
 
     def reset(self, speed: float = DEFAULT_SPEED) -> None:
-        """Back to time 0, static equilibrium and free rolling straight ahead at `speed` (m/s)."""
+        """Reset to time 0 and static equilibrium, rolling freely straight ahead at `speed` (m/s).
+
+        Raises InputError for an invalid speed, and for a step that is unstable at this speed.
+        """
         speed = _within("speed", speed, self._slowest, MAXIMUM_SPEED, "m/s")
         self._check_start(speed)
         self._start(self._equilibrium(speed))
@@ -184,7 +188,7 @@ class Simulation(Restorable):
         return self._without_absent(equilibrium(self._vehicle, speed))
 
     def _check_start(self, speed: float) -> None:
-        """Raise InputError if a run cannot begin at this speed (m/s) with this step."""
+        """Raise InputError if a run cannot start at this speed (m/s) with the integration step."""
         if self._checks_step and speed != self._checked_speed:
             start = self._equilibrium(speed).view(np.float64)
             self._modes.check_start(start, self.step_ns / NANOSECONDS)
@@ -198,11 +202,11 @@ class Simulation(Restorable):
         self._advance(Command().records(), 0)
 
     def step(self, command: Command | Programme, duration: float) -> Condition:
-        """Go on for `duration` (s, a multiple of the step) or until the run must stop.
+        """Advance by `duration` (s, a multiple of the step), or until the run must stop.
 
-        A Command is held; a Programme is evaluated at every stage of the integration, its times
-        being seconds since the reset (one that gives a single record is held, too). A run that
-        has stopped stays where it is until a reset.
+        A Command is held. A Programme is evaluated at every stage of the integration, with times
+        since the reset (s); if it returns a single record, that is held. A run that has stopped
+        remains as it is until a reset. Returns the condition. Raises InputError.
         """
         steps = whole_steps(duration, self.step_ns, "duration")
         if self._checked_speed is None:
@@ -212,7 +216,7 @@ class Simulation(Restorable):
         return self.condition
 
     def _stage_times(self, steps: int) -> np.ndarray:
-        """Times (s) at the ends and middles of the steps to come, shape (2 * steps + 1,)."""
+        """Times of the ends and midpoints of the next steps (s), shape (2 * steps + 1,)."""
         halves = np.arange(2 * steps + 1)
         return (self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS
 
@@ -220,7 +224,7 @@ class Simulation(Restorable):
         Simulation.__init__(self, **arguments)
 
     def _arguments(self) -> dict:
-        """What to build another one with that takes snapshots of this one."""
+        """Constructor arguments of a simulation that accepts snapshots of this one."""
         return {
             "vehicle": self.vehicle,
             "options": self.options,
@@ -231,9 +235,9 @@ class Simulation(Restorable):
         }
 
     def largest_stable_step(self, command: Command | None = None) -> float:
-        """Largest step (s), up to 0.1, for the quickest mode about the present state.
+        """Largest step (s), up to 0.1, at which the fastest mode about the present state is stable.
 
-        command: what is held there. nan where numbers are such that there are no modes.
+        command: the command held; by default none. nan if the linearization is not finite.
         """
         return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
 
@@ -249,7 +253,7 @@ class Simulation(Restorable):
             kernel_argument(self._events),
             self._stages,
         )
-        with silently():  # divergence is found by its result
+        with silently():  # divergence is detected from the result
             taken, condition, culprit = interruptible(advance, arguments)
         self.time_ns += taken * self.step_ns
         self.condition = Condition(condition)

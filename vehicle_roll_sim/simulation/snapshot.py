@@ -1,4 +1,4 @@
-"""The state of a simulation as a value: to go back to, to branch from, to send elsewhere."""
+"""Snapshots: the state of a simulation as a value, to restore, branch from or transfer."""
 
 import abc
 import dataclasses
@@ -8,13 +8,13 @@ from collections.abc import Iterable
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, given
-from vehicle_roll_sim.model.advance import NANOSECONDS
-from vehicle_roll_sim.model.events import Condition
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.events import Condition
 
 
 @dataclasses.dataclass(frozen=True)
 class Snapshot:
-    """Everything that determines how a simulation goes on, at one simulated time (ns).
+    """Everything that determines how a simulation continues, at one simulated time (ns).
 
     `plant` identifies what is simulated: vehicle, tire, options, road, step and rollover angle.
     `memory` holds the bytes of the simulation's arrays. A snapshot never changes, compares by
@@ -36,16 +36,16 @@ class Snapshot:
     def write_to(self, arrays: Iterable[np.ndarray], plant: str) -> None:
         """Fill the arrays; raises InputError if the snapshot belongs to another plant."""
         arrays = list(arrays)
-        sizes = [array.nbytes for array in arrays]  # another version may have others
+        sizes = [array.nbytes for array in arrays]  # another version may have other sizes
         if plant != self.plant or sizes != [len(kept) for kept in self.memory]:
-            allowed = "one of the same vehicle, options, road, step and rollover angle"
+            allowed = "a snapshot with the same vehicle, options, road, step and rollover angle"
             raise InputError("snapshot", "", allowed, "taken from a different simulation")
         for array, kept in zip(arrays, self.memory, strict=True):
             array.view(np.uint8).reshape(-1)[:] = np.frombuffer(kept, np.uint8)
 
 
 def identity(engine: str, records: Iterable[np.ndarray], step_ns: int) -> str:
-    """A digest of the records of a plant, its integration step (ns) and what integrates it."""
+    """A digest of the records of a plant, its integration step (ns) and its engine."""
     digest = hashlib.sha256(f"{engine} {step_ns}".encode())
     for each in records:
         digest.update(each.tobytes())
@@ -53,22 +53,22 @@ def identity(engine: str, records: Iterable[np.ndarray], step_ns: int) -> str:
 
 
 class Restorable(abc.ABC):
-    """A simulation that can be copied and pickled: a copy is built anew and then restored.
+    """A simulation that can be copied and pickled: the copy is constructed and then restored.
 
-    Arrays and the views of them have to share memory, so that members cannot be copied one by one.
-    What a subclass or a user has added is copied as Python does it.
+    Members cannot be copied one by one, because arrays and their views must share memory.
+    Attributes added by a subclass or a user are copied in Python's usual way.
     """
 
     def snapshot(self) -> Snapshot:
-        """The present state as a value, from which `restore` goes on to the same bits."""
+        """The present state as a value; after `restore` the simulation continues bit for bit."""
         memory = tuple(each.tobytes() for each in self._memory)
         now = (self.time_ns, self.condition, self.implausible, self._checked_speed)
         return Snapshot(self._identity, *now, memory)
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Go back, or ahead, to a snapshot of this simulation or of one built alike.
+        """Restore a snapshot of this simulation or of one constructed with the same arguments.
 
-        Raises InputError, and nothing changes, if it was taken from a different one.
+        Raises InputError, without any change, if it was taken from a different simulation.
         """
         given("snapshot", snapshot, Snapshot)
         snapshot.write_to(self._memory, self._identity)
@@ -86,15 +86,15 @@ class Restorable(abc.ABC):
 
     @abc.abstractmethod
     def _arguments(self) -> dict:
-        """What to build another one with that takes snapshots of this one."""
+        """Constructor arguments of a simulation that accepts snapshots of this one."""
 
     @abc.abstractmethod
     def _build(self, arguments: dict) -> None:
-        """Make all members of this class anew, of its subclasses none; `_built` are their names."""
+        """Construct the members of this class, but not of subclasses; `_built` has their names."""
 
 
 def _rebuilt(kind: type[Restorable], arguments: dict) -> Restorable:
-    """One without members of a user's subclass, whose constructor may take other arguments."""
+    """Construct without calling a user subclass's constructor, which may take other arguments."""
     copy = kind.__new__(kind)
     copy._build(arguments)
     return copy

@@ -1,4 +1,4 @@
-"""A driver's right foot: holds a commanded speed by equal wheel torques and brakes."""
+"""Speed controller: tracks a commanded speed with equal drive and brake torques at all wheels."""
 
 import dataclasses
 
@@ -9,27 +9,26 @@ from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
 
 PROPORTIONAL = 2.0
-"""1/s: acceleration asked for per speed that is missing."""
+"""1/s: proportional gain, acceleration demand per speed error."""
 SHARE_OF_A_PERIOD = 0.5
-"""The most of the missing speed that is asked for within one period: torques are held over it."""
+"""Largest fraction of the speed error corrected within one period, over which torques are held."""
 INTEGRAL = 0.25
-"""Growth of what is asked for (1/s^2), over the square of that gain: critical damping."""
+"""Integral gain (1/s^2) over the square of the proportional gain: critical damping."""
 HARDEST, EASIEST = 4.0, 1.0
-"""m/s^2: the most that is asked of the tires, slope included, but at least this beside a slope.
-Equal torques much beyond lock or spin the wheels of the axle that is unloaded."""
+"""m/s^2: largest acceleration demand on the tires, slope included; and the smallest limit on the
+acceleration alone. Equal torques much beyond that lock or spin the wheels of the unloaded axle."""
 STANDING = 0.2
-"""m/s: a vehicle slower than this hardly moves; if it shall stand, its brakes hold it from then."""
+"""m/s: below this speed a vehicle with target speed 0 is held by its brakes."""
 RUNAWAY = 1.0
-"""m/s: a vehicle that is held and is faster than this is driven again; a stop springs back less."""
+"""m/s: above this speed a held vehicle is controlled again; the rebound after a stop is slower."""
 DEFAULT_DRIVE_LIMIT, DEFAULT_BRAKE_LIMIT = 800.0, 2000.0
 """N m at each wheel."""
 
 
 class SpeedController:
-    """Carries the slope and the rolling resistance; proportional-integral control does the rest.
+    """Proportional-integral control, with feedforward of slope and rolling resistance.
 
-    drive_limit, brake_limit: the largest torque of a wheel's drive and of its brake (N m), which
-    are the same at every wheel.
+    drive_limit, brake_limit: largest drive and brake torque at each wheel (N m).
     """
 
     def __init__(
@@ -50,16 +49,17 @@ class SpeedController:
         self.reset()
 
     def reset(self) -> None:
-        """Forget what the integral part has learnt."""
+        """Reset the integral part."""
         self._kept, self._held = 0.0, False
 
     def drive(
         self, command: Command, target: float, speed: float, period: float, slope: float = 0.0
     ) -> Command:
-        """`command` with the torques for a period (s) that bring `speed` to `target` (m/s).
+        """`command` with the wheel torques for a period (s) that bring `speed` to `target` (m/s).
 
-        slope: gravity along the vehicle (m/s^2), positive downhill ahead. A commanded brake counts
-        where it is the stronger one, and then nothing drives against it.
+        slope: component of gravity along the vehicle (m/s^2), positive if it heads downhill. At
+        each wheel the larger of the commanded and the controller's brake torque applies; while a
+        brake is commanded there is no drive torque.
         """
         climb = -self._torque_of_gravity * slope
         if self._is_to_be_held(target, speed, climb):
@@ -80,7 +80,7 @@ class SpeedController:
         return self._with(command, *self._shared(torque, speed, climb, drive_limit))
 
     def _is_to_be_held(self, target: float, speed: float, climb: float) -> bool:
-        """Whether the brakes hold the vehicle, which they go on with while it springs back."""
+        """Whether the brakes hold the vehicle; they keep holding while it rebounds after a stop."""
         slow = abs(speed) < (RUNAWAY if self._held else STANDING)
         self._held = target == 0.0 and slow and abs(climb) < self.brake_limit
         return self._held
@@ -88,10 +88,11 @@ class SpeedController:
     def _shared(
         self, torque: float, speed: float, climb: float, drive_limit: float
     ) -> tuple[float, float]:
-        """A torque as those of drive and brake (N m); climb: the part that carries the slope.
+        """Split a wheel torque into drive and brake torque (N m).
 
-        A brake opposes the motion, alone as far as it can. While the vehicle hardly moves it has
-        only what is beyond the drive, and then holds a vehicle that the drive cannot carry.
+        climb: the part of the torque that balances the slope (N m). A torque against the motion is
+        left to the brake as far as possible. Near standstill the brake only provides what exceeds
+        the drive limit, and it holds the vehicle on a slope that is too steep for the drive.
         """
         is_too_steep = abs(climb) > drive_limit and torque * climb > 0.0
         if torque * speed >= 0.0 and not (is_too_steep and abs(speed) < STANDING):
@@ -114,6 +115,6 @@ def _within(limit: float, value: float) -> float:
 
 
 def _bearable(acceleration: float, slope: float) -> float:
-    """An acceleration (m/s^2) no harder than the tires bear on this slope."""
+    """Limit an acceleration (m/s^2) to what the tires can transmit on this slope (m/s^2)."""
     ahead, back = max(EASIEST, HARDEST + slope), max(EASIEST, HARDEST - slope)
     return max(-back, min(ahead, acceleration))

@@ -1,8 +1,8 @@
-"""The largest step: what Runge-Kutta bears of the quickest mode of the model about a state.
+"""The largest stable step: limited by Runge-Kutta's stability for the fastest mode about a state.
 
-The modes are the eigenvalues of the slopes of the model's own rates, so that they have all that the
-model has: wheels on their springs, spin against the slip of the tires, their lag, coupled. One that
-decays must not grow in the integration.
+The modes are the eigenvalues of the numerical Jacobian of the model, so they include everything in
+it, coupled: wheel hop, wheel spin against tire slip, and tire lag. The condition is that no
+decaying mode grows in the integration.
 """
 
 import dataclasses
@@ -12,48 +12,50 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.advance import advance
-from vehicle_roll_sim.model.events import LIMITS, Condition, no_events
-from vehicle_roll_sim.model.integrator import K1, STAGE_VECTORS
-from vehicle_roll_sim.model.jit import kernel_argument, silently
+from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
+from vehicle_roll_sim.model.integration.advance import advance
+from vehicle_roll_sim.model.integration.events import LIMITS, Condition, no_events
+from vehicle_roll_sim.model.integration.integrator import K1, STAGE_VECTORS
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_NAMES, STATE_SIZE, U
 from vehicle_roll_sim.simulation.command import NO_FORCE, Command
+from vehicle_roll_sim.simulation.plant import Plant
 
 DIFFERENCE = 1e-6
-"""Change of a state for its slopes, relative to its size where that is above 1 (SI units): small
-beside what bends them, and 1e-9 of the rates is rounding."""
+"""Finite-difference step of a state, relative to its magnitude if that exceeds 1 (SI units).
+
+Small enough for the nonlinearities; the rounding error is about 1e-9 of the rates.
+"""
 ROUNDING = 1e-9
-"""By which a mode that stays as it is may seem to grow in a step."""
+"""Tolerance on the growth of a mode per step."""
 NEAREST, FURTHEST = 2.61, 2.97
-"""Between these lies, in any direction of the left half plane, the end of the stable products of
-pole and step: 2.79 for a mode without frequency, 2.83 for one without damping."""
+"""Bounds on the modulus of pole times step at the stability limit, in any direction of the left
+half plane; it is 2.79 for a mode that does not oscillate and 2.83 for an undamped one."""
 HALVINGS = 20
-"""Of that interval: the largest step to within 1e-6 of it."""
+"""Bisections of that interval: they give the largest step to within 1e-6 of it."""
 
 
 class Modes:
-    """The model of one vehicle about any of its states.
+    """Linearization of the model of one vehicle about any of its states.
 
-    vehicle, tire, options: the records of the equations. places: of the model's states among
-    STATE_NAMES.
+    places: indices of the model's states among STATE_NAMES.
 
-    Dry friction, of brakes and rolling resistance, is left out: it has no slope but where it holds
-    a wheel, and that is slower than one that has just been let go.
+    The dry friction of brakes and rolling resistance is omitted: its derivative is zero except
+    where it holds a wheel, and a held wheel has slower modes than a wheel just released.
     """
 
-    def __init__(self, vehicle: np.ndarray, tire: np.ndarray, options: np.ndarray, places):
-        vehicle, limits = vehicle.copy(), np.full(1, -math.inf, LIMITS)
+    def __init__(self, plant: Plant, places: np.ndarray):
+        vehicle, limits = plant.vehicle.copy(), np.full(1, -math.inf, LIMITS)
         vehicle["rolling_resistance_coefficient"] = 0.0
         limits["rollover_angle"], limits["largest"] = math.inf, math.nan
         limits["largest"][0, places] = math.inf
-        self._records, self._places = (vehicle, tire, options, limits), places
+        self._plant, self._limits, self._places = plant._replace(vehicle=vehicle), limits, places
         self._outputs, self._events = np.full(1, np.nan, OUTPUTS), no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
 
     def slopes(self, state: np.ndarray, command: Command) -> tuple[np.ndarray, np.ndarray]:
-        """Rates of the model's states at a flat state vector, and their slopes, shape (n, n).
+        """Rates of the model's states at a flat state vector, shape (n,), and the Jacobian (n, n).
 
-        nan where a rate is not finite, and in all its slopes.
+        nan where a rate is not finite, and in its row of the Jacobian.
         """
         rates = self._rates_under(command)
         columns = []
@@ -67,7 +69,7 @@ class Modes:
 
     def _rates_under(self, command: Command) -> Callable[[np.ndarray], np.ndarray]:
         records = dataclasses.replace(command, brake_torque=NO_FORCE).records()
-        plant = tuple(kernel_argument(part) for part in (*self._records, records))
+        plant = self._plant.arguments(self._limits, records)
         outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
 
         def rates(state: np.ndarray) -> np.ndarray:
@@ -83,19 +85,19 @@ class Modes:
         return rates
 
     def largest_step(self, state: np.ndarray, command: Command, most: float) -> float:
-        """Largest stable step (s) up to `most`; nan where the slopes are not finite."""
+        """Largest stable step (s), up to `most` (s); nan if the Jacobian is not finite."""
         _, slopes = self.slopes(state, command)
         finite = np.isfinite(slopes).all()
         return largest_stable_step(np.linalg.eigvals(slopes), most) if finite else math.nan
 
     def check_start(self, state: np.ndarray, step: float) -> None:
-        """Raise InputError if a run cannot begin at a state: with this step (s), or at all."""
+        """Raise InputError if a run cannot start at a state, with this step (s) or at all."""
         rates, slopes = self.slopes(state, Command())
         speed = state[U]
         if not np.isfinite(rates).all():
             name = STATE_NAMES[self._places[np.argmin(np.isfinite(rates))]]
             problem = f"straight ahead at {speed:.4g} m/s the rate of {name} is not finite"
-            raise InputError("vehicle", "", "another tire or other values", problem)
+            raise InputError("vehicle", "", "a different tire or different values", problem)
         if not np.isfinite(slopes).all():
             return
         largest = largest_stable_step(np.linalg.eigvals(slopes), step)
@@ -105,18 +107,19 @@ class Modes:
 
 
 def growth(exponents: np.ndarray) -> float:
-    """The most by which a step of Runge-Kutta multiplies a mode, given products of pole and step.
+    """Largest amplification of a mode in one Runge-Kutta step.
 
-    The stability polynomial of the fourth order: the exponential's series up to there.
+    exponents: products of pole and step, shape (n,). The amplification is the modulus of the
+    stability polynomial, the Taylor series of the exponential up to fourth order.
     """
     z = exponents
     return float(np.abs(1 + z * (1 + z / 2 * (1 + z / 3 * (1 + z / 4)))).max())
 
 
 def largest_stable_step(poles: np.ndarray, most: float) -> float:
-    """Largest step (s), up to `most`, in which no mode grows; poles in 1/s.
+    """Largest step (s), up to `most` (s), in which no mode grows; poles: shape (n,) (1/s).
 
-    A mode that grows by itself may do so: of it only the frequency counts.
+    The real part of an unstable mode is ignored; only its frequency limits the step.
     """
     calm = np.minimum(poles.real, 0.0) + 1j * poles.imag
     if growth(calm * most) <= 1 + ROUNDING:
@@ -133,6 +136,6 @@ def largest_stable_step(poles: np.ndarray, most: float) -> float:
 
 
 def _rounded_down(value: float) -> float:
-    """To two digits."""
+    """`value` rounded down to two significant digits."""
     unit = 10.0 ** (math.floor(math.log10(value)) - 1)
     return math.floor(value / unit) * unit

@@ -1,37 +1,37 @@
-"""Files to start from: the reference vehicle and tire, with a comment on every value."""
+"""Template files: the reference vehicle and its tire, with a comment on every value."""
 
 from dataclasses import MISSING
 
 from vehicle_roll_sim.declaration import Parameter, parameters_of
-from vehicle_roll_sim.model.tire import REQUIRED
+from vehicle_roll_sim.model.tire.magic_formula import REQUIRED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import ENTRY, FORMAT, UNITS, USED
 from vehicle_roll_sim.vehicle.tire_meanings import MEANINGS
 from vehicle_roll_sim.vehicle.vehicle_file import PRESETS, SHIPPED_TIRE, preset
 
 ABOUT_THE_VEHICLE = """\
-# A vehicle file of vehicle_roll_sim: the reference vehicle, to be changed.
-# A line is NAME: VALUE. Behind it: unit, allowed range, meaning, symbol in the source (Shim and
-# Ghike, 2007). `vehicle_roll_sim parameters --vehicle FILE` shows what a file says.
+# Vehicle file for vehicle_roll_sim, with the values of the reference vehicle. Edit them as needed.
+# Format: NAME: VALUE  # unit, allowed range: description (symbol in Shim and Ghike, 2007)
+# `vehicle_roll_sim parameters --vehicle FILE` lists the parameters of a vehicle file.
 """
 ABOUT_OPTIONAL = "# These are optional; the values shown are the defaults.\n"
 ABOUT_THE_TIRE = f"""\
-# A tire file (.tir) with its path from here, or {SHIPPED_TIRE}: the tire that is shipped.
-# `vehicle_roll_sim template --tire` writes one to start from.
+# Path of a tire file (.tir) relative to this file, or `{SHIPPED_TIRE}` for the tire that comes with
+# the package. `vehicle_roll_sim template --tire` writes a tire file to start from.
 tire: {SHIPPED_TIRE}
 """
 ABOUT_COEFFICIENTS = """\
-$ A tire file of vehicle_roll_sim, Magic Formula 5.2: the reference tire, to be changed.
-$ What must be given is marked 'required'. Without the others scaling factors are 1, coefficients 0,
-$ ranges unlimited and units SI. Keys marked 'not used' are ignored. Fx and Fy: forces along and
-$ across the wheel. Values have no unit unless one is given in brackets.
+$ Tire file (Magic Formula 5.2) for vehicle_roll_sim, with the values of the reference tire. Edit
+$ them as needed. Keys marked 'required' must be given; the others default to 1 for scaling factors,
+$ 0 for coefficients, no limit for ranges, and SI for units. Keys marked 'not used' are ignored.
+$ Fx, Fy: longitudinal and lateral force. Values have no unit unless one is given in parentheses.
 """
 COMMENT_AT = 45
-"""Column of a line at which its comment begins."""
+"""Column at which the comment of a line begins."""
 
 
 def vehicle_template() -> str:
-    """A vehicle file with the values of the reference vehicle and comments."""
+    """A commented vehicle file with the values of the reference vehicle."""
     vehicle, lines, optional = preset(), [], []
     for name, parameter in parameters_of(Vehicle).items():
         value = getattr(vehicle, name)
@@ -42,7 +42,7 @@ def vehicle_template() -> str:
 
 
 def _about(parameter: Parameter) -> str:
-    """Unit, range and meaning."""
+    """Unit, allowed range, description and symbol of a parameter."""
     unit = parameter.unit or "-"
     allowed = f"{parameter.minimum:g} to {parameter.maximum:g}"
     symbol = f" ({parameter.symbol})" if parameter.symbol else ""
@@ -50,13 +50,13 @@ def _about(parameter: Parameter) -> str:
 
 
 def tire_template() -> str:
-    """A tire file with the values of the reference tire and comments."""
+    """A commented tire file with the values of the reference tire."""
     text = (PRESETS / "reference.tir").read_text(encoding="utf-8")
     return ABOUT_COEFFICIENTS + "".join(f"{_commented(line)}\n" for line in text.splitlines())
 
 
 def _commented(line: str) -> str:
-    """A line of a tire file, with the meaning of its key if it has one."""
+    """Append a comment on its key to a line of a tire file; lines without a key are unchanged."""
     entry = ENTRY.match(line)
     if not entry:
         return line

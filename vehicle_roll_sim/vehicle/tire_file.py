@@ -1,4 +1,4 @@
-"""Tire property files (.tir): sections, `$` and `!` comments, units."""
+"""Reader of tire property files (.tir): sections, `$` and `!` comments, units."""
 
 import dataclasses
 import math
@@ -9,14 +9,14 @@ from typing import NamedTuple
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_in, number_of, unknown_name
+from vehicle_roll_sim.files.text_file import read_text
 from vehicle_roll_sim.model.records import LF, LR, RF, RR
-from vehicle_roll_sim.model.tire import OPTIONAL, RANGES, REQUIRED, SCALING, TIRE
-from vehicle_roll_sim.vehicle.text_file import read_text
+from vehicle_roll_sim.model.tire.magic_formula import OPTIONAL, RANGES, REQUIRED, SCALING, TIRE
 
 FORMAT = "PROPERTY_FILE_FORMAT"
 FORMATS = ("MF_05", "PAC2002", "MF-TYRE")
 FITTYPES = ("5", "6", "51", "52")
-"""Versions 5.0 to 5.2 of the Magic Formula in the FITTYP key of MF-TYRE files."""
+"""Values of the FITTYP key of MF-TYRE files that stand for Magic Formula 5.0 to 5.2."""
 
 UNITS = {
     "LENGTH": {"meter": 1.0, "m": 1.0, "mm": 1e-3, "millimeter": 1e-3, "inch": 0.0254},
@@ -25,28 +25,33 @@ UNITS = {
     "MASS": {"kg": 1.0, "kilogram": 1.0},
     "TIME": {"second": 1.0, "sec": 1.0, "s": 1.0},
 }
-"""Units that are understood, in SI. Coefficients per degree exist in no standard, so angles must
-be radians."""
+"""Supported units and their values in SI units.
+
+Angles must be in radians: no standard defines coefficients per degree.
+"""
 
 HEADER = re.compile(r"\s*\[(?P<name>[^\]]+)\]\s*([$!].*)?$")
 ENTRY = re.compile(r"\s*(?P<key>\w+)\s*=\s*(?P<value>'[^']*'|\"[^\"]*\"|[^$!]*)")
-PASSED_OVER = re.compile(r"\s*([$!].*|\{.*|[-+.\d][-+.\deE\s]*([$!].*)?)?$")
-"""Empty lines, comments, and heads and rows of tables such as [SHAPE]."""
+IGNORED = re.compile(r"\s*([$!].*|\{.*|[-+.\d][-+.\deE\s]*([$!].*)?)?$")
+"""Empty lines, comments, and the headings and rows of tables such as [SHAPE]."""
 
 IN_FORCE_UNITS = ("FNOMIN", "FZMIN", "FZMAX")
 UNBOUNDED = {name: -math.inf if name.endswith("MIN") else math.inf for name in RANGES}
 DEFAULTS = dict.fromkeys(SCALING, 1.0) | dict.fromkeys(OPTIONAL, 0.0) | UNBOUNDED
 USED = {*DEFAULTS, *REQUIRED, "TYRESIDE", FORMAT, "FITTYP"}
-"""Keys of a file that count, beside its units."""
+"""Keys of a file that are used, apart from its units."""
 SIDES = {"left": (RF, RR), "right": (LF, LR)}
-"""Wheels at which a tire measured on that side runs mirrored."""
+"""Wheels at which a tire measured on the given side is mirrored."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Tire:
-    """A Magic Formula tire: its coefficients (SI) by name, its side and its file.
+    """A Magic Formula tire.
 
-    Raises InputError for a coefficient that is unknown or no number, and for another side.
+    coefficients: by their names in the .tir file, in SI units. side: the side of the vehicle on
+    which the tire was measured, left or right. file: where it was read from.
+
+    Raises InputError for an unknown or non-numeric coefficient and for an invalid side.
     """
 
     coefficients: dict[str, float]
@@ -63,7 +68,7 @@ class Tire:
             raise InputError("side", self.side, " or ".join(SIDES))
 
     def record(self) -> np.ndarray:
-        """The tire as the equations take it: one TIRE record in an array."""
+        """The tire as input to the equations: an array of one TIRE record, shape (1,)."""
         tire = np.zeros(1, TIRE)
         for name, value in self.coefficients.items():
             tire[name] = value
@@ -77,14 +82,14 @@ class Tire:
 
 
 class Entry(NamedTuple):
-    """What stands behind a key, and where: file, line and key."""
+    """The text of a value and its place in the file: file, line and key."""
 
     text: str
     where: str
 
 
 def load_tire(path: str | Path) -> Tire:
-    """Read a .tir file; raises InputError naming file, line and key."""
+    """Read a tire property file (.tir); raises InputError naming file, line and key."""
     path = Path(path)
     sections = _sections(path)
     units = {name: _unit(sections.get("UNITS", {}), name) for name in UNITS}
@@ -92,9 +97,7 @@ def load_tire(path: str | Path) -> Tire:
     _check_format(values)
     missing = [name for name in (FORMAT, *REQUIRED) if name not in values]
     if missing:
-        wanted = (
-            "every one must be given; `vehicle_roll_sim template --tire` writes a file with all"
-        )
+        wanted = "all are required; `vehicle_roll_sim template --tire` writes a complete file"
         raise InputError(f"{path}: {', '.join(missing)}", None, wanted)
     coefficients = {}
     for name in (*DEFAULTS, *REQUIRED):
@@ -118,7 +121,7 @@ def load_tire(path: str | Path) -> Tire:
 
 
 def _sections(path: Path) -> dict[str, dict[str, Entry]]:
-    """Every KEY = VALUE of the file by section, in upper case; rows of tables are passed over."""
+    """Every KEY = VALUE of the file by section, keys in upper case; table rows are ignored."""
     sections: dict[str, dict[str, Entry]] = {}
     entries = None
     for number, line in enumerate(read_text(path).splitlines(), 1):
@@ -127,18 +130,18 @@ def _sections(path: Path) -> dict[str, dict[str, Entry]]:
             entries = sections.setdefault(header["name"].upper(), {})
         elif entry := ENTRY.match(line):
             if entries is None:
-                raise InputError(where, "", "a [SECTION] must come first", "an entry of no section")
+                raise InputError(where, "", "a [SECTION] must come first", "entry before a section")
             key = entry["key"].upper()
             if key in entries:
                 raise InputError(where, key, "each key once in its section", f"second {key}")
             entries[key] = Entry(entry["value"].strip().strip("'\""), f"{where}: {key}")
-        elif not PASSED_OVER.match(line):
+        elif not IGNORED.match(line):
             raise InputError(where, line.strip()[:40], "[SECTION] or KEY = VALUE")
     return sections
 
 
 def _values(sections: dict[str, dict[str, Entry]]) -> dict[str, Entry]:
-    """The entries that are used here; none may stand in two sections."""
+    """The entries that this package uses; none may occur in two sections."""
     values = {}
     for section, entries in sections.items():
         for key in USED & entries.keys():
@@ -160,7 +163,7 @@ def _check_format(values: dict[str, Entry]) -> None:
 
 
 def _unit(units: dict[str, Entry], quantity: str) -> float:
-    """The file's unit of a quantity in SI; a file without one is in SI."""
+    """The value in SI of the file's unit of a quantity; 1 if the file does not define the unit."""
     if quantity not in units:
         return 1.0
     known, given = UNITS[quantity], units[quantity]
@@ -170,7 +173,7 @@ def _unit(units: dict[str, Entry], quantity: str) -> float:
 
 
 def _number(values: dict[str, Entry], name: str, unit: float) -> float:
-    """A coefficient in SI, or its default."""
+    """A coefficient in SI units, or its default."""
     if name not in values:
         return DEFAULTS[name]
     text, where = values[name]

@@ -1,4 +1,4 @@
-"""Vehicle files: YAML with the names of `Vehicle`, and the shipped presets."""
+"""Vehicle files (YAML with the parameters of `Vehicle`) and the presets of the package."""
 
 import errno
 import os
@@ -10,35 +10,39 @@ from pathlib import Path
 import yaml
 
 from vehicle_roll_sim.declaration import LONGEST_SHOWN, InputError, parameters_of, unknown_name
+from vehicle_roll_sim.files.text_file import read_text
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.text_file import read_text
 from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
 
-A_MAPPING = "a YAML mapping of parameter names to values is wanted"
+A_MAPPING = "expected a YAML mapping of parameter names to values"
 LONGEST_VALUE = 4096
-"""Characters. So long may a file's name be; a number in parts of 60 costs the square of this."""
+"""Characters: the longest possible file name.
+
+Longer values are refused because the time to parse a sexagesimal number (1:30) grows with the
+square of its length.
+"""
 LONGEST_PROBLEM = 200
-"""Characters of what YAML says of a file that an error message shows."""
+"""Maximum number of characters of a YAML error shown in an error message."""
 NUMBERS = ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float")
 DECIMAL = re.compile(
     r"[-+]?((0|[1-9]\d*)(\.\d*)?|\.\d+)([eE][-+]?\d+)?|[-+]?\.inf|\.nan", re.ASCII | re.IGNORECASE
 )
-"""Numbers as everybody reads them: to YAML 1.1, 01440 is 800, 1:30 is 90 and 1_0 is 10."""
+"""Decimal numbers only: YAML 1.1 would read 01440 as 800, 1:30 as 90 and 1_0 as 10."""
 MERGE = "tag:yaml.org,2002:merge"
 ODD_VALUE = (ValueError, LookupError, TypeError, ArithmeticError, AttributeError)
-"""What YAML raises, beside its own errors, for a value with a wrong or odd tag."""
-TEMPLATE_HAS_ALL = "`vehicle_roll_sim template` writes a file that has them"
+"""Exceptions that PyYAML raises, apart from its own, for values with wrong or unusual tags."""
+TEMPLATE_HAS_ALL = "`vehicle_roll_sim template` writes a complete file"
 SHIPPED_TIRE = "reference"
-"""What a vehicle file says for the tire that is shipped, where others name a .tir file."""
+"""The name by which a vehicle file refers to the tire that comes with the package."""
 PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 
 
 class _Loader(yaml.SafeLoader):
-    """YAML's safe loader, for a file of plain names and values.
+    """PyYAML's safe loader, restricted to plain names and values.
 
-    It refuses a key that stands twice or is no name, aliases and merge keys, with which a small
-    file holds any number of values, values that are too long for a number or a file's name, and
-    numbers that are not written in decimal digits.
+    It refuses duplicate keys, keys that are not scalars, values longer than LONGEST_VALUE, and
+    numbers that are not decimal. It also refuses aliases and merge keys, by which a small file
+    could expand to any number of values.
     """
 
     def compose_node(self, parent, index):
@@ -47,9 +51,11 @@ class _Loader(yaml.SafeLoader):
             raise _refused(f"alias {alias.anchor[:20]!r} is not allowed", alias.start_mark)
         node = super().compose_node(parent, index)
         if isinstance(node, yaml.ScalarNode) and len(node.value) > LONGEST_VALUE:
-            raise _refused(f"{len(node.value)} characters are too many", node.start_mark)
+            problem = f"a value of {len(node.value)} characters is too long"
+            raise _refused(problem, node.start_mark)
         if node.tag in NUMBERS and not DECIMAL.fullmatch(node.value):
-            raise _refused(f"{node.value[:LONGEST_SHOWN]} is no decimal number", node.start_mark)
+            problem = f"{node.value[:LONGEST_SHOWN]} is not a decimal number"
+            raise _refused(problem, node.start_mark)
         return node
 
     def construct_object(self, node, deep=False):
@@ -62,9 +68,9 @@ class _Loader(yaml.SafeLoader):
         seen = set()
         for key, _ in node.value if isinstance(node, yaml.MappingNode) else ():
             if not isinstance(key, yaml.ScalarNode) or key.tag == MERGE:
-                raise _refused("a key that is no name", key.start_mark)
+                raise _refused("a key is not a name", key.start_mark)
             if key.value in seen:
-                raise _refused(f"key {key.value[:LONGEST_SHOWN]!r} stands twice", key.start_mark)
+                raise _refused(f"duplicate key {key.value[:LONGEST_SHOWN]!r}", key.start_mark)
             seen.add(key.value)
         return super().construct_mapping(node, deep)
 
@@ -73,13 +79,13 @@ def _refused(problem: str, mark: yaml.Mark) -> yaml.MarkedYAMLError:
     return yaml.MarkedYAMLError(problem=problem, problem_mark=mark)
 
 
-_Loader.add_implicit_resolver(  # YAML 1.1 takes 35e3 and 3.5e4 for text
+_Loader.add_implicit_resolver(  # YAML 1.1 would read 35e3 and 3.5e4 as text
     NUMBERS[1], re.compile(r"[-+]?(\d+\.?\d*|\.\d+)[eE][-+]?\d+$"), list("-+.0123456789")
 )
 
 
 def load_vehicle(path: str | Path) -> Vehicle:
-    """Read a vehicle file and the tire file it names; raises InputError naming file, line, key."""
+    """Read a vehicle file and its tire file; raises InputError naming file, line and key."""
     path = Path(path)
     values, lines = _mapping(path)
     where = {name: f"{path}: line {line}: {name}" for name, line in lines.items()}
@@ -89,7 +95,7 @@ def load_vehicle(path: str | Path) -> Vehicle:
         if name not in expected:
             raise unknown_name(name, expected, f"{path}: line {lines[name]}: name")
     if missing := _missing(values):
-        wanted = f"every parameter must be given; {TEMPLATE_HAS_ALL}"
+        wanted = f"all are required; {TEMPLATE_HAS_ALL}"
         raise InputError(f"{path}: {', '.join(missing)}", None, wanted)
     tire = values.pop("tire")
     if not isinstance(tire, str) or not tire:
@@ -99,13 +105,13 @@ def load_vehicle(path: str | Path) -> Vehicle:
     tire = shipped_tire() if tire == SHIPPED_TIRE else _tire_beside(path, tire, where["tire"])
     try:
         return Vehicle(**numbers, tire=tire)
-    except InputError as error:  # values that do not go together
+    except InputError as error:  # inconsistent values
         field = where.get(error.field, f"{path}: {error.field}")
         raise InputError(field, error.value, error.allowed, error.problem) from None
 
 
 def _missing(values: dict) -> list[str]:
-    """What a file must give and does not; of two alternatives that are not given, both in one."""
+    """Required names that are missing; two missing alternatives are joined as `A or B`."""
     missing = []
     for name, declared in parameters_of(Vehicle).items():
         other = declared.alternative
@@ -118,19 +124,19 @@ def _missing(values: dict) -> list[str]:
 
 
 def _tire_beside(path: Path, name: str, where: str) -> Tire:
-    """The tire file that the vehicle file at `path` names."""
+    """Load the tire file named in the vehicle file at `path`."""
     file = path.parent / name
     try:
         return load_tire(file)
     except InputError as error:
         if error.problem != os.strerror(errno.ENOENT):
             raise
-    wanted = f"a .tir file, by its path from the vehicle file, or {SHIPPED_TIRE}"
+    wanted = f"the path of a .tir file relative to the vehicle file, or {SHIPPED_TIRE}"
     raise InputError(where, name, wanted, f"{file} does not exist")
 
 
 def _mapping(path: Path) -> tuple[dict, dict[str, int]]:
-    """The values of a file, and the line of each, by name."""
+    """The values of a file and their line numbers, both by name."""
     text = read_text(path)
     try:
         loader = _Loader(text)
@@ -143,10 +149,10 @@ def _mapping(path: Path) -> tuple[dict, dict[str, int]]:
         raise _no_mapping(path, _where(error)) from None
     except RecursionError:
         raise _no_mapping(path, f"nested too deep in line {loader.get_mark().line + 1}") from None
-    except ODD_VALUE as error:  # of an escaped character that there is not
+    except ODD_VALUE as error:  # an escape sequence for a character that does not exist
         raise _no_mapping(path, f"{error} in line {loader.get_mark().line + 1}") from None
     if not isinstance(values, dict) or not all(isinstance(name, str) for name in values):
-        raise _no_mapping(path, "no NAME: VALUE lines")
+        raise _no_mapping(path, "it has no NAME: VALUE lines")
     return values, {key.value: key.start_mark.line + 1 for key, _ in node.value}
 
 
@@ -155,7 +161,7 @@ def _no_mapping(path: Path, problem: str) -> InputError:
 
 
 def _where(error: yaml.YAMLError) -> str:
-    """A YAML error in one line."""
+    """A YAML error as one line, with the line number in the file."""
     mark = getattr(error, "problem_mark", None)
     problem = getattr(error, "problem", None) or str(error)
     line = f" in line {mark.line + 1}" if mark else ""
@@ -169,6 +175,6 @@ def shipped_tire() -> Tire:
 
 
 def preset(name: str = "reference") -> Vehicle:
-    """A shipped vehicle; `reference` is the one of Shim and Ghike (2007)."""
+    """A vehicle that comes with the package; `reference` is that of Shim and Ghike (2007)."""
     with as_file(PRESETS) as folder:
         return load_vehicle(folder / f"{name}.yaml")

@@ -1,0 +1,75 @@
+"""The signals in the left panels of the standard figure: commands and responses."""
+
+import dataclasses
+import math
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.metrics import load_transfer_ratio, sideslip_angle
+
+DEGREES = math.degrees(1)
+PANELS = (
+    ("steering", "steering, front\nroad wheels (deg)", DEGREES),
+    ("roll", "roll angle\n(deg)", DEGREES),
+    ("lateral_acceleration", "lateral acceleration\n(m/s²)", 1.0),
+    ("yaw_rate", "yaw rate\n(deg/s)", DEGREES),
+)
+"""Column of a history, label with unit, and factor to that unit."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Signal:
+    """The signal of a panel.
+
+    label: name with unit. of: function of a history that returns the values, shape (n,), or (n, 4)
+    for the wheels if is_command.
+    """
+
+    label: str
+    of: Callable[[History], np.ndarray]
+    is_command: bool = False
+
+
+def _column(name: str, label: str, scale: float) -> Signal:
+    return Signal(label, lambda history: history[name] * scale)
+
+
+def _command(name: str, label: str) -> Signal:
+    return Signal(label, lambda history: history.command(name), is_command=True)
+
+
+STEERING, *RESPONSES = (_column(*panel) for panel in PANELS)
+REAR_STEERING = Signal(
+    "steering, rear\nroad wheels (deg)", lambda history: history.command("rear_steering") * DEGREES
+)
+SIDESLIP = Signal(
+    "sideslip angle\n(deg)",
+    lambda history: (
+        DEGREES
+        * sideslip_angle([history[name] for name in "uvw"], history["roll"], history["pitch"])
+    ),
+)
+SPEED = _column("u", "forward speed\n(m/s)", 1.0)
+LOAD_TRANSFER = Signal(
+    "load transfer\nratio (−)", lambda history: load_transfer_ratio(history.wheels("normal_force"))
+)
+COMMANDS = (
+    REAR_STEERING,
+    _command("wheel_torque", "wheel torque\n(N m)"),
+    _command("brake_torque", "brake torque\n(N m)"),
+    _command("active_force", "active force\n(N)"),
+)
+"""Shown only if they are not 0 throughout."""
+
+
+def signals_of(histories: Iterable[History]) -> list[Signal]:
+    """The panels for some runs, from the top: steering, other commands, responses."""
+    histories = list(histories)
+    given = [
+        signal
+        for signal in COMMANDS
+        if any(np.nan_to_num(signal.of(history)).any() for history in histories)
+    ]
+    return [STEERING, *given, *RESPONSES, SIDESLIP, SPEED, LOAD_TRANSFER]

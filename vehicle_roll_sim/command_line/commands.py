@@ -1,0 +1,17 @@
+"""The subcommands and what each does.
+
+The module of a subcommand has its name, and the function NAME_command. It is imported when it runs:
+`vehicle_roll_sim --help` imports none of them.
+"""
+
+COMMANDS = {
+    "run": "Simulate a manoeuvre offline and print a summary.",
+    "replay": "Simulate the runs in a bag again from their applied commands, and compare.",
+    "series": "Run a test series of a standard or a search over entry speeds: table and verdict.",
+    "plot": "Plot recorded runs in the standard figure.",
+    "linearize": "Linearise the model about steady driving: trim state, A, B, C, D and poles.",
+    "paper": "Reproduce Shim and Ghike (2007): figures, data, and a verdict on every claim.",
+    "compile": "Compile the model ahead of time, once per version, so that no run has to wait.",
+    "parameters": "Print all vehicle parameters as a Markdown table: value, unit, range, meaning.",
+    "template": "Write a commented vehicle, tire or command file to start from.",
+}

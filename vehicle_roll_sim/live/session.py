@@ -1,0 +1,61 @@
+"""A simulation driven by external commands, one publish period at a time; no ROS, no clock."""
+
+from vehicle_roll_sim.live.command_inbox import CommandInbox
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.simulation.command import Command
+from vehicle_roll_sim.simulation.simulation import Simulation
+from vehicle_roll_sim.simulation.speed_controller import SpeedController
+
+
+class Session:
+    """A simulation, its incoming commands, and whether it is paused.
+
+    period_ns: publish period (ns), a multiple of the step. initial_speed: m/s. controller: speed
+    controller; by default one with the default torque limits. `applied`: the command applied in
+    the last period.
+    """
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        inbox: CommandInbox,
+        period_ns: int,
+        initial_speed: float,
+        controller: SpeedController | None = None,
+    ):
+        self.simulation, self.inbox, self.period_ns = simulation, inbox, period_ns
+        self.controller = controller or SpeedController(simulation.vehicle)
+        self.paused = False
+        self.reset(initial_speed)
+
+    def reset(self, speed: float) -> None:
+        """Reset to static equilibrium at `speed` (m/s), time 0, no commands; a pause persists."""
+        self.simulation.reset(speed)
+        self.inbox.clear()
+        self.controller.reset()
+        self.applied = Command()
+
+    def run_period(self) -> None:
+        """Advance by one publish period with the present commands, unless the model has stopped."""
+        now, period = self.simulation.time_ns, self.period_ns / NANOSECONDS
+        command = self.inbox.command(now)
+        if self.stopped:
+            return
+        self.applied = self.inbox.limits.steered(self.applied, command, period)
+        target = self.inbox.speed(now)
+        if target is None:
+            self.controller.reset()
+        else:
+            speed = float(self.simulation.state["u"])
+            slope = float(self.simulation.outputs["slope_gravity"][0])
+            self.applied = self.controller.drive(self.applied, target, speed, period, slope)
+        self.simulation.step(self.applied, period)
+
+    @property
+    def stopped(self) -> bool:
+        return self.simulation.condition is not Condition.RUNNING
+
+    @property
+    def rolled_over(self) -> bool:
+        return self.simulation.condition is Condition.ROLLED_OVER

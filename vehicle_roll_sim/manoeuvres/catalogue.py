@@ -1,0 +1,66 @@
+"""Catalogue of the manoeuvres by name: those of the paper and standard test procedures."""
+
+import dataclasses
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.manoeuvres.base import LONGEST, STEEPEST, Manoeuvre, OpenLoop
+from vehicle_roll_sim.manoeuvres.double_lane_change import (
+    ISO_DOUBLE_LANE_CHANGE,
+    ISO_SEVERE_DOUBLE_LANE_CHANGE,
+)
+from vehicle_roll_sim.manoeuvres.iso_step_steer import ISO_STEP_STEER
+from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
+from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL
+from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import SLOWLY_INCREASING_STEER
+from vehicle_roll_sim.manoeuvres.steady_state_circle import (
+    CONSTANT_HANDWHEEL_CIRCLE,
+    CONSTANT_RADIUS_CIRCLE,
+    STEADY_STATE_CIRCLE,
+)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class RampAndHold(OpenLoop):
+    """Straight ahead, then a ramp of the road-wheel angle to a value that is held."""
+
+    amplitude: float = parameter(
+        "final road-wheel angle, left positive", "deg", -STEEPEST, STEEPEST
+    )
+    rate: float = parameter("rate of change of the road-wheel angle", "deg/s", 1e-3, 1e5)
+    start: float = parameter("time at which steering begins", "s", 0.0, LONGEST, default=1.0)
+
+    def drive(self, times: np.ndarray, commands: np.ndarray) -> None:
+        turned = np.clip(self.rate * (times - self.start), 0.0, abs(self.amplitude))
+        commands["steering"] = math.copysign(1.0, self.amplitude) * np.radians(turned)
+
+
+SOURCE = {
+    "step_steer": RampAndHold(amplitude=4.0, rate=40.0, duration=4.0, speed_hold=2000.0),
+    "ramp_steer": RampAndHold(amplitude=12.0, rate=4.0, duration=9.0),
+    "j_turn": RampAndHold(amplitude=10.0, rate=40.0, duration=6.0),
+}
+"""The manoeuvres of Shim and Ghike (2007), under the conditions of their comparison."""
+STANDARD = {
+    **SOURCE,
+    "slowly_increasing_steer": SLOWLY_INCREASING_STEER,
+    "nhtsa_j_turn": NHTSA_J_TURN,
+    "nhtsa_fishhook": NHTSA_FISHHOOK,
+    "sine_with_dwell": SINE_WITH_DWELL,
+    "iso_step_steer": ISO_STEP_STEER,
+    "iso_double_lane_change": ISO_DOUBLE_LANE_CHANGE,
+    "iso_severe_double_lane_change": ISO_SEVERE_DOUBLE_LANE_CHANGE,
+    "steady_state_circle": STEADY_STATE_CIRCLE,
+    "constant_radius_circle": CONSTANT_RADIUS_CIRCLE,
+    "constant_handwheel_circle": CONSTANT_HANDWHEEL_CIRCLE,
+}
+"""All manoeuvres, under the conditions of the paper or the standard (docs/manoeuvres.md)."""
+
+
+def manoeuvre_named(name: str) -> Manoeuvre:
+    """The manoeuvre of that name; raises InputError listing the available names."""
+    if name not in STANDARD:
+        raise InputError("MANOEUVRE", name, "one of " + ", ".join(STANDARD))
+    return STANDARD[name]

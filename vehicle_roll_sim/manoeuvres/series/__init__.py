@@ -1,0 +1,1 @@
+"""Test series: one manoeuvre driven again and again, and the verdict."""

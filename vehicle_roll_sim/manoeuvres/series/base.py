@@ -1,0 +1,65 @@
+"""Base class of test series: runs of a manoeuvre to the left and to the right."""
+
+import abc
+import dataclasses
+from collections.abc import Iterator
+
+from vehicle_roll_sim.manoeuvres.base import SIDES, Manoeuvre
+from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.run import run
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.simulation import Simulation
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+
+COMPLETE = "complete"
+
+
+@dataclasses.dataclass(frozen=True)
+class Series(abc.ABC):
+    """Runs of a manoeuvre to the left, then to the right; each gives one row of results."""
+
+    manoeuvre: Manoeuvre
+
+    columns = ()
+    """Names of the columns; values are in SI units unless the name ends in a unit."""
+    settings = ()
+    """Pairs of a title and a declaring class, or instance with defaults: the series' options."""
+
+    def with_values(self, values: dict) -> "Series":
+        """A copy with some of these options replaced."""
+        return dataclasses.replace(self, manoeuvre=dataclasses.replace(self.manoeuvre, **values))
+
+    def rows(self, vehicle: Vehicle, options: Options) -> Iterator[tuple]:
+        """Drive the runs one by one on a level road; yields a row per run, direction first."""
+        ready = self.manoeuvre.for_vehicle(vehicle, options)
+        for direction in SIDES:
+            for row in self.rows_to_a_side(ready, direction, vehicle, options):
+                yield (direction, *row)
+
+    @abc.abstractmethod
+    def rows_to_a_side(
+        self, ready: Manoeuvre, direction: str, vehicle: Vehicle, options: Options
+    ) -> Iterator[tuple]:
+        """Drive the runs to one side; yields rows without the direction."""
+
+    def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
+        """Further remarks on the results: label and text of each line."""
+        return {}
+
+    @abc.abstractmethod
+    def verdict(self, rows: list[tuple]) -> str:
+        """The conclusion from the rows, in one line."""
+
+
+def driven(manoeuvre: Manoeuvre, vehicle: Vehicle, options: Options) -> tuple[Simulation, History]:
+    """Drive a manoeuvre, completed by `for_vehicle`, in a new simulation."""
+    simulation = Simulation(vehicle, options)
+    simulation.reset(manoeuvre.speed)
+    return simulation, run(simulation, manoeuvre.driver(), manoeuvre.duration)
+
+
+def ending_of(simulation: Simulation) -> str:
+    """How a run ended, in one word."""
+    is_complete = simulation.condition is Condition.RUNNING
+    return COMPLETE if is_complete else simulation.condition.name.lower()

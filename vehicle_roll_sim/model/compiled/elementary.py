@@ -1,0 +1,105 @@
+"""Arc tangent, sine and cosine from basic arithmetic, accurate to about the last digit.
+
+Without function calls and branches, a loop over the wheels can be vectorized. The same operations
+in plain Python give the same bits.
+"""
+
+from vehicle_roll_sim.model.compiled.jit import math, square_root, term
+
+TAN_PI_8, TAN_3_PI_8 = math.sqrt(2) - 1, math.sqrt(2) + 1
+"""Limits of the argument reduction: above the first the arc tangent is computed as
+pi / 4 + atan[(x - 1) / (x + 1)], above the second as pi / 2 - atan(1 / x)."""
+PI_HALVES_REST = 6.123233995736766e-17
+"""pi / 2 minus its floating-point representation."""
+PI, PI_REST = 3.1415926534682512, 1.2154201013012384e-10
+"""pi in two parts; the first has 33 bits, so its product with an integer of 20 bits is exact."""
+HALF_TURNS = 1 / math.pi
+"""Half turns per radian."""
+ROUNDING = 1.5 * 2**52
+"""Adding and subtracting this constant rounds to the nearest integer, up to 2^51."""
+
+
+@term
+def cubic(x, a, b, c, d):
+    """a + b x + c x^2 + d x^3, in two independent halves."""
+    return (a + b * x) + (x * x) * (c + d * x)
+
+
+@term
+def arctan_of_small(z):
+    """atan z - z for |z| up to tan(pi / 8): Chebyshev interpolation, accurate to 7e-18."""
+    q = z * z
+    q4 = (q * q) * (q * q)
+    low = cubic(
+        q, -0.3333333333333333, 0.1999999999999552, -0.14285714284666542, 0.11111111015256361
+    )
+    middle = cubic(
+        q, -0.09090904578123903, 0.07692183190826087, -0.06664511447381948, 0.0585814891280221
+    )
+    high = cubic(q, -0.0508544973794026, 0.03923165829558719, -0.019176887119062257, 0.0)
+    return z * q * (low + q4 * (middle + q4 * high))
+
+
+@term
+def arctan(x):
+    """atan x (rad), from -pi / 2 to pi / 2."""
+    size = abs(x)
+    steep, middle = size > TAN_3_PI_8, size > TAN_PI_8
+    above = -1.0 if steep else (size - 1.0 if middle else size)
+    below = size if steep else (size + 1.0 if middle else 1.0)
+    turned = math.pi / 2 if steep else (math.pi / 4 if middle else 0.0)
+    rest = PI_HALVES_REST if steep else (PI_HALVES_REST / 2 if middle else 0.0)
+    z = above / below
+    return math.copysign(turned + (arctan_of_small(z) + rest + z), x)
+
+
+@term
+def nearest(x):
+    """The nearest integer, as a float."""
+    return (x + ROUNDING) - ROUNDING
+
+
+@term
+def sine_within_half_turn(r):
+    """sin r for |r| up to pi / 2: r - r^3 / 3! + r^5 / 5! ... + r^21 / 21!."""
+    q = r * r
+    q4 = (q * q) * (q * q)
+    low = cubic(q, -1 / 6, 1 / 120, -1 / 5040, 1 / 362880)
+    middle = cubic(q, -1 / 39916800, 1 / 6227020800, -1 / 1307674368000, 1 / 355687428096000)
+    high = -1 / 121645100408832000 + q * (1 / 51090942171709440000)
+    return r + r * q * (low + q4 * (middle + q4 * high))
+
+
+@term
+def alternating(half_turns, value):
+    """`value`, with the opposite sign for an odd number of half turns."""
+    return value if nearest(half_turns / 2) == half_turns / 2 else -value
+
+
+@term
+def sine(x):
+    """sin x (x in rad); beyond some 10^6 rad as accurate as x itself."""
+    half_turns = nearest(x * HALF_TURNS)
+    rest = (x - half_turns * PI) - half_turns * PI_REST
+    return alternating(half_turns, sine_within_half_turn(rest))
+
+
+@term
+def cosine(x):
+    """cos x = -sin(x - pi / 2) (x in rad); beyond some 10^6 rad as accurate as x itself."""
+    size = abs(x)
+    half_turns = nearest(size * HALF_TURNS - 0.5)
+    rest = (size - (half_turns + 0.5) * PI) - (half_turns + 0.5) * PI_REST
+    return alternating(half_turns, -sine_within_half_turn(rest))
+
+
+@term
+def cosine_of_arctan(x):
+    """cos(atan x)."""
+    return 1.0 / square_root(1.0 + x * x)
+
+
+@term
+def sine_of_twice_arctan(x):
+    """sin(2 atan x)."""
+    return 2.0 * x / (1.0 + x * x)

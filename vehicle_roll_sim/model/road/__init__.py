@@ -1,0 +1,1 @@
+"""The road as the equations of motion see it."""

@@ -1,0 +1,1 @@
+"""Suspension: struts that carry the body, and links that guide the wheels."""

@@ -1,0 +1,103 @@
+"""Transient slip with relaxation lengths, valid from standstill to any speed.
+
+The single contact point model (Pacejka, Tire and Vehicle Dynamics, 2002, chapter 7). Its states are
+the slips developed in the contact patch: one for the slip ratio and one for the tangent of the slip
+angle. With the rolling speed V and a sliding speed Vs of the wheel (rw - V along, or across),
+
+    dx/dt = (Vs - |V| x) / SIGMA - w sgn(x) max(|x| - XMAX, 0) / RELEASE,
+
+and the input of the Magic Formula is x + TAU w dx/dt. At speed w is 0: x approaches the
+steady-state slip Vs / |V| over the relaxation length SIGMA. Towards standstill, where there is no
+relaxation by rolling, w approaches 1: slip beyond XMAX is released, and the tire's spring is damped
+with TAU = SIGMA / 15 m/s (longitudinally with less, where that would stop a light wheel within
+1 ms).
+"""
+
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.compiled.elementary import cosine, sine_of_twice_arctan
+from vehicle_roll_sim.model.compiled.jit import kernel, math, term
+from vehicle_roll_sim.model.records import WHEEL_COUNT, vehicle_constants
+from vehicle_roll_sim.model.tire.magic_formula import tire_constants
+
+LOW_SPEED = 1.0
+"""m/s: rolling speed below which the standstill terms (w) act."""
+LARGEST_AT_REST = 0.06
+"""XMAX: slip that a tire retains at standstill, slightly below that at peak force for most."""
+DAMPING_SPEED = 15.0
+"""m/s: relaxation length over TAU, the damping time of the tire at standstill (s)."""
+QUICKEST_DAMPING = 1000.0
+"""1/s: largest rate at which that damping may decelerate a wheel."""
+RELEASE_TIME = 0.02
+"""RELEASE (s): time constant of the decay of slip beyond XMAX at standstill, and off the ground."""
+
+
+@term
+def relaxation_lengths(fz, vehicle, tire):
+    """Longitudinal and lateral relaxation length at load fz (m; Magic Formula 5.2)."""
+    nominal = tire.LFZO * tire.FNOMIN
+    dfz = (fz - nominal) / nominal
+    radius, floor = vehicle.tire_radius, vehicle.minimum_relaxation_length
+    along = fz * (tire.PTX1 + tire.PTX2 * dfz) * math.exp(-tire.PTX3 * dfz)
+    along *= radius / tire.FNOMIN * tire.LSGKP
+    across = 0.0
+    if tire.PTY2 != 0.0:
+        across = tire.PTY1 * sine_of_twice_arctan(fz / (tire.PTY2 * nominal))
+    across *= radius * tire.LFZO * tire.LSGAL
+    return max(along, floor), max(across, floor)
+
+
+@term
+def standstill(rolling):
+    """w: 1 at standstill, 0 from LOW_SPEED on, smooth in between; rolling: speed (m/s)."""
+    speed = abs(rolling)
+    return 0.5 + 0.5 * cosine(math.pi * speed / LOW_SPEED) if speed < LOW_SPEED else 0.0
+
+
+@term
+def slip_rate(slip, rolling, sliding, length, weight):
+    """dx/dt (1/s) of the equation above."""
+    excess = math.copysign(max(abs(slip) - LARGEST_AT_REST, 0.0), slip)
+    return (sliding - abs(rolling) * slip) / length - weight * excess / RELEASE_TIME
+
+
+@kernel
+def transient_slip(state, vehicle, tire, outputs):
+    """Slip ratio and tangent of the slip angle of every wheel, and the rates of its slip states."""
+    along, across = state[at.LONGITUDINAL_SLIP], state[at.LATERAL_SLIP]
+    for i in range(WHEEL_COUNT):
+        outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
+    vehicle, tire = vehicle_constants(vehicle), tire_constants(tire)
+    for i in range(WHEEL_COUNT):
+        outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
+            damped_slip(
+                outputs.patch_slip_ratio[i],
+                outputs.patch_slip_tangent[i],
+                outputs.rolling[i],
+                outputs.sliding[i],
+                outputs.tread[i],
+                outputs.normal_force[i],
+                vehicle,
+                tire,
+            )
+        )
+        outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
+
+
+@term
+def damped_slip(along, across, rolling, sliding, tread, fz, vehicle, tire):
+    """Rates of the longitudinal and lateral slip (1/s), and the slips for the Magic Formula.
+
+    rolling, sliding: velocity of the contact point along and across the wheel (m/s). tread: spin
+    times loaded radius (m/s). Without load the slips decay.
+    """
+    if fz <= 0.0:
+        return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across
+    long, lateral = relaxation_lengths(fz, vehicle, tire)
+    weight = standstill(rolling)
+    along_rate = slip_rate(along, rolling, tread - rolling, long, weight)
+    across_rate = slip_rate(across, rolling, sliding, lateral, weight)
+    slope = fz * tire.PKX1 * tire.LKX * vehicle.tire_radius**2  # about Kx r^2
+    firm = max(DAMPING_SPEED, slope / (vehicle.wheel_inertia * QUICKEST_DAMPING))
+    along += long / firm * weight * along_rate
+    across += lateral / DAMPING_SPEED * weight * across_rate
+    return along_rate, across_rate, along, across

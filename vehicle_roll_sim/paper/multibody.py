@@ -1,0 +1,243 @@
+"""The vehicle in an independent multibody engine (MuJoCo), for verification.
+
+One free body and four point masses that slide along its z axis. The engine has the masses and
+joints and computes all of the mechanics. Only the forces come from this module, evaluated at every
+stage of the integration from the engine's own state: springs and dampers along the struts, and at
+the contact points the normal loads and the forces of the Magic Formula. The wheel spins are
+integrated along with the engine's state, without brakes or rolling resistance; there is no drag.
+"""
+
+import math
+from types import SimpleNamespace
+
+import mujoco
+import numpy as np
+
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.contact import steady_state_slip
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.events import (
+    Condition,
+    condition_of,
+    note_lift_offs,
+    note_peaks,
+    note_rollover,
+)
+from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
+from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.simulation.options import MULTIBODY
+from vehicle_roll_sim.simulation.simulation import (
+    DEFAULT_ROLLOVER_ANGLE,
+    DEFAULT_STEP,
+    Simulation,
+)
+from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+
+MASSLESS = 1e-9
+"""kg m^2: inertia of the point masses; the engine requires one, this is 1e-12 of the body's."""
+POSE = 7
+"""Number of coordinates of the body: position, then quaternion; those of the slides follow."""
+TWIST = 6
+"""Number of velocities of the body: linear (ground frame), then body rates; then the slides."""
+PLACES = slice(0, POSE + WHEEL_COUNT)
+SPEEDS = slice(PLACES.stop, PLACES.stop + TWIST + WHEEL_COUNT)
+SPINS = slice(SPEEDS.stop, SPEEDS.stop + WHEEL_COUNT)
+"""Parts of the integrated vector: the engine's positions and velocities, and the wheel spins
+(rad/s)."""
+BODY, FIRST_WHEEL = 1, 2
+"""Indices of the bodies in the engine."""
+
+BODIES = """
+<mujoco>
+  <option gravity="0 0 -{gravity}"/>
+  <worldbody>
+    <body>
+      <freejoint/>
+      <inertial pos="0 0 0" mass="{mass}" diaginertia="{inertia}"/>
+      {wheels}
+    </body>
+  </worldbody>
+</mujoco>"""
+WHEEL = """
+      <body pos="{x} {y} {z}">
+        <joint type="slide" axis="0 0 1"/>
+        <inertial pos="0 0 0" mass="{mass}" diaginertia="{inertia} {inertia} {inertia}"/>
+      </body>"""
+
+
+class Multibody(Simulation):
+    """A Simulation, usable in `run`, with the engine in place of the model's equations.
+
+    It has the states of the model and the outputs that a history contains. Tire compressions follow
+    from the heights of the wheels, whatever `state` contained before; the wheel angles are nan.
+    """
+
+    def __init__(
+        self,
+        vehicle: Vehicle,
+        *,
+        step: float = DEFAULT_STEP,
+        rollover_angle: float = DEFAULT_ROLLOVER_ANGLE,
+    ):
+        (car,), (self._tire,) = vehicle.record(), kernel_argument(vehicle.tire.record())
+        self._car = SimpleNamespace(**{name: car[name] for name in car.dtype.names})
+        self._engine = engine_model(car)
+        self._data = mujoco.MjData(self._engine)
+        self._rotation = self._data.xmat[BODY].reshape(3, 3)
+        self._wheel_centres = self._data.xpos[FIRST_WHEEL:]
+        self._jacobian = np.zeros((WHEEL_COUNT, 3, self._engine.nv))
+        super().__init__(vehicle, MULTIBODY, step=step, rollover_angle=rollover_angle)
+        self._built = set(vars(self))
+
+    def _build(self, arguments: dict) -> None:
+        Multibody.__init__(self, **arguments)
+
+    def _arguments(self) -> dict:
+        kept = ("vehicle", "step", "rollover_angle")
+        return {name: value for name, value in super()._arguments().items() if name in kept}
+
+    def _advance(self, commands: np.ndarray, steps: int) -> None:
+        """Advance as in Simulation: 2 * steps + 1 COMMAND records, or one that is held."""
+        commands = np.broadcast_to(commands, 2 * steps + 1)
+        coordinates, step = self.coordinates(), self.step_ns / NANOSECONDS
+        slope = self._arrive(coordinates, commands[0], 0.0)
+        for first in range(0, 2 * steps, 2):
+            midway, after = commands[first + 1 : first + 3]
+            coordinates = self._stepped(coordinates, slope, midway, after, step)
+            self.time_ns += self.step_ns
+            slope = self._arrive(coordinates, after, step)
+            self.condition = Condition(condition_of(self.state_vector, self._limits[0]))
+            if not np.isfinite(coordinates).all():
+                self.condition = Condition.DIVERGED
+            if self.condition is not Condition.RUNNING:
+                break
+
+    def _stepped(self, start, first, midway, after, step: float) -> np.ndarray:
+        """Coordinates after one Runge-Kutta step (s); `first` is the slope at the start.
+
+        midway, after: COMMAND records of the middle and the end of the step.
+        """
+        second = self.rates(start + step / 2 * first, midway)
+        third = self.rates(start + step / 2 * second, midway)
+        fourth = self.rates(start + step * third, after)
+        coordinates = start + step / 6 * (first + 2 * (second + third) + fourth)
+        mujoco.mju_normalize4(coordinates[3:POSE])
+        return coordinates
+
+    def _arrive(self, coordinates: np.ndarray, command: np.record, step: float) -> np.ndarray:
+        """Update state, outputs and events after a step (s); returns the slope there."""
+        start, roll_before = self.time - step, float(self.state["roll"])
+        slope = self.rates(coordinates, command)
+        self._show(coordinates)
+        (events,), limit = kernel_argument(self._events), self._limits[0]["rollover_angle"]
+        note_lift_offs(start, step, self.outputs["support"], events)
+        note_rollover(start, step, roll_before, self.state["roll"], limit, events)
+        note_peaks(self.time, self.state_vector, self._tire, self.outputs, events)
+        return slope
+
+    def coordinates(self) -> np.ndarray:
+        """The vector of PLACES, SPEEDS and SPINS that corresponds to `state`."""
+        car, state, coordinates = self._car, self.state, np.zeros(SPINS.stop)
+        places, speeds, rotation = coordinates[PLACES], coordinates[SPEEDS], np.zeros(9)
+        places[:3] = state.x, state.y, state.z
+        mujoco.mju_euler2Quat(places[3:POSE], (state.yaw, state.pitch, state.roll), "zyx")
+        mujoco.mju_quat2Mat(rotation, places[3:POSE])
+        places[POSE:] = state.suspension_compression - car.static_suspension_compression
+        speeds[:3] = rotation.reshape(3, 3) @ (state.u, state.v, state.w)
+        speeds[3:TWIST] = state.roll_rate, state.pitch_rate, state.yaw_rate
+        strut_top = state.w + car.y * state.roll_rate - car.x * state.pitch_rate
+        speeds[TWIST:] = state.unsprung_velocity - strut_top
+        coordinates[SPINS] = state.wheel_speed
+        return coordinates
+
+    def _show(self, coordinates: np.ndarray) -> None:
+        """Set `state` from the coordinates, which the engine must have been evaluated at."""
+        rotation, state, velocity = self._rotation, self.state, np.zeros(6)
+        places, speeds = coordinates[PLACES], coordinates[SPEEDS]
+        state["x"], state["y"], state["z"] = places[:3]
+        state["roll"] = math.atan2(rotation[2, 1], rotation[2, 2])
+        state["pitch"] = math.atan2(-rotation[2, 0], math.hypot(*rotation[2, 1:]))
+        state["yaw"] = math.atan2(rotation[1, 0], rotation[0, 0])
+        state["u"], state["v"], state["w"] = speeds[:3] @ rotation
+        state["roll_rate"], state["pitch_rate"], state["yaw_rate"] = speeds[3:TWIST]
+        state["suspension_compression"] = places[POSE:] + self._car.static_suspension_compression
+        state["tire_compression"] = self._car.tire_radius - self._wheel_centres[:, 2]
+        for i in range(WHEEL_COUNT):
+            kind, wheel = mujoco.mjtObj.mjOBJ_XBODY, FIRST_WHEEL + i
+            mujoco.mj_objectVelocity(self._engine, self._data, kind, wheel, velocity, True)
+            state["unsprung_velocity"][i] = velocity[-1]
+        state["wheel_speed"], state["wheel_angle"] = coordinates[SPINS], math.nan
+
+    def rates(self, coordinates: np.ndarray, command: np.record) -> np.ndarray:
+        """Time derivative of coordinates under a COMMAND record; also updates `outputs`."""
+        engine, data, rates = self._engine, self._data, np.empty_like(coordinates)
+        data.qpos[:], data.qvel[:] = coordinates[PLACES], coordinates[SPEEDS]
+        mujoco.mj_fwdPosition(engine, data)
+        mujoco.mj_fwdVelocity(engine, data)
+        data.qfrc_applied[:TWIST], data.qfrc_applied[TWIST:] = 0.0, -self._strut_forces(command)
+        rates[SPINS] = self._apply_contact_forces(coordinates[SPINS], command)
+        mujoco.mj_fwdAcceleration(engine, data)
+        rates[:3], rates[POSE : PLACES.stop] = data.qvel[:3], data.qvel[TWIST:]
+        half_turning = np.array([0.0, *data.qvel[3:TWIST] / 2])
+        mujoco.mju_mulQuat(rates[3:POSE], coordinates[3:POSE], half_turning)
+        rates[SPEEDS] = data.qacc_smooth
+        self.outputs["acceleration"] = self._frame_2() @ data.qacc_smooth[:3]
+        return rates
+
+    def _strut_forces(self, command: np.record) -> np.ndarray:
+        """Strut forces: spring, damper and active force, positive in compression (N; eq. 23)."""
+        car, slides, speeds = self._car, self._data.qpos[POSE:], self._data.qvel[TWIST:]
+        compression = car.static_suspension_compression + slides
+        return car.spring_stiffness * compression + car.damping * speeds + command["normal_force"]
+
+    def _apply_contact_forces(self, spins: np.ndarray, command: np.record) -> np.ndarray:
+        """Apply the contact forces to the bodies; returns the spin accelerations (rad/s^2)."""
+        car, data, rotation, frame_2 = self._car, self._data, self._rotation, self._frame_2()
+        compression = car.tire_radius - self._wheel_centres[:, 2]
+        self.outputs["support"] = support = car.tire_stiffness * compression
+        self.outputs["normal_force"] = np.maximum(support, 0.0)
+        radius = car.tire_radius - np.maximum(compression, 0.0) / rotation[2, 2]  # (15, 16)
+        for i, point in enumerate(self._wheel_centres - radius[:, None] * rotation[:, 2]):
+            wheel = FIRST_WHEEL + i
+            mujoco.mj_jac(self._engine, data, self._jacobian[i], None, point, wheel)
+        velocities = self._jacobian @ data.qvel @ frame_2.T
+        self.outputs["steering"] = np.repeat((command["steering"], command["rear_steering"]), 2)
+        along, forces = self._tire_forces(velocities, spins, radius)
+        data.qfrc_applied += (forces @ frame_2).ravel() @ self._jacobian.reshape(forces.size, -1)
+        torques = command["wheel_torque"] - radius * along
+        missing = command["speed_hold_target"] - rotation[:, 0] @ data.qvel[:3]
+        torques[LR:] += command["speed_hold_gain"] * missing
+        return torques / car.wheel_inertia
+
+    def _tire_forces(self, velocities, spins, radius) -> tuple[np.ndarray, np.ndarray]:
+        """Fxt of the wheels (4,), and the contact forces in frame 2 (4, 3) (N)."""
+        outputs, (seen,) = self.outputs, kernel_argument(self._outputs)
+        s, c = np.sin(outputs["steering"]), np.cos(outputs["steering"])
+        ug, vg = velocities[:, 0], velocities[:, 1]
+        outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
+        outputs["tread"], outputs["side"] = radius * spins, self._tire.side
+        steady_state_slip(seen)
+        tire_forces(self._tire, seen)
+        along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
+        outputs["longitudinal_force"] = ahead = along * c - across * s  # (3)
+        outputs["lateral_force"] = left = across * c + along * s  # (4)
+        return along, np.column_stack((ahead, left, outputs["normal_force"]))
+
+    def _frame_2(self) -> np.ndarray:
+        """The axes of frame 2 (forward, left, up) in the ground frame as rows, shape (3, 3)."""
+        yaw = math.atan2(self._rotation[1, 0], self._rotation[0, 0])
+        s, c = math.sin(yaw), math.cos(yaw)
+        return np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def engine_model(car: np.record) -> mujoco.MjModel:
+    """The engine's model of a VEHICLE record; the slides are at 0 at static strut length."""
+    wheels = "".join(
+        WHEEL.format(x=x, y=y, z=-length, mass=mass, inertia=MASSLESS)
+        for x, y, length, mass in zip(
+            car.x, car.y, car.static_strut_length, car.unsprung_mass, strict=True
+        )
+    )
+    inertia = f"{car.roll_inertia} {car.pitch_inertia} {car.yaw_inertia}"
+    text = BODIES.format(gravity=GRAVITY, mass=car.sprung_mass, inertia=inertia, wheels=wheels)
+    return mujoco.MjModel.from_xml_string(text)

@@ -1,0 +1,26 @@
+"""The vehicle and model options of a running simulator, read from its parameters."""
+
+from collections.abc import Callable, Sequence
+
+from vehicle_roll_sim.declaration import parameters_of
+from vehicle_roll_sim.ros.simulator.parameters import TIRE, VEHICLE_PREFIX
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.tire_file import load_tire
+
+
+def simulated_vehicle(ask: Callable[[Sequence[str]], list]) -> tuple[Vehicle, Options]:
+    """The vehicle and model options of a simulator.
+
+    ask: returns the values of the parameters of these names. The tire file is read from the path
+    that the simulator has; raises InputError if it is not there.
+    """
+    known, of_model = parameters_of(Vehicle), list(parameters_of(Options))
+    of_vehicle = [name for name, declared in known.items() if not declared.alternative]
+    numbers = ask([VEHICLE_PREFIX + name for name in of_vehicle])
+    options = Options(**dict(zip(of_model, ask(of_model), strict=True)))
+    values = dict(zip(of_vehicle, numbers, strict=True))
+    for name in known.keys() - values.keys():
+        if found := ask([VEHICLE_PREFIX + name]):  # empty if the alternative was given
+            values[name] = found[0]
+    return Vehicle.checked(values, load_tire(*ask([TIRE])), VEHICLE_PREFIX), options

@@ -1,0 +1,220 @@
+"""The building blocks of the launch files: arguments, and the processes to start."""
+
+import importlib.util
+import os
+import shlex
+import shutil
+import sys
+import time
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+
+from launch import LaunchDescription
+from launch.actions import (
+    DeclareLaunchArgument,
+    ExecuteProcess,
+    OpaqueFunction,
+    SetEnvironmentVariable,
+    Shutdown,
+)
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.ros.launching.values import NO, YES, log_words, ros_words, understood
+from vehicle_roll_sim.ros.script_texts import assigned, commanded_by, scripts_of
+from vehicle_roll_sim.ros.simulator.settings import PUBLISHED_IN_SETS
+
+PACKAGE = "vehicle_roll_sim"
+DISCOVERY = "ROS_AUTOMATIC_DISCOVERY_RANGE"
+NEARBY = "LOCALHOST"
+"""Default: discovery stays on this machine."""
+TEXTS = ("model", "vehicle_file", "frame_prefix")
+NUMBERS = ("publish_rate", "initial_speed", "real_time_factor")
+"""Arguments that are parameters of the simulator."""
+TIME_TO_END = "10"
+"""Time (s) that a process may take to end after SIGINT: a recorder has to close its bag."""
+
+
+def argument(name: str, description: str, default: str = "", choices: Iterable[str] = ()):
+    """A launch argument, with its description for `--show-args`."""
+    limited = {"choices": list(choices)} if choices else {}
+    return DeclareLaunchArgument(name, default_value=default, description=description, **limited)
+
+
+def simulator_arguments() -> list:
+    """Arguments of every launch file with a simulator."""
+    own = "; none: the simulator's default"
+    return [
+        argument("vehicle_file", "vehicle file (YAML); none: the reference vehicle"),
+        argument("model", "vehicle model, as in `vehicle_roll_sim run --model`" + own),
+        argument("initial_speed", "speed at the start and after a reset (m/s)" + own),
+        argument("publish_rate", "message sets per second of simulated time (Hz)" + own),
+        argument(
+            "real_time_factor", "ratio of simulated to real time, 0: as fast as possible" + own
+        ),
+        argument(
+            "params_file",
+            "ROS parameter file (YAML) for the simulator; the other arguments override it",
+        ),
+        argument(
+            "lockstep", "step when all commands have arrived, not by the clock: true or false", NO
+        ),
+        argument("log_level", "log level of all nodes: debug, info, warn, error or fatal"),
+        argument(
+            "use_sim_time",
+            "true: the simulator publishes /clock and the other nodes use it; false: they do "
+            "not use it; none: only robot_state_publisher and RViz do, if /clock is published",
+        ),
+        argument(
+            "discovery_range",
+            f"{DISCOVERY} of all nodes; default: from the environment, otherwise {NEARBY}",
+            os.environ.get(DISCOVERY, NEARBY),
+        ),
+    ]
+
+
+def name_arguments() -> list:
+    """Arguments that tell several vehicles apart."""
+    return [
+        argument("namespace", "namespace of all nodes, to run several vehicles"),
+        argument("frame_prefix", "prefix of the frame names in all messages"),
+    ]
+
+
+def manoeuvre_arguments() -> list:
+    """Arguments that choose the manoeuvre."""
+    options = argument("options", "options of the manoeuvre, such as '--amplitude 8 --speed 15'")
+    named = argument("manoeuvre", "manoeuvre to drive; the launch ends with it", "j_turn", STANDARD)
+    return [named, options]
+
+
+def recording_arguments(default: str = "") -> list:
+    """The argument for recording."""
+    return [argument("bag", "folder for the bag, must not exist yet; none: no bag", default)]
+
+
+def controller_arguments() -> list:
+    """Arguments that choose the controllers."""
+    return [
+        argument(
+            "controller",
+            "name of an example, or path of your own script; separate several by spaces",
+            "active_roll_bar",
+        ),
+        argument(
+            "parameters", "parameters of the controllers, such as 'share:=0.7 smoothing:=0.1'"
+        ),
+        argument(
+            "answers",
+            "command topics that the controllers publish (for lockstep), separated by spaces; "
+            "none: those that the scripts declare as `said`",
+        ),
+    ]
+
+
+def new_bag() -> str:
+    """A name for a new bag, from the current time."""
+    return time.strftime("bag_%Y-%m-%d-%H%M%S")
+
+
+def launch_description(
+    arguments: list, processes: Callable[[Mapping[str, str]], list]
+) -> LaunchDescription:
+    """A launch description: its arguments, and `processes`, a function of their values."""
+
+    def start(context) -> list:
+        given = {a.name: LaunchConfiguration(a.name).perform(context) for a in arguments}
+        given = understood(given, context.launch_configurations)
+        return [SetEnvironmentVariable(DISCOVERY, given["discovery_range"]), *processes(given)]
+
+    return LaunchDescription([*arguments, OpaqueFunction(function=start)])
+
+
+def ends_all(what: str) -> Shutdown:
+    """The action that ends the launch when a process has ended."""
+    return Shutdown(reason=f"{what} has ended")
+
+
+def simulator(given: Mapping[str, str], answers: Iterable[str] = ()) -> Node:
+    """The simulator. answers: topics that lockstep waits for besides those of the manoeuvre."""
+    words = ["--params-file", given["params_file"]] if given["params_file"] else []
+    values = {name: f'"{given[name]}"' for name in TEXTS if given.get(name)}
+    values |= {name: given[name] for name in NUMBERS if given[name]}
+    if given["lockstep"] == YES:
+        topics = dict.fromkeys((*_commanded_by_manoeuvre(given), *answers))
+        listened = PUBLISHED_IN_SETS if given.get("bag") else ("state",)
+        values |= {
+            "mode": "lockstep",
+            "lockstep_topics": f"[{', '.join(topics)}]",
+            "lockstep_wait": f"[{', '.join(listened)}]",
+        }
+    if given["use_sim_time"] == YES:
+        values["publish_clock"] = YES
+    for name, value in values.items():
+        words += ["-p", f"{name}:={value}"]
+    return _node("simulator", given, ros_arguments=log_words(given) + words)
+
+
+def _commanded_by_manoeuvre(given: Mapping[str, str]) -> tuple[str, ...]:
+    """The steering topic, and the torque topic if the manoeuvre holds its speed."""
+    name = given.get("manoeuvre", "")
+    holds = name and (STANDARD[name].speed_hold or "--speed-hold" in given["options"])
+    return ("steering_cmd", "wheel_torque_cmd") if holds else ("steering_cmd",)
+
+
+def _node(executable: str, given: Mapping[str, str], **more) -> Node:
+    """A node of this package; the launch ends with it."""
+    return Node(
+        package=PACKAGE,
+        executable=executable,
+        namespace=given.get("namespace", ""),
+        output="screen",
+        sigterm_timeout=TIME_TO_END,
+        on_exit=ends_all(executable),
+        **more,
+    )
+
+
+def manoeuvre(given: Mapping[str, str]) -> Node:
+    """The node that drives the manoeuvre."""
+    words = [given["manoeuvre"], *shlex.split(given["options"])]
+    return _node("manoeuvre", given, arguments=words, ros_arguments=ros_words(given))
+
+
+def controllers(given: Mapping[str, str]) -> list[ExecuteProcess]:
+    """The controller scripts, run by this Python; those that others need come first."""
+    words = ["--ros-args", "-r", f"__ns:=/{given['namespace'].strip('/')}", *ros_words(given)]
+    values = assigned(shlex.split(given["parameters"]), _scripts(given), "controller")
+    return [
+        ExecuteProcess(
+            cmd=[sys.executable, str(script), *words, *values[script]],
+            name=script.stem,
+            output="screen",
+            on_exit=ends_all(script.stem),
+        )
+        for script in values
+    ]
+
+
+def _scripts(given: Mapping[str, str]) -> list[Path]:
+    return scripts_of(given["controller"].split(), "controller")
+
+
+def answers_of(given: Mapping[str, str]) -> list[str]:
+    """The topics that the controllers command: as given, else as their scripts declare."""
+    if given["answers"]:
+        return given["answers"].split()
+    return commanded_by(_scripts(given), "controller")
+
+
+def recording(given: Mapping[str, str]) -> list[ExecuteProcess]:
+    """The recording process, if any: `ros2 bag record` if it is installed, else `recorder`."""
+    if not given["bag"]:
+        return []
+    if shutil.which("ros2") is None or importlib.util.find_spec("ros2bag") is None:
+        words = ["--output", given["bag"]]
+        return [_node("recorder", given, arguments=words, ros_arguments=ros_words(given))]
+    command = ["ros2", "bag", "record", "--all", "--storage", "mcap", "--output", given["bag"]]
+    ending = {"sigterm_timeout": TIME_TO_END, "on_exit": ends_all("ros2 bag record")}
+    return [ExecuteProcess(cmd=command, output="screen", **ending)]

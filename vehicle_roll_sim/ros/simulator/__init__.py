@@ -1,0 +1,1 @@
+"""The node `simulator` and its parts."""

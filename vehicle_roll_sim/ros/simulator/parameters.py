@@ -1,0 +1,203 @@
+"""The simulator's ROS parameters: declared, validated and described from one table."""
+
+import dataclasses
+import threading
+
+from rcl_interfaces.msg import (
+    FloatingPointRange,
+    ParameterDescriptor,
+    ParameterType,
+    SetParametersResult,
+)
+from rclpy.node import Node
+from rclpy.parameter import Parameter as RosParameter
+
+from vehicle_roll_sim.declaration import (
+    InputError,
+    Parameter,
+    parameter,
+    parameters_of,
+)
+from vehicle_roll_sim.live.command_limits import CommandLimits
+from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
+from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
+from vehicle_roll_sim.ros.process import refuse_unknown_parameters
+from vehicle_roll_sim.ros.simulator.settings import Settings
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.plausibility import plausibility
+from vehicle_roll_sim.vehicle.tire_file import load_tire
+from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
+
+VEHICLE_PREFIX, IMU_PREFIX, ODOM_PREFIX = "vehicle.", "imu.", "odom."
+TIRE = VEHICLE_PREFIX + "tire"
+SIM_TIME = "use_sim_time"
+"""A parameter that every node has."""
+ROS_TYPES = {
+    float: ParameterType.PARAMETER_DOUBLE,
+    bool: ParameterType.PARAMETER_BOOL,
+    str: ParameterType.PARAMETER_STRING,
+    tuple: ParameterType.PARAMETER_STRING_ARRAY,  # or a double array, if of numbers
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class TireFile:
+    """The one entry of a vehicle file that is not a number."""
+
+    tire: str = parameter("path of the tire file (.tir)", default="")
+
+
+@dataclasses.dataclass(frozen=True)
+class Declared:
+    """The values of all parameters, grouped by what they configure."""
+
+    settings: Settings
+    limits: CommandLimits
+    options: Options
+    road: Road
+    vehicle: Vehicle
+    covariances: Covariances
+
+
+def declare(node: Node) -> Declared:
+    """Declare all parameters on `node` and read them; raises InputError naming a wrong one."""
+    refuse_unknown_parameters(node, PARAMETERS)
+    _check_makes_time(node.get_parameter(SIM_TIME).value)
+    settings = Settings(**_declare_class(node, Settings))
+    limits = CommandLimits(**_declare_class(node, CommandLimits))
+    options = Options(**_declare_class(node, Options))
+    settings.check()
+    _check_speed(settings.initial_speed, options)
+    road = Road(**_declare_class(node, Road))
+    vehicle = load_vehicle(settings.vehicle_file) if settings.vehicle_file else preset()
+    tire = _declare(node, TIRE, vehicle.tire.file)
+    if tire != vehicle.tire.file:
+        vehicle = dataclasses.replace(vehicle, tire=load_tire(tire))
+    vehicle = vehicle.with_values(_given_of_vehicle(node), VEHICLE_PREFIX)
+    for name, value in vehicle.given.items():  # a dump with both alternatives could not be loaded
+        _declare(node, VEHICLE_PREFIX + name, value)
+    _heed(plausibility(vehicle), node, settings.strict)
+    imu = ImuCovariances(**_declare_class(node, ImuCovariances, IMU_PREFIX))
+    odom = OdomCovariances(**_declare_class(node, OdomCovariances, ODOM_PREFIX))
+    return Declared(settings, limits, options, road, vehicle, Covariances(imu, odom))
+
+
+def _check_makes_time(use_sim_time) -> None:
+    """Raise InputError if the simulator, the source of time, is told to take it from /clock."""
+    if use_sim_time:
+        allowed = "false: the simulator is the source of time; see publish_clock"
+        raise InputError(SIM_TIME, use_sim_time, allowed)
+
+
+def _given_of_vehicle(node: Node) -> dict:
+    """The vehicle parameters given as ROS parameters, which override the vehicle file."""
+    overrides = node._parameter_overrides
+    return {
+        name: overrides[VEHICLE_PREFIX + name].value
+        for name in parameters_of(Vehicle)
+        if VEHICLE_PREFIX + name in overrides
+    }
+
+
+def _heed(doubts: list[str], node: Node, strict: bool) -> None:
+    """Log a warning for each implausible vehicle parameter; if strict, raise InputError."""
+    doubts = [VEHICLE_PREFIX + doubt for doubt in doubts]
+    if doubts and strict:
+        raise InputError("strict", strict, "; ".join(doubts), "the vehicle is not plausible")
+    for doubt in doubts:
+        node.get_logger().warning(doubt)
+
+
+def _check_speed(speed: float, options: Options) -> None:
+    """Raise InputError if the model cannot start at this speed (m/s)."""
+    if options.steady_state_slip and speed < MINIMUM_SPEED:
+        allowed = f"at least {MINIMUM_SPEED:g} m/s with steady_state_slip"
+        raise InputError("initial_speed", speed, allowed)
+
+
+def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None:
+    """Apply changes of tunable parameters to `declared`; refuse wrong values.
+
+    lock: held while values change, so that they change between two periods only.
+    """
+    settings = declared.settings
+    tunable = {name: part for part in (settings, declared.limits) for name in parameters_of(part)}
+
+    def check(changes) -> SetParametersResult:
+        values = {change.name: change.value for change in changes if change.name in tunable}
+        try:
+            _check_makes_time(any(c.name == SIM_TIME and c.value for c in changes))
+            checked = {name: PARAMETERS[name].validate(value) for name, value in values.items()}
+            _check_speed(checked.get("initial_speed", settings.initial_speed), declared.options)
+        except InputError as error:
+            return SetParametersResult(successful=False, reason=str(error))
+        with lock:
+            for name, value in checked.items():
+                setattr(tunable[name], name, value)
+        return SetParametersResult(successful=True)
+
+    node.add_pre_set_parameters_callback(_numbers_for_integers)
+    node.add_on_set_parameters_callback(check)
+
+
+def _numbers_for_integers(changes: list) -> list:
+    """Convert integers to floating-point numbers where these are expected."""
+    return [
+        RosParameter(change.name, value=float(change.value))
+        if type(change.value) is int
+        and change.name in PARAMETERS
+        and PARAMETERS[change.name].kind is float
+        else change
+        for change in changes
+    ]
+
+
+def _all_parameters() -> dict[str, Parameter]:
+    vehicle = parameters_of(Vehicle) | parameters_of(TireFile)
+    return {
+        **parameters_of(Settings),
+        **parameters_of(CommandLimits),
+        **parameters_of(Options),
+        **parameters_of(Road),
+        **{VEHICLE_PREFIX + name: declared for name, declared in vehicle.items()},
+        **{IMU_PREFIX + name: each for name, each in parameters_of(ImuCovariances).items()},
+        **{ODOM_PREFIX + name: each for name, each in parameters_of(OdomCovariances).items()},
+    }
+
+
+def _declare_class(node: Node, declaring, prefix: str = "") -> dict:
+    defaults = {name: p.default for name, p in parameters_of(declaring).items()}
+    return {name: _declare(node, prefix + name, default) for name, default in defaults.items()}
+
+
+def _declare(node: Node, name: str, default):
+    """Declare a parameter and return its validated value, with integers converted to numbers."""
+    declared, given = PARAMETERS[name], node._parameter_overrides.get(name)
+    value = declared.validate(default if given is None else given.value, name)
+    return node.declare_parameter(name, value, _descriptor(declared), ignore_override=True).value
+
+
+def _descriptor(declared: Parameter) -> ParameterDescriptor:
+    """The ROS descriptor of a parameter.
+
+    It is dynamically typed, so that integers are accepted as numbers; we check the type ourselves.
+    """
+    unit = f" ({declared.unit})" if declared.unit else ""
+    choices = f": {declared.allowed}" if declared.choices else ""
+    of_numbers = ParameterType.PARAMETER_DOUBLE_ARRAY
+    descriptor = ParameterDescriptor(
+        type=of_numbers if declared.size else ROS_TYPES[declared.kind],
+        description=declared.description + choices + unit,
+        read_only=not declared.tunable,
+        dynamic_typing=True,
+    )
+    if declared.kind is float:
+        allowed = FloatingPointRange(from_value=declared.minimum, to_value=declared.maximum)
+        descriptor.floating_point_range.append(allowed)
+    return descriptor
+
+
+PARAMETERS = _all_parameters()
+"""Every parameter of the simulator, by its ROS name."""

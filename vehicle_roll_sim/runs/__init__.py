@@ -1,0 +1,1 @@
+"""A run from start to end: its history, and what is computed from it."""

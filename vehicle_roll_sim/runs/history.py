@@ -1,0 +1,175 @@
+"""The history of a run: one row of named signals per sample, in memory and as CSV."""
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError, number_in
+from vehicle_roll_sim.files.output_file import replaced_file
+from vehicle_roll_sim.files.table_file import read_table
+from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, STATE_NAMES, WHEELS
+from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, field_of
+from vehicle_roll_sim.simulation.simulation import Simulation
+
+LARGEST_FILE = 500_000_000
+"""Bytes; an hour at 10 ms per row takes 360 million."""
+MISSING_SHOWN = 3
+"""Maximum number of missing columns named in an error message."""
+
+OUTPUT_QUANTITIES = (
+    "normal_force",
+    "longitudinal_force",
+    "lateral_force",
+    "slip_ratio",
+    "slip_angle",
+)
+ACCELERATIONS = ("longitudinal_acceleration", "lateral_acceleration")
+_ACCELERATIONS = dict.fromkeys(ACCELERATIONS, OUTPUT_SIGNALS["acceleration"])
+COLUMNS = (
+    "time",
+    *STATE_NAMES[:MODEL_STATE_SIZE],
+    *(f"{quantity}_{wheel}" for quantity in OUTPUT_QUANTITIES for wheel in WHEELS),
+    "steering",
+    *ACCELERATIONS,
+)
+"""Names of the columns: SI units and radians; forces and accelerations in frame 2."""
+UNITS = {
+    name: "s"
+    if name == "time"
+    else (STATE_SIGNALS | OUTPUT_SIGNALS | _ACCELERATIONS)[field_of(name)].unit
+    for name in COLUMNS
+}
+"""Unit of each column; '' for a ratio."""
+COMMANDS = (
+    "rear_steering",
+    *(f"{command}_{wheel}" for command in ("wheel_torque", "brake_torque") for wheel in WHEELS),
+    *(f"active_force_{wheel}" for wheel in WHEELS),
+)
+"""Names of the commands other than the steering.
+
+If commands are held over periods, those of the period that ends with the row; else those at the
+time of the row.
+"""
+WITH_COMMANDS = "add all commands to the CSV, not only the steering; `plot` then draws them"
+"""Help text of the option of that name."""
+
+
+def check_with_commands(wanted: bool, csv: Path | None) -> None:
+    """Raise InputError if commands are requested without a CSV file to write them to."""
+    if wanted and csv is None:
+        raise InputError("--with-commands", "", "together with --csv", "without a file")
+
+
+def row_of(simulation: Simulation) -> np.ndarray:
+    """The values of COLUMNS at the present simulated time, shape (len(COLUMNS),)."""
+    outputs = simulation.outputs
+    return np.concatenate(
+        (
+            [simulation.time],
+            simulation.state_vector[:MODEL_STATE_SIZE],
+            *(outputs[quantity] for quantity in OUTPUT_QUANTITIES),
+            outputs["steering"][:1],
+            outputs["acceleration"][: len(ACCELERATIONS)],
+        )
+    )
+
+
+class History:
+    """Samples of a run; `history["roll"]` is one column, shape (rows,).
+
+    rows: values of COLUMNS, shape (rows, columns). commands: values of COMMANDS, shape (rows,
+    commands), or None if they are unknown.
+    """
+
+    def __init__(self, rows: list[np.ndarray] | np.ndarray, commands: np.ndarray | None = None):
+        self.rows, self.commands = np.array(rows), commands
+
+    @classmethod
+    def read_csv(cls, path: Path) -> "History":
+        """Read a file written by `write_csv`; raises InputError naming line and column.
+
+        Columns may be in any order, and further columns are ignored. COMMANDS are read if all of
+        them are present. All values except the time may be nan. Times must not decrease; a time may
+        occur twice, like the last one of a run that diverged.
+        """
+        header, lines = read_table(path, LARGEST_FILE)
+        has_commands = set(COMMANDS) <= set(header)
+        places = _places(path, header, (*COLUMNS, *COMMANDS) if has_commands else COLUMNS)
+        rows, time = [], -math.inf
+        for line, texts in lines:
+            row = [_number(path, line, header[place], texts[place]) for place in places]
+            if not (time <= row[0] and math.isfinite(row[0])):
+                wanted = f"a finite number of at least {time!r}" if rows else "a finite number"
+                raise InputError(f"{path}: line {line}: {COLUMNS[0]}", row[0], wanted)
+            rows.append(np.array(row))
+            time = row[0]
+        if not rows:
+            raise InputError(f"file {path}", "", "a header and at least one row", "no rows")
+        rows = np.array(rows)
+        of_states = len(COLUMNS)
+        return cls(rows[:, :of_states], rows[:, of_states:] if has_commands else None)
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.rows[:, COLUMNS.index(name)]
+
+    def wheels(self, quantity: str) -> np.ndarray:
+        """A quantity at all wheels (lf, rf, lr, rr), shape (rows, 4)."""
+        first = COLUMNS.index(f"{quantity}_{WHEELS[0]}")
+        return self.rows[:, first : first + len(WHEELS)]
+
+    def command(self, name: str) -> np.ndarray:
+        """One column of COMMANDS, shape (rows,); nan if the commands are unknown.
+
+        Without the name of a wheel, such as `wheel_torque`: those of all wheels, shape (rows, 4).
+        """
+        wanted = [name] if name in COMMANDS else [f"{name}_{wheel}" for wheel in WHEELS]
+        if self.commands is None:
+            found = np.full((len(self.rows), len(wanted)), np.nan)
+        else:
+            found = self.commands[:, [COMMANDS.index(each) for each in wanted]]
+        return found[:, 0] if name in COMMANDS else found
+
+    def part(self, chosen: np.ndarray) -> "History":
+        """The selected rows; chosen: a boolean for each row, shape (rows,)."""
+        commands = None if self.commands is None else self.commands[chosen]
+        return History(self.rows[chosen], commands)
+
+    def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
+        """Write all rows in full precision; the file is written completely or not at all.
+
+        with_commands: append COMMANDS to the columns; nan if they are unknown.
+        """
+        names, rows = COLUMNS, self.rows
+        if with_commands:
+            names, rows = (*COLUMNS, *COMMANDS), np.hstack((rows, self._known_commands()))
+        with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
+            file.write(",".join(names) + "\n")
+            for row in rows.tolist():
+                file.write(",".join(map(repr, row)) + "\n")
+
+    def _known_commands(self) -> np.ndarray:
+        unknown = np.full((len(self.rows), len(COMMANDS)), np.nan)
+        return unknown if self.commands is None else self.commands
+
+
+def _places(path: Path, header: list[str], columns: Sequence[str]) -> list[int]:
+    """The index of each of the columns in a line of the file; raises InputError."""
+    missing = [name for name in COLUMNS if name not in header]
+    if missing:
+        more = len(missing) - MISSING_SHOWN
+        names = ", ".join(missing[:MISSING_SHOWN]) + (f" and {more} more" if more > 0 else "")
+        wanted = "all columns that `run --csv` writes"
+        raise InputError(f"{path}: line 1", "", wanted, f"{names} missing")
+    for name in columns:
+        if header.count(name) > 1:
+            raise InputError(f"{path}: line 1: column", name, "each column once")
+    return [header.index(name) for name in columns]
+
+
+def _number(path: Path, line: int, name: str, text: str) -> float:
+    try:
+        return number_in(text)
+    except ValueError:
+        raise InputError(f"{path}: line {line}: {name}", text, "a number") from None

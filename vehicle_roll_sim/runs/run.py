@@ -1,0 +1,110 @@
+"""A run from beginning to end without ROS: drive, sample, and stop when the model stops."""
+
+import bisect
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+import numpy as np
+
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.model.records import LR
+from vehicle_roll_sim.runs.history import History, row_of
+from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
+from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
+
+DEFAULT_SAMPLE = 0.01
+"""s between rows of the history."""
+HELD_PERIOD = 0.01
+"""s: default period for which commands are held, that of the node."""
+
+
+class Witness(Protocol):
+    """Observer of a run, called when a node would publish or apply something."""
+
+    def sees_set(self) -> None:
+        """Called at the beginning of the run and at the end of each period."""
+
+    def sees_command(self, command: Command) -> None:
+        """Called with the command that is applied in the next period."""
+
+
+def run(
+    simulation: Simulation,
+    driver: Programme | Feedback,
+    duration: float,
+    *,
+    sample: float = DEFAULT_SAMPLE,
+    command_period: float = 0.0,
+    witness: Witness | None = None,
+    progress: Callable[[float], None] = lambda seconds: None,
+) -> History:
+    """Drive from the present state for `duration` (s); a row every `sample` (s) and at the end.
+
+    A Programme is evaluated at every stage of the integration or, with `command_period` (s), at the
+    beginning of each period and then held, as a node does. The steps in its `steps_at` are exact at
+    multiples of the integration step; the row at the time of a step shows the commands before it.
+    The commands of a Feedback, and all commands if there is a witness, are held for
+    `command_period`, by default 10 ms. `progress` is called with each increment of simulated time
+    (s). Raises InputError for times that are not multiples of the integration step.
+    """
+    step_ns = simulation.step_ns
+    every = whole_steps(sample, step_ns, "sample") * step_ns
+    if isinstance(driver, Feedback) or witness:
+        command_period = command_period or HELD_PERIOD
+    period = (
+        whole_steps(command_period, step_ns, "command period") * step_ns if command_period else 0
+    )
+    end = simulation.time_ns + whole_steps(duration, step_ns, "duration") * step_ns
+    steps_at = [] if period else _in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
+    rows, held = [row_of(simulation)], None
+    driven = [Command() if period else None]
+    if witness:
+        witness.sees_set()
+    while simulation.time_ns < end and simulation.condition is Condition.RUNNING:
+        now = simulation.time_ns
+        if period and (held is None or now % period == 0):
+            held = command_at(driver, now / NANOSECONDS, simulation.state)
+            if witness:
+                witness.sees_command(held)
+        until = min(_next(now, every), end, _next(now, period) if period else end)
+        if (following := bisect.bisect(steps_at, now)) < len(steps_at):
+            until = min(until, steps_at[following])
+        simulation.step(held or driver, (until - now) / NANOSECONDS)
+        ended = simulation.time_ns == end or simulation.condition is not Condition.RUNNING
+        has_moved = simulation.time_ns > now  # unless its first step diverged
+        if has_moved and (ended or simulation.time_ns % every == 0):
+            rows.append(row_of(simulation))
+            driven.append(held)
+        if witness and (ended or simulation.time_ns % period == 0):
+            witness.sees_set()
+        progress((simulation.time_ns - now) / NANOSECONDS)
+    return _with_commands(History(rows), driven, driver)
+
+
+def _with_commands(
+    history: History, driven: list[Command | None], driver: Programme | Feedback
+) -> History:
+    """Add the commands to the history; driven: the command of each row, None if not held."""
+    if None in driven:
+        records = np.broadcast_to(driver(history["time"]), len(history.rows))
+        torque = records["wheel_torque"].copy()
+        hold = records["speed_hold_gain"] * (records["speed_hold_target"] - history["u"])
+        torque[:, LR:] += hold[:, np.newaxis]
+    else:
+        records = np.concatenate([command.records() for command in driven])
+        torque = records["wheel_torque"]
+    others = (records["brake_torque"], records["normal_force"])
+    history.commands = np.column_stack((records["rear_steering"], torque, *others))
+    return history
+
+
+def _in_whole_steps(times: Sequence[float], step_ns: int) -> list[int]:
+    """Those of `times` (s) that are multiples of the integration step, in ns."""
+    nanoseconds = [round(time * NANOSECONDS) for time in times]
+    return [time for time in nanoseconds if time % step_ns == 0]
+
+
+def _next(now: int, interval: int) -> int:
+    """The next multiple of `interval` after `now`."""
+    return (now // interval + 1) * interval

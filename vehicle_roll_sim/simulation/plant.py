@@ -1,0 +1,39 @@
+"""The plant: a vehicle, its tires and the options of the model, as the equations take them."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.plausibility import plausibility, warn
+
+
+class Plant(NamedTuple):
+    """The records of one simulated vehicle, each alone in an array of shape (1,).
+
+    vehicle: VEHICLE, with the gravity of its road. tire: TIRE. options: OPTIONS.
+    """
+
+    vehicle: np.ndarray
+    tire: np.ndarray
+    options: np.ndarray
+
+    @classmethod
+    def of(cls, vehicle: Vehicle, options: Options, road: Road | None = None) -> "Plant":
+        """That of a vehicle, on a level road unless one is given.
+
+        Warns (PlausibilityWarning) of values that are not plausible.
+        """
+        warn(plausibility(vehicle))
+        record = vehicle.record()
+        if road:
+            gravity = road.gravity(GRAVITY)
+            record["gravity"], record["gravity_along"], record["gravity_across"] = gravity
+        return cls(record, vehicle.tire.record(), options.record())
+
+    def arguments(self, *others: np.ndarray) -> tuple:
+        """The records, and `others` after them, in the form in which kernels take them."""
+        return tuple(kernel_argument(record) for record in (*self, *others))
