@@ -32,6 +32,8 @@ LONGEST_END = 10.0
 """s; seen: 0.25 to 0.6 on a quiet machine."""
 TRIES = 3
 """Of which one must be quick: a busy machine may be slow at any time."""
+LOOK = 0.001
+"""s between two looks: the processor is left to the node."""
 GAPS = (0.02, 0.1, 0.2)
 """s between two signals of somebody impatient."""
 
@@ -43,6 +45,7 @@ def wait_for_library(process, name: str) -> None:
     while not re.search(name, maps.read_text()):
         assert process.poll() is None
         assert time.monotonic() < until, f"{name} is not read in"
+        time.sleep(LOOK)
 
 
 def ends_cleanly(begin, signum) -> str:
