@@ -4,17 +4,23 @@ PYTHON ?= python3
 DISTRO ?= jazzy
 VENV := $(if $(filter jazzy,$(DISTRO)),.venv,.venv-$(DISTRO))
 BIN := $(VENV)/bin
-# Nodes mostly wait for one another, so three test processes suit two cores.
-PYTEST_OPTIONS := --numprocesses 3 --dist loadfile --no-loadscope-reorder
+# Nodes mostly wait for one another, so four test processes suit two cores.
+PYTEST_OPTIONS := --numprocesses 4 --dist loadfile --no-loadscope-reorder
 # Compile the model once, rather than in every test process at the same time.
 COMPILE := 'from vehicle_roll_sim.simulation.compilation import compile_model; compile_model()'
 OLDEST := test/vehicle test/model/test_reference_conditions.py test/analysis/test_linear_model.py \
 	$(patsubst %,test/command_line/test_%.py,version run_results run_refusals plot_command \
 	replay_command linearize without_numba)
+# What runs in the test process itself: the equations, vehicles, runs, session, messages and files.
+QUICK := $(addprefix test/,vehicle model simulation runs live files messages offline \
+	command_line/test_run_refusals.py command_line/test_usage.py)
+KILTED := test/messages/test_messages.py \
+	$(patsubst %,test/ros/test_%.py,two_processes policy) \
+	$(patsubst %,test/ros/simulator/test_%.py,lockstep waiting_in_lockstep parameters strangers)
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
-.PHONY: setup run test coverage oldest audit bench soak mutations controllers lint format build clean
+.PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations controllers lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -40,6 +46,12 @@ else
 	$(BIN)/python -m pytest $(PYTEST_OPTIONS) $(TESTS)
 endif
 
+# Less than a minute, for use while editing. Left to `make test`: nodes, signals, start-up and
+# compilation, bags, figures, manoeuvres of the standards, the paper, and all that is marked slow.
+test-quick: setup
+	$(BIN)/python -c $(COMPILE)
+	$(BIN)/python -m pytest -q --numprocesses 2 --dist worksteal -m 'not slow and not unmeasured' $(QUICK)
+
 coverage:
 	$(MAKE) test COVERAGE=yes
 
@@ -50,6 +62,10 @@ oldest:
 	PYTHONWARNINGS=ignore .venv-oldest/bin/pip install --quiet --no-deps --no-build-isolation --editable .
 	.venv-oldest/bin/pip check
 	.venv-oldest/bin/python -m pytest -q --disable-warnings $(OLDEST)
+
+# What ROS 2 Kilted may do differently: messages, nodes, lockstep, parameters, security policies.
+kilted:
+	$(MAKE) test DISTRO=kilted TESTS="$(KILTED)"
 
 # Check the packages from the package index, and their dependencies, for known vulnerabilities; a
 # failed lookup is an error. ROS and its messages come from the distribution and are not checked.

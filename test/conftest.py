@@ -16,6 +16,13 @@ collect_ignore = [] if HAS_ROS else ["ros"]
 MEASURING = "COVERAGE_PROCESS_CONFIG"
 """In the environment where coverage is measured; processes that are started take part by it."""
 
+LONGEST = (
+    *("test_controllers", "test_signals", "test_driven_manoeuvres", "test_paper_command"),
+    *("test_surroundings", "test_executables", "test_stopped", "test_compare", "test_lockstep"),
+    *("test_standard_figure", "test_parameters", "test_real_time", "test_diagnostics"),
+)
+"""Files of 25 to 100 s of processor time."""
+
 settings.register_profile(
     "suite", derandomize=True, database=None, deadline=None, max_examples=200, print_blob=False
 )
@@ -67,6 +74,11 @@ def started():
 def compiled_model():
     """On a fresh machine this takes some 15 s, and says so; no test should meet that by chance."""
     compile_model()
+
+
+def pytest_collection_modifyitems(items) -> None:
+    """Start with the files that take longest, so that no worker is left with one at the end."""
+    items.sort(key=lambda item: LONGEST.index(name) if (name := item.path.stem) in LONGEST else 99)
 
 
 @pytest.hookimpl(wrapper=True)

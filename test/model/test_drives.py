@@ -11,6 +11,8 @@ from vehicle_roll_sim import Command, Condition, Options, Simulation
 from vehicle_roll_sim.model.records import COMMAND, MODEL_STATE, STATE, STATE_NAMES
 from vehicle_roll_sim.simulation.options import MODELS
 
+pytestmark = pytest.mark.slow
+
 VELOCITIES = (
     *("u", "v", "w", "roll_rate", "pitch_rate", "yaw_rate"),
     *("unsprung_velocity", "wheel_speed"),

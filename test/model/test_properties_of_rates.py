@@ -4,6 +4,7 @@ import dataclasses
 
 import magic_formula
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from mechanics import along, energy, external, momenta, powers, slope
@@ -24,6 +25,8 @@ from test_momentum import close
 from vehicle_roll_sim import Options
 from vehicle_roll_sim.model.records import STATE, WHEEL_COUNT
 from vehicle_roll_sim.simulation.road import Road
+
+pytestmark = pytest.mark.slow
 
 OF_MODEL_1 = st.sampled_from(
     [o for o in every_option() if o.model == "1" and not o.tire_normal_to_ground]

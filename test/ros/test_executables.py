@@ -49,7 +49,7 @@ def test_a_manoeuvre_holds_the_speed_where_it_should(start, peer):
     peer.listen("state")
     status, out, _ = start("manoeuvre", "step_steer").finish()
     assert status == 0
-    assert numbers_of(out)["end"] == pytest.approx(4.0)
+    assert numbers_of(out)["end"] == pytest.approx(4.0, abs=LATE)
     # free rolling loses 1 m/s in this turn, the hold keeps within its droop of some cm/s
     assert peer.newest("state").data[7] == pytest.approx(50 / 3.6, abs=0.1)
 

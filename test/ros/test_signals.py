@@ -5,18 +5,22 @@ import itertools
 import re
 import signal
 import sys
+import threading
 import time
 from pathlib import Path
 
 import pytest
 import rclpy
-from peers import PATIENCE
+from patience import PATIENCE
+from rclpy import executors
 from rclpy.context import Context
 from rclpy.exceptions import NotInitializedException
+from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions
 from recordings import heard_so_far, read_bag
 from std_srvs.srv import Trigger
 
-from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros import ending, process
 from vehicle_roll_sim.ros.orchestration import demo
 from vehicle_roll_sim.ros.process import NodeExecutor
 
@@ -32,6 +36,8 @@ LONGEST_END = 10.0
 """s; seen: 0.25 to 0.6 on a quiet machine."""
 TRIES = 3
 """Of which one must be quick: a busy machine may be slow at any time."""
+LOOK = 0.001
+"""s between two looks: the processor is left to the node."""
 GAPS = (0.02, 0.1, 0.2)
 """s between two signals of somebody impatient."""
 
@@ -43,6 +49,7 @@ def wait_for_library(process, name: str) -> None:
     while not re.search(name, maps.read_text()):
         assert process.poll() is None
         assert time.monotonic() < until, f"{name} is not read in"
+        time.sleep(LOOK)
 
 
 def ends_cleanly(begin, signum) -> str:
@@ -147,6 +154,25 @@ def test_an_executor_that_is_cut_short_while_it_is_made_leaves_no_traceback(monk
     rclpy.shutdown(context=context)
     with pytest.raises((RuntimeError, NotInitializedException)):  # which a node's main heeds
         NodeExecutor(context=context)
+    gc.collect()
+    assert lost == []
+
+
+def test_an_executor_is_made_whole_before_a_signal_shuts_its_context_down(domain, monkeypatch):
+    lost, usual = [], executors.Clock
+    monkeypatch.setattr(sys, "unraisablehook", lost.append)
+    rclpy.init(args=[], domain_id=domain, signal_handler_options=SignalHandlerOptions.NO)
+    signalled = threading.Thread(target=process._shut_down)
+
+    def half_made(**about):
+        signalled.start()
+        signalled.join(GAPS[-1])  # time enough, were it not to wait
+        return usual(**about)
+
+    monkeypatch.setattr(executors, "Clock", half_made)
+    with process.lifetime(Node("made")):
+        signalled.join(PATIENCE)
+    assert not rclpy.ok()
     gc.collect()
     assert lost == []
 

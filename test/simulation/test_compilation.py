@@ -16,6 +16,7 @@ from vehicle_roll_sim.model.compiled.jit import CACHE
 from vehicle_roll_sim.simulation.compilation import COMPILING, LOCK
 
 pytestmark = [
+    pytest.mark.slow,
     pytest.mark.skipif(CACHE is None, reason="only compiled code is cached"),
 ]
 COMMAND = [sys.executable, "-m", "vehicle_roll_sim", "compile"]

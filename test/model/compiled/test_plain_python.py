@@ -18,12 +18,12 @@ from vehicle_roll_sim.model.records import OUTPUTS, STATE
 
 HERE = Path(__file__).parents[1]
 ROOT = Path(vehicle_roll_sim.__file__).parent.parent
-TO_ROLLOVER = 4000
-"""Steps of 1 ms: more than it takes, the run stops by itself."""
-A_FEW = 1300
-"""Steps of 1 ms: well into the turn."""
-A_SWERVE = 80
-"""Steps of 1 ms: into it, for each variant. Every kernel has its turn, which coverage needs."""
+TO_ROLLOVER = 1000
+"""Steps of 4 ms: more than it takes, the run stops by itself."""
+A_FEW = 325
+"""Steps of 4 ms: well into the turn."""
+A_SWERVE = 20
+"""Steps of 4 ms: into it, for each variant. Every kernel has its turn, which coverage needs."""
 SHARE_OF_PEAK = 1e-9
 """The compiler may order a sum differently: 1e-15, grown by the fall to the side. Seen: 0."""
 compiled_only = pytest.mark.skipif(

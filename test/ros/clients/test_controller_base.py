@@ -72,7 +72,9 @@ def test_several_topics_of_one_set_are_answered_once_and_together(start, peer, t
         peer.wait(lambda period=period: len(peer.received["state"]) > period, "the next set")
         peer.publish("steering_cmd", 0.001 * period)
     peer.wait(lambda: len(peer.received["applied_command"]) > PERIODS, "the last set")
-    brakes = [list(message.data) for _, message in peer.received["brake_torque_cmd"]]
+    heard = peer.received["brake_torque_cmd"]  # which the simulator may have read first
+    peer.wait(lambda: len(heard) >= PERIODS, "the last answer")
+    brakes = [list(message.data) for _, message in heard]
     times = 0.01 * np.arange(PERIODS)
     np.testing.assert_allclose(brakes[:PERIODS], np.transpose([times] * 3 + [np.ones(PERIODS)]))
     assert len(brakes) == PERIODS
