@@ -89,9 +89,9 @@ soak: setup
 mutations: setup
 	$(BIN)/python -m benchmarks.mutations $(OPTIONS)
 
-# Measure the effect of each example controller in lockstep, and update the table in the README.
+# Measure the effect of each example controller in lockstep, and update the table in docs/controllers.md.
 controllers: setup
-	$(BIN)/python -m benchmarks.controllers README.md
+	$(BIN)/python -m benchmarks.controllers docs/controllers.md
 
 lint: setup
 	$(BIN)/ruff check .

@@ -9,6 +9,14 @@ LAUNCH = re.compile(rf"ros2 launch {PACKAGE} ([a-z_]+)\.launch\.py")
 BLOCK = re.compile(r"^```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMANDS_IN_THE_CHECKLIST = 20
 TITLE = re.compile(r"^### (\d+)\. ", re.MULTILINE)
+LINK = re.compile(r"\]\((?!https?:|mailto:)([^)#\s]*)(?:#([^)\s]+))?\)")
+HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
+
+
+def anchors(text: str) -> set[str]:
+    """The anchors of the headings of a page, as GitHub and MyST make them."""
+    plain = (re.sub(r"[^\w\- ]", "", heading.lower()) for heading in HEADING.findall(text))
+    return {heading.replace(" ", "-") for heading in plain}
 
 
 @pytest.fixture(scope="module")
@@ -18,6 +26,8 @@ def pages(root) -> dict[str, str]:
         root / "README.md",
         *(root / "docs").glob("**/*.md"),
         *(root / "msg_examples").glob("*.md"),
+        root / "CONTRIBUTING.md",
+        root / "SECURITY.md",
     ]
     return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in found}
 
@@ -28,7 +38,7 @@ def test_every_launch_file_is_on_a_page(pages, root):
     assert {f"{name}.launch.py" for _, name in named} == there
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/interfaces.md"])
+@pytest.mark.parametrize("page", ["docs/installation.md", "docs/interfaces.md"])
 def test_how_the_command_is_called_in_a_workspace_is_said(pages, page):
     """There it is not on the path."""
     assert f"ros2 run {PACKAGE} offline run j_turn" in pages[page]
@@ -41,3 +51,19 @@ def test_the_checklist_has_its_commands_each_with_what_must_come_out(pages):
     for section in TITLE.split(text)[2::2]:
         assert BLOCK.search(section), section
         assert "Expected" in section
+
+
+def test_every_link_within_the_project_leads_to_a_file_and_a_heading(pages, root):
+    for page, text in pages.items():
+        for target, anchor in LINK.findall(BLOCK.sub("", text)):
+            path = (root / page).parent / target if target else root / page
+            assert path.exists(), f"{page}: {target}"
+            if anchor:
+                assert anchor in anchors(path.read_text(encoding="utf-8")), f"{page}: #{anchor}"
+
+
+def test_the_readme_is_one_page_and_leads_to_the_rest(pages):
+    readme = pages["README.md"]
+    assert len(readme.splitlines()) <= 100
+    named = {target for target, _ in LINK.findall(readme)}
+    assert {"docs/installation.md", "docs/interfaces.md", "docs/tutorials/index.md"} <= named

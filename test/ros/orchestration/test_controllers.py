@@ -1,4 +1,4 @@
-"""The example controllers, in lockstep: what they prevent, and that the README says so."""
+"""The example controllers, in lockstep: what they prevent, and that docs/controllers.md says so."""
 
 import re
 from pathlib import Path
@@ -26,7 +26,7 @@ pytestmark = pytest.mark.unmeasured
 
 ROOT = Path(__file__).parents[3]
 EXAMPLES = ROOT / "msg_examples"
-README = (ROOT / "README.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "controllers.md").read_text(encoding="utf-8")
 NUMBER = re.compile(r"-?\d+\.\d+")
 LAST_DIGIT = 1.01
 """Of what is shown: another machine may round the other way."""
@@ -59,22 +59,22 @@ def without(in_domain, manoeuvre):
 
 
 def assert_shown(text: str) -> None:
-    """The README has a line with that text, and numbers that are the same but for rounding."""
+    """The page has a line with that text, and numbers that are the same but for rounding."""
     pattern = f"({NUMBER.pattern})".join(map(re.escape, NUMBER.split(text)))
-    shown = re.search(f"^{pattern}$", README, re.MULTILINE)
-    assert shown, f"not in the README: {text}"
+    shown = re.search(f"^{pattern}$", PAGE, re.MULTILINE)
+    assert shown, f"not on the page: {text}"
     for one, other in zip(shown.groups(), NUMBER.findall(text), strict=True):
         digit = 10.0 ** -len(other.partition(".")[2])
         assert float(one) == pytest.approx(float(other), abs=LAST_DIGIT * digit), text
 
 
-def test_the_warning_comes_before_what_it_warns_of_as_the_readme_says(manoeuvre, without):
+def test_the_warning_comes_before_what_it_warns_of_as_the_page_says(manoeuvre, without):
     assert without.warned < without.inner_wheels_off < without.two_wheel_lift < without.rollover
     assert_shown(warning_line(manoeuvre, without))
 
 
 @pytest.mark.parametrize("controller", CONTROLLERS)
-def test_it_prevents_the_rollover_as_the_readme_says(manoeuvre, without, controller):
+def test_it_prevents_the_rollover_as_the_page_says(manoeuvre, without, controller):
     found = drive(SCENARIOS[manoeuvre], CONTROLLERS[controller])
     assert not found.rollover > 0.0
     assert not found.two_wheel_lift > 0.0

@@ -1,4 +1,4 @@
-"""The README shows the parameters that the program has, and the claims as they come out."""
+"""The documentation shows the parameters that the program has, and the claims as measured."""
 
 import re
 
@@ -25,26 +25,26 @@ def rows_of(text: str, header: str) -> dict[int, list[str]]:
     return {int(row[0]): row for row in rows}
 
 
-def test_the_readme_has_the_table_of_parameters_word_for_word(root):
-    readme = (root / "README.md").read_text(encoding="utf-8")
-    assert parameter_table(preset()) in readme
+def test_the_page_has_the_table_of_parameters_word_for_word(root):
+    page = (root / "docs" / "parameters.md").read_text(encoding="utf-8")
+    assert parameter_table(preset()) in page
 
 
 @pytest.fixture(scope="module")
 def claims(root) -> dict[int, tuple[list[str], list[str]]]:
-    """Each claim's row in the README and in the table that the program writes."""
+    """Each claim's row in docs/claims.md and in the table that the program writes."""
     study = reference_study()
     if not study.has_engine:
         pytest.skip("the multibody engine is not installed")
     written = as_markdown(check_claims(study))
     header = written.splitlines()[0]
-    shown = rows_of((root / "README.md").read_text(encoding="utf-8"), header)
+    shown = rows_of((root / "docs" / "claims.md").read_text(encoding="utf-8"), header)
     found = rows_of(written, header)
     assert list(shown) == list(found) == [claim.number for claim in CLAIMS]
     return {number: (shown[number], found[number]) for number in found}
 
 
-def test_the_readme_has_every_claim_with_place_text_and_verdict(claims):
+def test_the_page_has_every_claim_with_place_text_and_verdict(claims):
     for shown, found in claims.values():
         assert len(shown) == len(found) == 5
         assert (shown[:3], shown[4]) == (found[:3], found[4])
