@@ -20,7 +20,7 @@ KILTED := test/messages/test_messages.py \
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
-.PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations controllers lint format build clean
+.PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations controllers docs lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -93,6 +93,14 @@ mutations: setup
 controllers: setup
 	$(BIN)/python -m benchmarks.controllers docs/controllers.md
 
+# docs/_build/html. A warning is an error. Nothing is fetched but what requirements/docs.txt pins.
+docs: $(VENV)/.docs-ready
+	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet $(OPTIONS) docs docs/_build/html
+
+$(VENV)/.docs-ready: $(VENV)/.ready requirements/docs.txt
+	$(BIN)/pip install --quiet --requirement requirements/docs.txt
+	touch $@
+
 lint: setup
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
@@ -105,4 +113,4 @@ build: setup
 	. $(BIN)/activate && colcon build
 
 clean:
-	rm -rf .venv .venv-* build install log run
+	rm -rf .venv .venv-* build install log run docs/_build

@@ -6,6 +6,7 @@ from setuptools import find_packages, setup
 
 NAME = "vehicle_roll_sim"
 SHARE = f"share/{NAME}"
+DOCS = ("docs", *(f"docs/{name}" for name in ("tutorials", "notebooks", "reference")))
 EXAMPLES = ("active_roll_bar", "rear_steering", "roll_braking", "rollover_warning", "yaw_control")
 
 setup(
@@ -23,8 +24,8 @@ setup(
     package_data={f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir"]},
     data_files=[
         ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
-        (SHARE, ["package.xml", "README.md", "LICENSE", "CHANGELOG.rst"]),
-        (f"{SHARE}/docs", sorted(glob("docs/*.*"))),
+        (SHARE, ["package.xml", "LICENSE", "CHANGELOG.rst", *sorted(glob("*.md"))]),
+        *((f"{SHARE}/{folder}", sorted(glob(f"{folder}/*.*"))) for folder in DOCS),
         (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
         (f"{SHARE}/examples", sorted(glob("examples/*"))),
         (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
