@@ -11,7 +11,7 @@ import pytest
 import vehicle_roll_sim
 from vehicle_roll_sim.command_line.commands import COMMANDS
 
-TOCTREE = re.compile(r"^```\{toctree\}\n((?::.*\n)*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+TOCTREE = re.compile(r"^```\{toctree\}\n((?::[^\n]*\n)*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 DIRECTIVE = re.compile(r"^```\{([\w-]+)\} (.+)$", re.MULTILINE)
 AUTODOC = re.compile(r"^\.\. auto\w+:: ([\w.]+)", re.MULTILINE)
 NODES = {"simulator", "manoeuvre", "recorder", "demo", "compare"}
