@@ -37,5 +37,6 @@ nb_execution_timeout = 300
 nb_execution_raise_on_error = True
 
 default_role = "code"
+smartquotes = False  # `--option` stays as it is typed
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"

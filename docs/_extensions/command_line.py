@@ -22,6 +22,7 @@ from sphinx.util.docutils import SphinxDirective
 
 PACKAGE = "vehicle_roll_sim"
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
+CODE = re.compile(r"(`[^`]+`|(?<![\w-])--[a-z][a-z-]*)")
 STANDARD_GROUPS = {"positional arguments": "arguments"}
 
 
@@ -113,8 +114,17 @@ class CommandLine(SphinxDirective):
 def _entry(option: str, about: str) -> nodes.definition_list_item:
     term = nodes.term("", "", nodes.literal("", option))
     text = re.sub(r"\s+", " ", about)
-    definition = nodes.definition("", nodes.paragraph("", text))
+    definition = nodes.definition("", nodes.paragraph("", "", *_inline(text)))
     return nodes.definition_list_item("", term, definition)
+
+
+def _inline(text: str) -> list[nodes.Node]:
+    """A help text, with what it has in backticks and the options that it names as code."""
+    parts = CODE.split(text)
+    return [
+        nodes.literal("", part.strip("`")) if index % 2 else nodes.Text(part)
+        for index, part in enumerate(parts)
+    ]
 
 
 def setup(app: Sphinx) -> dict:
