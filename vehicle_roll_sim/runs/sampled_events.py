@@ -19,6 +19,7 @@ def events_of(history: History, rollover_angle: float) -> np.record:
     support = history.wheels("tire_compression")
     if np.isnan(support).all():
         support = history.wheels("normal_force")
+    support = np.ascontiguousarray(support)  # the form that is compiled beforehand
     note_lift_offs(time[0], 0.0, support[0], seen)
     for k in range(1, len(time)):
         note_lift_offs(time[k - 1], time[k] - time[k - 1], support[k], seen)

@@ -8,7 +8,13 @@ import subprocess
 import sys
 from collections.abc import Callable
 
+import numpy as np
+
 from vehicle_roll_sim.model.compiled import jit
+from vehicle_roll_sim.model.frames import quaternion
+from vehicle_roll_sim.model.integration.events import no_events, note_lift_offs
+from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
@@ -61,5 +67,13 @@ def _compiling_process() -> subprocess.Popen | None:
 def fill_cache(folder: str) -> None:
     """Compile the model in the compiling process, unless another one has done it already."""
     if jit.is_to_be_compiled() and str(jit.CACHE) == folder:
-        Simulation(preset())
+        call_every_kernel()
         jit.note_complete()
+
+
+def call_every_kernel() -> None:
+    """Call all kernels that the package calls from Python, so that none is left to be compiled."""
+    Simulation(preset())
+    RollPlane(preset().record())
+    quaternion(0.0, 0.0, 0.0)
+    note_lift_offs(0.0, 0.0, np.ones(WHEEL_COUNT), jit.kernel_argument(no_events())[0])
