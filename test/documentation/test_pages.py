@@ -1,5 +1,7 @@
 """Every command and every example of the documentation is tried, page by page."""
 
+import shutil
+
 import pytest
 from not_run import NOT_RUN, pattern_of
 from pages import COMMANDS, ROOT, lessons, pages, snippets, snippets_in
@@ -18,7 +20,7 @@ def share(tmp_path, monkeypatch):
     (tmp_path / "share").mkdir()
     for name in SHARED:
         inside = ROOT / "vehicle_roll_sim" / name
-        (tmp_path / "share" / name).symlink_to(inside if inside.exists() else ROOT / name)
+        shutil.copytree(inside if inside.exists() else ROOT / name, tmp_path / "share" / name)
     if nodes is None:
         yield
         return
