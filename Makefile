@@ -16,7 +16,7 @@ QUICK := $(addprefix test/,vehicle model simulation runs live files messages off
 	command_line/test_run_refusals.py command_line/test_usage.py)
 KILTED := test/messages/test_messages.py \
 	$(patsubst %,test/ros/test_%.py,two_processes policy) \
-	$(patsubst %,test/ros/simulator/test_%.py,lockstep waiting_in_lockstep parameters strangers)
+	$(patsubst %,test/ros/simulator/test_%.py,lockstep waiting_in_lockstep parameters foreign_nodes)
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 

@@ -9,6 +9,7 @@ import os
 import sys
 from pathlib import Path
 
+from vehicle_roll_sim.ros.controller_scripts import EXAMPLES
 from vehicle_roll_sim.ros.orchestration.comparison import (
     Chain,
     Outcome,
@@ -18,7 +19,6 @@ from vehicle_roll_sim.ros.orchestration.comparison import (
     ros_words,
 )
 from vehicle_roll_sim.ros.orchestration.domains import own_domain
-from vehicle_roll_sim.ros.script_texts import EXAMPLES
 from vehicle_roll_sim.simulation.compilation import compile_model
 
 HEADER = (

@@ -219,7 +219,7 @@ FAULTS = (
         "ros/clients/recorder.py",
         "MOST_AT_ONCE = 1000\n",
         "MOST_AT_ONCE = 1\n",
-        "test/ros/clients/test_turns.py",
+        "test/ros/clients/test_recorder_fairness.py",
     ),
     Fault(
         "lockstep continues before all subscribers have received the first set",

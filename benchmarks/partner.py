@@ -15,7 +15,7 @@ from vehicle_roll_sim import Simulation, preset
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.ros.encoding import encode
-from vehicle_roll_sim.ros.process import node_main
+from vehicle_roll_sim.ros.node_main import node_main
 from vehicle_roll_sim.ros.simulator.lockstep import SETTLING
 from vehicle_roll_sim.ros.topics import EVERY_ANSWER, message_class, offered_qos
 

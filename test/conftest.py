@@ -18,7 +18,7 @@ MEASURING = "COVERAGE_PROCESS_CONFIG"
 
 LONGEST = (
     *("test_controllers", "test_signals", "test_driven_manoeuvres", "test_paper_command"),
-    *("test_surroundings", "test_executables", "test_stopped", "test_compare", "test_lockstep"),
+    *("test_environment", "test_executables", "test_stopped", "test_compare", "test_lockstep"),
     *("test_standard_figure", "test_parameters", "test_real_time", "test_diagnostics"),
 )
 """Files of 25 to 100 s of processor time."""

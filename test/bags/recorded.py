@@ -25,8 +25,8 @@ def record(folder: Path, options=None, name: str = "j_turn", duration: float = 4
     simulation, manoeuvre = Simulation(preset(), options), STANDARD[name]
     simulation.reset(manoeuvre.speed)
     manoeuvre = manoeuvre.for_vehicle(simulation.vehicle, simulation.options)
-    with run_bag(simulation, manoeuvre.commanded, folder, PERIOD_NS, "--bag") as witness:
-        run(simulation, manoeuvre.driver(), duration, command_period=PERIOD, witness=witness)
+    with run_bag(simulation, manoeuvre.commanded, folder, PERIOD_NS, "--bag") as observer:
+        run(simulation, manoeuvre.driver(), duration, command_period=PERIOD, observer=observer)
     return simulation
 
 

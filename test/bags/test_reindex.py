@@ -30,9 +30,9 @@ def killed(tmp_path) -> Path:
     """The bag of a recorder that was killed right after it had kept 0.2 s of driving."""
     simulation, manoeuvre = Simulation(preset()), STANDARD["step_steer"]
     bag = Bag(tmp_path / "alive" / "drive", "--bag")
-    witness = RunBag(simulation, manoeuvre.commanded, bag, PERIOD_NS)
+    observer = RunBag(simulation, manoeuvre.commanded, bag, PERIOD_NS)
     bag.begin()
-    run(simulation, manoeuvre.driver(), 0.2, command_period=PERIOD, witness=witness)
+    run(simulation, manoeuvre.driver(), 0.2, command_period=PERIOD, observer=observer)
     bag.keep()
     shutil.copytree(tmp_path / "alive" / "drive", tmp_path / "drive")
     bag.close()

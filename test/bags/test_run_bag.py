@@ -126,8 +126,8 @@ def test_a_run_that_is_broken_off_leaves_nothing(tmp_path):
         raise KeyboardInterrupt
 
     def interrupted():
-        with run_bag(simulation, ("steering",), tmp_path / "bag", PERIOD_NS, "--bag") as witness:
-            run(simulation, STANDARD["j_turn"], 1.0, witness=witness, progress=interrupt)
+        with run_bag(simulation, ("steering",), tmp_path / "bag", PERIOD_NS, "--bag") as observer:
+            run(simulation, STANDARD["j_turn"], 1.0, observer=observer, progress=interrupt)
 
     with pytest.raises(KeyboardInterrupt):
         interrupted()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from vehicle_roll_sim.manoeuvres.catalogue import SOURCE
+from vehicle_roll_sim.manoeuvres.catalogue import PAPER
 from vehicle_roll_sim.simulation.options import MODELS
 
 OPTIONS = (
@@ -24,7 +24,7 @@ UNDEFINED = (
 )
 
 
-@pytest.mark.parametrize("manoeuvre", SOURCE)
+@pytest.mark.parametrize("manoeuvre", PAPER)
 @pytest.mark.parametrize("model", MODELS)
 def test_every_model_runs_through_every_manoeuvre_of_the_source(command, model, manoeuvre):
     result = command("run", manoeuvre, "--model", model)
@@ -34,7 +34,7 @@ def test_every_model_runs_through_every_manoeuvre_of_the_source(command, model, 
 
 
 @pytest.mark.parametrize("options", OPTIONS, ids=" ".join)
-@pytest.mark.parametrize("manoeuvre", SOURCE)
+@pytest.mark.parametrize("manoeuvre", PAPER)
 def test_every_option_of_model_1_runs_and_changes_the_result(command, manoeuvre, options):
     result = command("run", manoeuvre, *options)
     assert (result.status, result.err) == (0, "")

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from vehicle_roll_sim.manoeuvres.catalogue import SOURCE, STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import PAPER, STANDARD
 
-OF_STANDARDS = [name for name in STANDARD if name not in SOURCE]
+OF_STANDARDS = [name for name in STANDARD if name not in PAPER]
 CENTRES = ("--set", "front_roll_centre_height=0.1", "--set", "rear_roll_centre_height=0.15")
 """The roll centres of the reference vehicle, kept where they are when its c.g. is lowered."""
 LOW = ("--set", "cg_height=0.55", *CENTRES)

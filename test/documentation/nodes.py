@@ -19,9 +19,9 @@ from rclpy.signals import SignalHandlerOptions
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED
 from vehicle_roll_sim.ros.clients import controller as base
 from vehicle_roll_sim.ros.clients.recorder import Recorder
+from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
 from vehicle_roll_sim.ros.orchestration import compare
 from vehicle_roll_sim.ros.orchestration.domains import own_domain
-from vehicle_roll_sim.ros.process import refuse_unknown_parameters
 from vehicle_roll_sim.ros.simulator.node import Simulator
 from vehicle_roll_sim.ros.simulator.parameters import PARAMETERS
 from vehicle_roll_sim.ros.topics import message_class

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
-from vehicle_roll_sim.manoeuvres.catalogue import SOURCE, STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import PAPER, STANDARD
 from vehicle_roll_sim.runs.run import run
 
 AT_03G = 20.0
@@ -84,7 +84,7 @@ SHAPES = {
 
 
 def test_there_are_the_manoeuvres_of_the_source_and_these():
-    assert set(STANDARD) == {*SOURCE, *CONDITIONS}
+    assert set(STANDARD) == {*PAPER, *CONDITIONS}
 
 
 @pytest.mark.parametrize("name", CONDITIONS)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.manoeuvres.catalogue import SOURCE, RampAndHold, manoeuvre_named
+from vehicle_roll_sim.manoeuvres.catalogue import PAPER, RampAndHold, manoeuvre_named
 
 TIMES = np.linspace(0.0, 12.0, 4801)
 """s: 400 samples a second, the corners of the standard manoeuvres among them."""
@@ -56,7 +56,7 @@ def test_a_standard_manoeuvre_has_the_conditions_of_the_source(name):
 
 
 def test_there_are_these_manoeuvres_of_the_source_and_no_others():
-    assert set(SOURCE) == set(CONDITIONS)
+    assert set(PAPER) == set(CONDITIONS)
 
 
 @pytest.mark.parametrize("amplitude", [7.0, -7.0, 60.0, -60.0])

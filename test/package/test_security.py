@@ -17,11 +17,11 @@ MAY_READ = {
     "vehicle_roll_sim/files/text_file.py": "which has the limit",
     "vehicle_roll_sim/model/compiled/code_cache.py": "its own sources, and what it has compiled",
     "vehicle_roll_sim/vehicle/template.py": "the reference tire that is installed",
-    "vehicle_roll_sim/ros/launching/pictures.py": "the configuration of RViz that is installed",
-    "vehicle_roll_sim/bags/unindexed.py": "pieces of a bag, of any size by nature",
-    "vehicle_roll_sim/ros/script_texts.py": "a script that is run",
+    "vehicle_roll_sim/ros/launching/rviz.py": "the configuration of RViz that is installed",
+    "vehicle_roll_sim/bags/unindexed_reader.py": "pieces of a bag, of any size by nature",
+    "vehicle_roll_sim/ros/controller_scripts.py": "a script that is run",
     "vehicle_roll_sim/ros/orchestration/comparison.py": "what its own processes said",
-    "vehicle_roll_sim/ros/ending.py": "one byte of a pipe",
+    "vehicle_roll_sim/ros/signals.py": "one byte of a pipe",
 }
 
 
@@ -58,7 +58,7 @@ def test_nothing_that_is_read_is_run(calls):
 def test_yaml_makes_plain_values_only(calls, sources):
     loaders = [(file, name) for file, name, _ in calls if OF_YAML.match(name)]
     assert loaders == [
-        ("vehicle_roll_sim/ros/launching/pictures.py", "yaml.safe_load"),
+        ("vehicle_roll_sim/ros/launching/rviz.py", "yaml.safe_load"),
         ("vehicle_roll_sim/vehicle/vehicle_file.py", "_Loader"),
     ]
     assert "class _Loader(yaml.SafeLoader)" in sources["vehicle_roll_sim.vehicle.vehicle_file"]

@@ -12,7 +12,7 @@ import launch_stand_in
 
 PACKAGE = Path(__file__).parents[2] / "vehicle_roll_sim"
 LAUNCHING = "vehicle_roll_sim.ros.launching.processes"
-PICTURES = "vehicle_roll_sim.ros.launching.pictures"
+PICTURES = "vehicle_roll_sim.ros.launching.rviz"
 NAMES = tuple(sorted(f.name.removesuffix(".launch.py") for f in PACKAGE.glob("launch/*.py")))
 
 

@@ -25,7 +25,7 @@ def heard_so_far(folder: Path) -> set[str]:
     """
     from rosbags.rosbag2 import ReaderError  # there is none without the recorder's library
 
-    from vehicle_roll_sim.bags.unindexed import BagReader
+    from vehicle_roll_sim.bags.unindexed_reader import BagReader
 
     try:
         with BagReader(folder) as reader:

@@ -10,10 +10,6 @@ from patience import PATIENCE
 from std_srvs.srv import Trigger
 
 
-def names_of(peer) -> set[str]:
-    return set(peer.node.get_node_names())
-
-
 def children_of(process: subprocess.Popen) -> list[int]:
     """Process ids of the children, as Linux lists them."""
     listed = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()

@@ -10,7 +10,7 @@ from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
 from vehicle_roll_sim import InputError
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
-from vehicle_roll_sim.ros.clients.driver import Driver
+from vehicle_roll_sim.ros.clients.manoeuvre_player import ManoeuvrePlayer
 from vehicle_roll_sim.ros.clients.recorder import Recorder
 from vehicle_roll_sim.ros.simulator.node import Simulator
 from vehicle_roll_sim.ros.topics import COMMANDING, EVERY_ANSWER, NEWEST_ONLY
@@ -146,8 +146,8 @@ def copy_of(profile) -> tuple:
     return profile.depth, profile.reliability, profile.durability, profile.history
 
 
-def a_driver() -> Driver:
-    return Driver(manoeuvre_named("j_turn"))
+def a_driver() -> ManoeuvrePlayer:
+    return ManoeuvrePlayer(manoeuvre_named("j_turn"))
 
 
 def a_recorder() -> Recorder:

@@ -20,9 +20,9 @@ from rclpy.signals import SignalHandlerOptions
 from recordings import heard_so_far, read_bag
 from std_srvs.srv import Trigger
 
-from vehicle_roll_sim.ros import ending, process
+from vehicle_roll_sim.ros import node_main, signals
+from vehicle_roll_sim.ros.node_main import NodeExecutor
 from vehicle_roll_sim.ros.orchestration import demo
-from vehicle_roll_sim.ros.process import NodeExecutor
 
 pytestmark = pytest.mark.unmeasured
 
@@ -162,7 +162,7 @@ def test_an_executor_is_made_whole_before_a_signal_shuts_its_context_down(domain
     lost, usual = [], executors.Clock
     monkeypatch.setattr(sys, "unraisablehook", lost.append)
     rclpy.init(args=[], domain_id=domain, signal_handler_options=SignalHandlerOptions.NO)
-    signalled = threading.Thread(target=process._shut_down)
+    signalled = threading.Thread(target=node_main._shut_down)
 
     def half_made(**about):
         signalled.start()
@@ -170,7 +170,7 @@ def test_an_executor_is_made_whole_before_a_signal_shuts_its_context_down(domain
         return usual(**about)
 
     monkeypatch.setattr(executors, "Clock", half_made)
-    with process.lifetime(Node("made")):
+    with node_main.lifetime(Node("made")):
         signalled.join(PATIENCE)
     assert not rclpy.ok()
     gc.collect()
@@ -225,6 +225,6 @@ def test_a_node_heeds_sigint_in_any_case_and_a_command_where_it_was_not_to_ignor
 def test_a_demo_that_was_started_to_ignore_hanging_up_does():
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:
-        assert ending.heeded(demo.ENDING) == [signal.SIGINT, signal.SIGTERM]
+        assert signals.not_ignored(demo.ENDING) == [signal.SIGINT, signal.SIGTERM]
     finally:
         signal.signal(signal.SIGHUP, before)

@@ -9,13 +9,13 @@ import numpy as np
 from rosbags.rosbag2 import Reader
 
 from vehicle_roll_sim.bags.encoding import decode
-from vehicle_roll_sim.bags.unindexed import BagReader
+from vehicle_roll_sim.bags.unindexed_reader import BagReader
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.messages.collected import (
+from vehicle_roll_sim.messages.run_messages import (
     COLLECTED,
     COMMAND,
     STATE,
-    Collected,
+    RunMessages,
     by_name,
     is_ours,
 )
@@ -37,7 +37,7 @@ class RecordedRun:
     """
 
     description: str
-    kept: Collected = dataclasses.field(default_factory=Collected)
+    kept: RunMessages = dataclasses.field(default_factory=RunMessages)
     commands: dict[float, np.ndarray] = dataclasses.field(default_factory=dict)
 
     @property

@@ -82,7 +82,7 @@ class RunBag:
         self._write(SIMULATION_DESCRIPTION.name, {"data": description})
         self._write(ROBOT_DESCRIPTION.name, {"data": robot_description(simulation)})
 
-    def sees_set(self) -> None:
+    def on_set(self) -> None:
         """Write the current set, and `rollover` at first and when it changes."""
         self._messages.set_time(self._simulation.time_ns)
         for name, build in self._set:
@@ -92,7 +92,7 @@ class RunBag:
             self._rolled_over = rolled_over
             self._write(ROLLOVER.name, {"data": rolled_over})
 
-    def sees_command(self, command: Command) -> None:
+    def on_command(self, command: Command) -> None:
         """Write the command for the next period."""
         self._messages.applied = command
         for name, field in self._commands.items():

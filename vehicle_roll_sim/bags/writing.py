@@ -15,8 +15,8 @@ from rosbags.interfaces import (
 )
 from rosbags.rosbag2 import StoragePlugin, WriterError
 
+from vehicle_roll_sim.bags.crash_safe_writer import CrashSafeWriter
 from vehicle_roll_sim.bags.encoding import TYPES
-from vehicle_roll_sim.bags.kept_file import KeptWriter
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.output_file import new_folder
 from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
@@ -31,7 +31,7 @@ class Bag:
 
     def __init__(self, folder: Path, field: str):
         try:
-            self._writer = KeptWriter(
+            self._writer = CrashSafeWriter(
                 folder, version=BAG_VERSION, storage_plugin=StoragePlugin.MCAP
             )
             self._writer.open()

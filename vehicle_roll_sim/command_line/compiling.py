@@ -2,7 +2,7 @@
 
 import sys
 
-from vehicle_roll_sim.command_line.ending import PROGRAM
+from vehicle_roll_sim.command_line.signals import PROGRAM
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.simulation import compilation
 

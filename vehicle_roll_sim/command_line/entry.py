@@ -8,7 +8,7 @@ def main() -> int:
     early_signals.end_command_at_once()
     import importlib
 
-    from vehicle_roll_sim.command_line import ending
+    from vehicle_roll_sim.command_line import signals
 
-    with ending.whole_process():
+    with signals.exit_on_signal_throughout():
         return importlib.import_module("vehicle_roll_sim.command_line.main").main()

@@ -5,7 +5,7 @@ import dataclasses
 import math
 
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
-from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
@@ -63,7 +63,7 @@ def linearize_command(words: list[str], program: str) -> int:
     if file:
         check_writable(file, "--npz")
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
-    with ending.at_once():
+    with signals.exit_on_signal():
         model = _linear_model(vehicle, options, given)
     if file:
         model.write_npz(file)

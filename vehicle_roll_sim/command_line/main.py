@@ -7,9 +7,9 @@ import sys
 from collections.abc import Callable
 
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
-from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.commands import COMMANDS
-from vehicle_roll_sim.command_line.ending import PROGRAM
+from vehicle_roll_sim.command_line.signals import PROGRAM
 from vehicle_roll_sim.declaration import unknown_name
 
 
@@ -23,7 +23,7 @@ def main(words: list[str] | None = None) -> int:
         name, function = _chosen(given[:1])
         from vehicle_roll_sim.vehicle.plausibility import unwarned  # with what it has imported
 
-        interrupted = ending.by_exceptions() if words is None else contextlib.nullcontext()
+        interrupted = signals.raise_on_signal() if words is None else contextlib.nullcontext()
         with interrupted, unwarned():  # commands print plausibility warnings themselves
             return function(given[1:], f"{PROGRAM} {name}")
 

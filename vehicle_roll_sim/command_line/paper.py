@@ -6,7 +6,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from vehicle_roll_sim.arguments import OneLineParser, named_file
-from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.files.output_file import check_folder, filled_folder
@@ -45,7 +45,7 @@ def paper_command(words: list[str], program: str) -> int:
     arguments = parser.parse_args(words)
     folder = named_file(arguments.out, "--out")
     check_folder(folder, "--out")
-    with ending.at_once():
+    with signals.exit_on_signal():
         compile_model()
     with tqdm(disable=None, leave=False, unit="result") as bar:
         study = Study(preset(), bar.update)
@@ -58,7 +58,7 @@ def paper_command(words: list[str], program: str) -> int:
 
 def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
     """Make all runs, then write figures, data and tables, all of them or none."""
-    with ending.at_once():
+    with signals.exit_on_signal():
         from vehicle_roll_sim.paper import figures  # matplotlib takes 0.5 s to import
 
     bar.reset(len(study.runs) + len(figures.FIGURES))

@@ -9,7 +9,7 @@ from pathlib import Path
 from vehicle_roll_sim.analysis import figure_size
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.bags import need_library
-from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.files.output_file import check_figure_format, check_writable
@@ -36,7 +36,7 @@ class PlotSettings:
 def plot_command(words: list[str], program: str) -> int:
     """Run the command with the arguments after its name; return the exit status."""
     arguments = _parser(program).parse_args(words)
-    ending.import_at_once("analysis.plots")
+    signals.import_interruptibly("analysis.plots")
     from vehicle_roll_sim.analysis import drawing, pens, plots
 
     files = [named_file(text, "FILE") for text in arguments.files]
@@ -67,7 +67,7 @@ def history_from(path: Path, namespace: str | None) -> History:
     """The samples of a recorded run; raises InputError if `path` is neither a CSV nor a bag."""
     if path.is_dir():
         need_library("FILE")
-        with ending.at_once():
+        with signals.exit_on_signal():
             from vehicle_roll_sim.bags.reading import last_history  # its library is optional
 
         return last_history(path, namespace)

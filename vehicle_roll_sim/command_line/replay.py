@@ -5,7 +5,7 @@ import math
 
 from vehicle_roll_sim.arguments import OneLineParser, named_file
 from vehicle_roll_sim.bags import need_library
-from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
@@ -28,10 +28,10 @@ def replay_command(words: list[str], program: str) -> int:
     arguments = _parser(program).parse_args(words)
     folder = named_file(arguments.bag, "BAG")
     need_library("BAG")
-    ending.import_at_once("bags.reading", "bags.replay")
+    signals.import_interruptibly("bags.reading", "bags.replay")
     told = _told(arguments)
     if told is None:
-        with ending.at_once():
+        with signals.exit_on_signal():
             compile_model()
     results = []
     for number, run in enumerate(replays(folder, arguments.namespace, told), 1):

@@ -14,9 +14,9 @@ from vehicle_roll_sim.arguments import (
     named_file,
 )
 from vehicle_roll_sim.bags import need_library
-from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.commands import COMMANDS
-from vehicle_roll_sim.command_line.plausible import heed
+from vehicle_roll_sim.command_line.plausibility_option import warn_or_refuse
 from vehicle_roll_sim.command_line.vehicle_options import (
     add_simulation_options,
     as_option,
@@ -33,7 +33,7 @@ from vehicle_roll_sim.manoeuvres.base import OpenLoop
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
 from vehicle_roll_sim.model.integration.events import Condition
-from vehicle_roll_sim.offline.asked_for import manoeuvre_of
+from vehicle_roll_sim.offline.manoeuvre_argument import manoeuvre_of
 from vehicle_roll_sim.offline.run_result import RunResult
 from vehicle_roll_sim.offline.running import drive
 from vehicle_roll_sim.runs.history import WITH_COMMANDS, check_with_commands
@@ -80,10 +80,10 @@ def run_command(words: list[str], program: str) -> int:
     size = figure_size.named_size(arguments.size, "--size", plot)
     check_with_commands(arguments.with_commands, csv)
     if plot:
-        ending.import_at_once("analysis.plots")
+        signals.import_interruptibly("analysis.plots")
     if bag:
-        ending.import_at_once("bags.run_bag")
-    heed(manoeuvre.doubts, arguments)
+        signals.import_interruptibly("bags.run_bag")
+    warn_or_refuse(manoeuvre.doubts, arguments)
     simulation = chosen_simulation(arguments)
     values = declared_values(arguments, manoeuvre)
     try:

@@ -11,7 +11,7 @@ from vehicle_roll_sim.arguments import (
     declared_values,
     named_file,
 )
-from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
@@ -48,7 +48,7 @@ def series_command(words: list[str], program: str) -> int:
     if path:
         check_writable(path, "--csv")
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
-    with ending.at_once():
+    with signals.exit_on_signal():
         compile_model()
     with tqdm(delay=1.0, disable=None, leave=False, unit=" runs") as bar:
         result = _driven(series, vehicle, options, bar.update)

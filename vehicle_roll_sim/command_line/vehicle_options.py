@@ -5,9 +5,9 @@ import dataclasses
 import math
 
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
-from vehicle_roll_sim.command_line import ending
+from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.compiling import compile_model
-from vehicle_roll_sim.command_line.plausible import add_strict, heed
+from vehicle_roll_sim.command_line.plausibility_option import add_strict, warn_or_refuse
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
@@ -53,7 +53,7 @@ def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
     integration = Integration(**declared_values(arguments, Integration))
     vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
     road = Road(**declared_values(arguments, Road))
-    with ending.at_once():
+    with signals.exit_on_signal():
         compile_model()
     return Simulation(
         vehicle,
@@ -102,7 +102,7 @@ def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
             raise InputError(f"--set {name}", text, "each name once", "given twice")
         values[name] = number(text, f"--set {name}", known[name])
     vehicle = vehicle.with_values(values, "--set ")
-    heed(plausibility(vehicle), arguments)
+    warn_or_refuse(plausibility(vehicle), arguments)
     return vehicle
 
 

@@ -11,7 +11,7 @@ class LogLimiter:
         self._interval, self._clock = interval, clock
         self._said: dict[Hashable, float] = {}
 
-    def lets(self, kind: Hashable) -> bool:
+    def allows(self, kind: Hashable) -> bool:
         """Whether a message of that kind may be logged now; if so, it is counted as logged."""
         now = self._clock()
         if kind in self._said and now - self._said[kind] < self._interval:

@@ -37,14 +37,14 @@ class RampAndHold(OpenLoop):
         commands["steering"] = math.copysign(1.0, self.amplitude) * np.radians(turned)
 
 
-SOURCE = {
+PAPER = {
     "step_steer": RampAndHold(amplitude=4.0, rate=40.0, duration=4.0, speed_hold=2000.0),
     "ramp_steer": RampAndHold(amplitude=12.0, rate=4.0, duration=9.0),
     "j_turn": RampAndHold(amplitude=10.0, rate=40.0, duration=6.0),
 }
 """The manoeuvres of Shim and Ghike (2007), under the conditions of their comparison."""
 STANDARD = {
-    **SOURCE,
+    **PAPER,
     "slowly_increasing_steer": SLOWLY_INCREASING_STEER,
     "nhtsa_j_turn": NHTSA_J_TURN,
     "nhtsa_fishhook": NHTSA_FISHHOOK,

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.messages.covariances import Covariances
-from vehicle_roll_sim.messages.encoded import MARK, STAMP_MARK, Encode, Encoded
+from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
 from vehicle_roll_sim.messages.topics import CLOCK, FLOAT, STATE_SET, TRANSFORMS, WRENCH
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.frames import quaternion
@@ -81,23 +81,23 @@ class Messages:
         self._motion = self._labelled("motion", MOTION_LABELS)
         self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
         self._single = {
-            topic.name: Encoded(encode(topic.type, {"data": MARK}), 1)
+            topic.name: MessageTemplate(encode(topic.type, {"data": MARK}), 1)
             for topic in STATE_SET
             if topic.type == FLOAT
         }
         self.named |= {name: ((name,), each.numbers) for name, each in self._single.items()}
-        self._clock = Encoded(encode(CLOCK.type, {"clock": STAMP_MARK}))
+        self._clock = MessageTemplate(encode(CLOCK.type, {"clock": STAMP_MARK}))
         position = {"position": {"x": MARK}}
         odometry = self._in_frame("odom") | {"pose": {"pose": position}}
         odometry |= self._of_frame("base_link")
-        self._odom = Encoded(encode(TYPES["odom"], odometry), OF_ODOMETRY)
+        self._odom = MessageTemplate(encode(TYPES["odom"], odometry), OF_ODOMETRY)
         covariances.odom.spread(self._odom.numbers)
         imu = self._in_frame("base_link") | {"orientation": {"x": MARK}}
-        self._imu = Encoded(encode(TYPES["imu"], imu), OF_IMU)
+        self._imu = MessageTemplate(encode(TYPES["imu"], imu), OF_IMU)
         covariances.imu.spread(self._imu.numbers)
         self._joints = self._joint_states()
         force = self._in_frame("base_footprint") | {"wrench": {"force": {"x": MARK}}}
-        self._forces = [Encoded(encode(WRENCH, force), OF_WRENCH) for _ in WHEELS]
+        self._forces = [MessageTemplate(encode(WRENCH, force), OF_WRENCH) for _ in WHEELS]
 
     def builder(self, topic: str) -> Callable[[], bytes]:
         """The method that updates the message of a topic of the set and returns its bytes."""
@@ -106,12 +106,12 @@ class Messages:
             return functools.partial(self.tire_force, WHEELS.index(wheel))
         return getattr(self, family)
 
-    def _labelled(self, topic: str, labels, mark=(MARK,), kind: str = "<f8") -> Encoded:
+    def _labelled(self, topic: str, labels, mark=(MARK,), kind: str = "<f8") -> MessageTemplate:
         """A multi-array whose layout labels every element: dim[i].label is the name of data[i]."""
         dimensions = [{"label": name, "size": 1, "stride": 1} for name in labels]
         data = [*mark, *[0.0] * (len(labels) - len(mark))]
         fields = {"layout": {"dim": dimensions}, "data": data}
-        message = Encoded(self._encode(TYPES[topic], fields), len(labels), mark, kind)
+        message = MessageTemplate(self._encode(TYPES[topic], fields), len(labels), mark, kind)
         self.named[topic] = labels, message.numbers
         return message
 
@@ -121,17 +121,17 @@ class Messages:
     def _of_frame(self, frame: str) -> dict:
         return {"child_frame_id": self._frame_prefix + frame}
 
-    def _joint_states(self) -> Encoded:
+    def _joint_states(self) -> MessageTemplate:
         """Positions and velocities are contiguous, except for the length field of the latter."""
         names = [*(SUSPENSION if self._whole_body else ()), *STEERING, *SPINNING]
         zeros = [0.0] * len(names)
         moving = {"name": names, "position": [MARK, *zeros[1:]], "velocity": zeros}
         fields = {"header": {"stamp": STAMP_MARK}, **moving}
         message = self._encode(TYPES["joint_states"], fields)
-        return Encoded(message, len(names) + 1 + len(names), tail=EMPTY_LIST)
+        return MessageTemplate(message, len(names) + 1 + len(names), tail=EMPTY_LIST)
 
     @functools.cached_property
-    def _transforms(self) -> Encoded:
+    def _transforms(self) -> MessageTemplate:
         """From odom to base_footprint, on the ground, and to base_link, if the model has heave.
 
         Created on first use, since not every ROS installation has the message type.
@@ -139,7 +139,9 @@ class Messages:
         frames = ("base_footprint", "base_link") if self._whole_body else ("base_footprint",)
         at_mark = {"transform": {"translation": {"x": MARK}}}
         transforms = [self._in_frame("odom") | self._of_frame(frame) | at_mark for frame in frames]
-        return Encoded(self._encode(TRANSFORMS.type, {"transforms": transforms}), OF_TRANSFORM)
+        return MessageTemplate(
+            self._encode(TRANSFORMS.type, {"transforms": transforms}), OF_TRANSFORM
+        )
 
     def set_time(self, nanoseconds: int) -> None:
         """Set the stamp of the next set (ns since the epoch of the stamps)."""
@@ -148,7 +150,7 @@ class Messages:
     def clock(self) -> bytes:
         return self._dated(self._clock)
 
-    def _dated(self, message: Encoded) -> bytes:
+    def _dated(self, message: MessageTemplate) -> bytes:
         message.stamp(*self.stamp)
         return bytes(message)
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from vehicle_roll_sim.messages.encoded import MARK, STAMP_MARK, Encode, Encoded
+from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
 from vehicle_roll_sim.messages.sets import EMPTY_LIST, Messages
 from vehicle_roll_sim.messages.topics import STAMPED, STAMPED_ENDING, Topic
 
@@ -15,7 +15,7 @@ def builder(messages: Messages, encode: Encode, topic: Topic) -> Callable[[], by
     bring_up_to_date, (names, numbers) = messages.builder(name), messages.named[name]
     positions = [MARK, *[0.0] * (len(names) - 1)]
     fields = {"header": {"stamp": STAMP_MARK}, "name": names, "position": positions}
-    stamped = Encoded(encode(topic.type, fields), len(names), tail=2 * EMPTY_LIST)
+    stamped = MessageTemplate(encode(topic.type, fields), len(names), tail=2 * EMPTY_LIST)
 
     def build() -> bytes:
         bring_up_to_date()

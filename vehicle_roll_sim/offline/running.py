@@ -9,11 +9,11 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.output_file import check_new_folder
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
-from vehicle_roll_sim.offline.asked_for import manoeuvre_of
+from vehicle_roll_sim.offline.manoeuvre_argument import manoeuvre_of
 from vehicle_roll_sim.offline.run_result import RunResult
 from vehicle_roll_sim.offline.tables import path_of
 from vehicle_roll_sim.runs import run as stepwise
-from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD, Witness
+from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD, Observer
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import (
@@ -89,14 +89,14 @@ def drive(
     driver = manoeuvre.driver()
     simulation.reset(manoeuvre.speed)
     period = command_period or HELD_PERIOD
-    with _recorded(simulation, manoeuvre.commanded, bag, period, stamped) as witness:
+    with _recorded(simulation, manoeuvre.commanded, bag, period, stamped) as observer:
         history = stepwise.run(
             simulation,
             driver,
             manoeuvre.duration,
             sample=sample,
             command_period=command_period,
-            witness=witness,
+            observer=observer,
             progress=progress,
         )
     return RunResult(
@@ -126,8 +126,8 @@ def _recorded(
     bag: Path | None,
     period: float,
     stamped: bool,
-) -> AbstractContextManager[Witness | None]:
-    """Context of the witness that writes the bag; yields None without a bag."""
+) -> AbstractContextManager[Observer | None]:
+    """Context of the observer that writes the bag; yields None without a bag."""
     if bag is None:
         return nullcontext()
     from vehicle_roll_sim.bags.run_bag import run_bag  # its library is optional

@@ -6,7 +6,7 @@ if sys.argv[:1] == ["-m"]:  # while `python -m vehicle_roll_sim.ros.NODE` looks 
     from vehicle_roll_sim import early_signals
 
     early_signals.end_node_at_once(even_ignored=False)
-    from vehicle_roll_sim.ros import missing
+    from vehicle_roll_sim.ros import availability
 
-    if not missing.is_ros_installed():
-        sys.exit(missing.end_without_ros(missing.PACKAGE))
+    if not availability.is_ros_installed():
+        sys.exit(availability.end_without_ros(availability.PACKAGE))

@@ -48,14 +48,14 @@ def _run(name: str, interrupted: int = 0) -> int:
     early_signals.end_node_at_once(interrupted, even_ignored=not interrupted)
     import importlib
 
-    from vehicle_roll_sim.ros import missing
+    from vehicle_roll_sim.ros import availability
 
-    if not missing.is_ros_installed():
-        return missing.end_without_ros(name)
+    if not availability.is_ros_installed():
+        return availability.end_without_ros(name)
     try:
         module = importlib.import_module(f"vehicle_roll_sim.ros.{MODULES[name]}")
     except ImportError as error:
-        return missing.end_without_ros(name, error)
+        return availability.end_without_ros(name, error)
     return module.main()
 
 

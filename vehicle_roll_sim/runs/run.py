@@ -19,13 +19,13 @@ HELD_PERIOD = 0.01
 """s: default period for which commands are held, that of the node."""
 
 
-class Witness(Protocol):
+class Observer(Protocol):
     """Observer of a run, called when a node would publish or apply something."""
 
-    def sees_set(self) -> None:
+    def on_set(self) -> None:
         """Called at the beginning of the run and at the end of each period."""
 
-    def sees_command(self, command: Command) -> None:
+    def on_command(self, command: Command) -> None:
         """Called with the command that is applied in the next period."""
 
 
@@ -36,7 +36,7 @@ def run(
     *,
     sample: float = DEFAULT_SAMPLE,
     command_period: float = 0.0,
-    witness: Witness | None = None,
+    observer: Observer | None = None,
     progress: Callable[[float], None] = lambda seconds: None,
 ) -> History:
     """Drive from the present state for `duration` (s); a row every `sample` (s) and at the end.
@@ -44,13 +44,13 @@ def run(
     A Programme is evaluated at every stage of the integration or, with `command_period` (s), at the
     beginning of each period and then held, as a node does. The steps in its `steps_at` are exact at
     multiples of the integration step; the row at the time of a step shows the commands before it.
-    The commands of a Feedback, and all commands if there is a witness, are held for
+    The commands of a Feedback, and all commands if there is a observer, are held for
     `command_period`, by default 10 ms. `progress` is called with each increment of simulated time
     (s). Raises InputError for times that are not multiples of the integration step.
     """
     step_ns = simulation.step_ns
     every = whole_steps(sample, step_ns, "sample") * step_ns
-    if isinstance(driver, Feedback) or witness:
+    if isinstance(driver, Feedback) or observer:
         command_period = command_period or HELD_PERIOD
     period = (
         whole_steps(command_period, step_ns, "command period") * step_ns if command_period else 0
@@ -59,14 +59,14 @@ def run(
     steps_at = [] if period else _in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
     rows, held = [row_of(simulation)], None
     driven = [Command() if period else None]
-    if witness:
-        witness.sees_set()
+    if observer:
+        observer.on_set()
     while simulation.time_ns < end and simulation.condition is Condition.RUNNING:
         now = simulation.time_ns
         if period and (held is None or now % period == 0):
             held = command_at(driver, now / NANOSECONDS, simulation.state)
-            if witness:
-                witness.sees_command(held)
+            if observer:
+                observer.on_command(held)
         until = min(_next(now, every), end, _next(now, period) if period else end)
         if (following := bisect.bisect(steps_at, now)) < len(steps_at):
             until = min(until, steps_at[following])
@@ -76,8 +76,8 @@ def run(
         if has_moved and (ended or simulation.time_ns % every == 0):
             rows.append(row_of(simulation))
             driven.append(held)
-        if witness and (ended or simulation.time_ns % period == 0):
-            witness.sees_set()
+        if observer and (ended or simulation.time_ns % period == 0):
+            observer.on_set()
         progress((simulation.time_ns - now) / NANOSECONDS)
     return _with_commands(History(rows), driven, driver)
 

@@ -10,7 +10,7 @@ from patience import PATIENCE
 from std_msgs.msg import Bool, Float64, Float64MultiArray
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.messages.collected import by_name
+from vehicle_roll_sim.messages.run_messages import by_name
 from vehicle_roll_sim.messages.topics import PUBLISHED, STATE_SET, Topic
 from vehicle_roll_sim.ros.clients.controller import heard_topics, message_of, said_topics
 

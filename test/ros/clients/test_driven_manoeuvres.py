@@ -9,9 +9,9 @@ from peers import TOPICS
 
 from vehicle_roll_sim.command_line.main import main as offline
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
-from vehicle_roll_sim.ros.clients.driver import Driver
+from vehicle_roll_sim.ros.clients.manoeuvre_player import ManoeuvrePlayer
 from vehicle_roll_sim.ros.clients.simulator_client import SimulatorClient
-from vehicle_roll_sim.ros.process import lifetime
+from vehicle_roll_sim.ros.node_main import lifetime
 from vehicle_roll_sim.ros.topics import message_class, recording_qos
 
 VEHICLE = {"cg_height": 0.55, "steering_ratio": 20.0, "front_roll_centre_height": 0.1}
@@ -160,7 +160,7 @@ def driver(domain):
     """The node of a short manoeuvre with speed hold, in this process."""
     rclpy.init(args=[], domain_id=domain)
     manoeuvre = dataclasses.replace(manoeuvre_named("step_steer"), duration=1.5)
-    yield Driver(manoeuvre)
+    yield ManoeuvrePlayer(manoeuvre)
     rclpy.try_shutdown()
 
 

@@ -10,7 +10,7 @@ import pytest
 from vehicle_roll_sim.model.compiled.code_cache import COMPLETE
 from vehicle_roll_sim.model.compiled.jit import CACHE
 from vehicle_roll_sim.ros.clients.simulator_client import PATIENCE
-from vehicle_roll_sim.ros.simulator.compiling import COMPILING
+from vehicle_roll_sim.ros.simulator.compile_status import COMPILING
 from vehicle_roll_sim.simulation.compilation import LOCK
 
 pytestmark = [

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.collected import COLLECTED, STATE, Collected, by_name, is_ours
+from vehicle_roll_sim.messages.run_messages import COLLECTED, STATE, RunMessages, by_name, is_ours
 from vehicle_roll_sim.ros.qos_overrides import make_subscription
 from vehicle_roll_sim.ros.topics import message_class, recording_qos
 from vehicle_roll_sim.runs.history import History
@@ -37,7 +37,7 @@ class Collector:
 
     def forget(self) -> None:
         """Drop everything, and wait for the state at time 0 that follows a reset."""
-        self._kept = Collected()
+        self._kept = RunMessages()
         self.is_mixed, self._numbers = False, {}
 
     def _listener(self, name: str):
@@ -79,5 +79,5 @@ class Collector:
         return self._kept.is_complete()
 
     def history(self, road: Road) -> History:
-        """One row for every complete set (`Collected.history`)."""
+        """One row for every complete set (`RunMessages.history`)."""
         return self._kept.history(road)

@@ -21,10 +21,10 @@ from rclpy.qos import QoSProfile
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.live.command_inbox import channels
-from vehicle_roll_sim.messages.joined import KEPT, JoinedSets
+from vehicle_roll_sim.messages.set_synchronizer import KEPT, SetSynchronizer
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STATE_SET, Topic
 from vehicle_roll_sim.ros.compatibility import UNNAMED
-from vehicle_roll_sim.ros.process import LOOK, lifetime, node_main, refuse_unknown_parameters
+from vehicle_roll_sim.ros.node_main import LOOK, lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import (
     make_publisher,
     make_subscription,
@@ -61,7 +61,7 @@ class Controller(Node):
         heard, self._said = heard_topics(self.heard), said_topics(self.said)
         super().__init__(self.node_name)
         refuse_wrong_overrides(self, publishers=self._said, subscriptions=heard)
-        self._sets, self._publishers_of = JoinedSets(heard), {}
+        self._sets, self._publishers_of = SetSynchronizer(heard), {}
         self._subscriptions_of = [self._listen_to(topic) for topic in heard.values()]
 
     def answer(self, *messages):

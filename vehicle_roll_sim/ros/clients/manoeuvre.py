@@ -20,10 +20,10 @@ from vehicle_roll_sim.files.output_file import (
 )
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model.integration.events import Condition
-from vehicle_roll_sim.ros import ending
-from vehicle_roll_sim.ros.clients.driver import ROUNDING, Driver
+from vehicle_roll_sim.ros import signals
+from vehicle_roll_sim.ros.clients.manoeuvre_player import ROUNDING, ManoeuvrePlayer
 from vehicle_roll_sim.ros.clients.simulator_client import NoAnswerError, SimulatorClient
-from vehicle_roll_sim.ros.process import lifetime, node_main
+from vehicle_roll_sim.ros.node_main import lifetime, node_main
 from vehicle_roll_sim.runs.history import WITH_COMMANDS, History, check_with_commands
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.runs.summary import line, summary_lines
@@ -55,19 +55,19 @@ class Files:
 
 def drive(name: str, manoeuvre: Manoeuvre, simulator: str, files: Files) -> int:
     """Play the manoeuvre, write its files and print its summary; return the exit status."""
-    driver = Driver(manoeuvre)
+    driver = ManoeuvrePlayer(manoeuvre)
     try:
         with lifetime(driver) as executor:
             driver.prepare(SimulatorClient(driver, executor, simulator))
             driver.play()
-        with ending.interruptible():
+        with signals.interruptible():
             return _tell(name, driver, files)
     except NoAnswerError as error:
         print(f"manoeuvre: error: {error}", file=sys.stderr)
         return NO_SIMULATOR
 
 
-def _tell(name: str, driver: Driver, files: Files) -> int:
+def _tell(name: str, driver: ManoeuvrePlayer, files: Files) -> int:
     """Write the files of a completed manoeuvre and print its summary; return the exit status.
 
     Raises NoAnswerError if no complete set was received.

@@ -25,8 +25,8 @@ from vehicle_roll_sim.messages.topics import (
     STAMPED,
     Topic,
 )
-from vehicle_roll_sim.ros import ending
-from vehicle_roll_sim.ros.process import lifetime, node_main, refuse_unknown_parameters
+from vehicle_roll_sim.ros import signals
+from vehicle_roll_sim.ros.node_main import lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
 from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
 
@@ -150,7 +150,7 @@ def _listen(recorder: Recorder, executor: Executor, bag, duration: float | None)
         ended.set()
         executor.wake()
 
-    ending.shutting_down(end)
+    signals.shut_down_on_signal(end)
     now = time.monotonic()
     until, keep_at = now + duration if duration else float("inf"), now + KEPT_EVERY
     while not ended.is_set() and (now := time.monotonic()) < until:

@@ -9,8 +9,8 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from std_srvs.srv import Trigger
 
-from vehicle_roll_sim.ros.process import LOOK
-from vehicle_roll_sim.ros.simulator.compiling import Compilations
+from vehicle_roll_sim.ros.node_main import LOOK
+from vehicle_roll_sim.ros.simulator.compile_status import Compilations
 
 PATIENCE = 10.0
 """Time that a simulator may take to answer (wall s)."""

@@ -21,8 +21,8 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.ros.controller_scripts import assigned, commanded_by, scripts_of
 from vehicle_roll_sim.ros.launching.values import NO, YES, log_words, ros_words, understood
-from vehicle_roll_sim.ros.script_texts import assigned, commanded_by, scripts_of
 from vehicle_roll_sim.ros.simulator.settings import PUBLISHED_IN_SETS
 
 PACKAGE = "vehicle_roll_sim"

@@ -26,6 +26,7 @@ from vehicle_roll_sim.files.output_file import (
 )
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.ros.controller_scripts import assigned, commanded_by, scripts_of
 from vehicle_roll_sim.ros.orchestration.comparison import (
     Chain,
     Outcome,
@@ -36,7 +37,6 @@ from vehicle_roll_sim.ros.orchestration.comparison import (
 from vehicle_roll_sim.ros.orchestration.comparison_table import WITHOUT, comparison_table
 from vehicle_roll_sim.ros.orchestration.demo import LOCAL
 from vehicle_roll_sim.ros.orchestration.domains import own_domain
-from vehicle_roll_sim.ros.script_texts import assigned, commanded_by, scripts_of
 from vehicle_roll_sim.ros.simulator.settings import COMMANDED
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.runs.summary import line

@@ -11,7 +11,7 @@ from pathlib import Path
 from vehicle_roll_sim.arguments import OneLineParser, exit_status
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros import signals
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.compilation import compile_model
 
@@ -59,7 +59,7 @@ def demonstrate(folder: Path) -> int:
     compile_model()
     interrupted = threading.Event()
     # only set an event: an exception could lose a node between its start and its entry in the list
-    for signum in ending.heeded(ENDING):
+    for signum in signals.not_ignored(ENDING):
         signal.signal(signum, lambda *_: interrupted.set())
     nodes, statuses = [], []
     try:

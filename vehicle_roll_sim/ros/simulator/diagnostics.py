@@ -14,14 +14,14 @@ from vehicle_roll_sim.live.status import (
     step_trouble,
     verdict,
 )
-from vehicle_roll_sim.messages.collected import STATE
+from vehicle_roll_sim.messages.run_messages import STATE
 from vehicle_roll_sim.messages.topics import CLOCK, DIAGNOSTICS, STATE_SET
 from vehicle_roll_sim.ros.compatibility import (
     command_publishers,
     incompatible_partners,
     other_publishers,
 )
-from vehicle_roll_sim.ros.simulator.compiling import status_name
+from vehicle_roll_sim.ros.simulator.compile_status import status_name
 from vehicle_roll_sim.ros.simulator.lockstep import Lockstep
 from vehicle_roll_sim.ros.simulator.publications import Publications
 from vehicle_roll_sim.ros.simulator.real_time import RealTime

@@ -7,7 +7,7 @@ from rclpy.executors import Executor
 
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.ros.compatibility import command_publishers
-from vehicle_roll_sim.ros.process import LOOK
+from vehicle_roll_sim.ros.node_main import LOOK
 
 STOP = "stop"
 """Timeout policy, besides command_inbox.HOLD, when no answer comes in time."""

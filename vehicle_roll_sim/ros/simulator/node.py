@@ -19,10 +19,10 @@ from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.live.status import ending
 from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 from vehicle_roll_sim.model.compiled import jit
-from vehicle_roll_sim.ros.process import lifetime, node_main
+from vehicle_roll_sim.ros.node_main import lifetime, node_main
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
 from vehicle_roll_sim.ros.simulator import parameters
-from vehicle_roll_sim.ros.simulator.compiling import compile_and_tell
+from vehicle_roll_sim.ros.simulator.compile_status import compile_and_tell
 from vehicle_roll_sim.ros.simulator.diagnostics import Reporter
 from vehicle_roll_sim.ros.simulator.lockstep import Lockstep, UnansweredError
 from vehicle_roll_sim.ros.simulator.publications import Publications, published_topics
@@ -122,7 +122,7 @@ class Simulator(Node):
         with self.lock:
             now_ns = self.session.simulation.time_ns
             problem = self.session.inbox.receive(topic, values, now_ns)
-        if problem and self._warnings.lets((topic, problem.startswith(DROPPED))):
+        if problem and self._warnings.allows((topic, problem.startswith(DROPPED))):
             self.get_logger().warning(f"{topic}: {problem}")
 
     def run_period(self, due_ns: int | None = None) -> None:

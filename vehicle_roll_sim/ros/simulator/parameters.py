@@ -21,7 +21,7 @@ from vehicle_roll_sim.declaration import (
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
-from vehicle_roll_sim.ros.process import refuse_unknown_parameters
+from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
 from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road

@@ -14,7 +14,7 @@ from vehicle_roll_sim.early_signals import PROGRAM, SHELLS_SIGNAL, SIGNALS, end_
 
 
 @contextlib.contextmanager
-def whole_process() -> Iterator[None]:
+def exit_on_signal_throughout() -> Iterator[None]:
     """Enclose all that the process does: signals end it at once, and are ignored afterwards.
 
     So Python's own SIGINT handler, with its traceback, is never reached, not even at exit.
@@ -27,7 +27,7 @@ def whole_process() -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def at_once() -> Iterator[None]:
+def exit_on_signal() -> Iterator[None]:
     """Within the block, a signal ends the process immediately: only while there is nothing to lose.
 
     An exception raised inside a callback of the compiler gets lost and leaves it broken. The same
@@ -37,15 +37,15 @@ def at_once() -> Iterator[None]:
         yield
 
 
-def import_at_once(*modules: str) -> None:
-    """Import modules of this package whose libraries are slow to load or optional, `at_once`."""
-    with at_once():
+def import_interruptibly(*modules: str) -> None:
+    """Import modules of the package, which take long or are optional: a signal ends the process."""
+    with exit_on_signal():
         for name in modules:
             importlib.import_module(f"{PROGRAM}.{name}")
 
 
 @contextlib.contextmanager
-def by_exceptions() -> Iterator[None]:
+def raise_on_signal() -> Iterator[None]:
     """Within the block, SIGINT raises KeyboardInterrupt and SIGTERM raises SystemExit.
 
     Context managers can then remove partial files.

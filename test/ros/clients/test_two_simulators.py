@@ -3,7 +3,7 @@
 import pytest
 from std_msgs.msg import Float64MultiArray, MultiArrayDimension
 
-from vehicle_roll_sim.messages.collected import NEEDED
+from vehicle_roll_sim.messages.run_messages import NEEDED
 from vehicle_roll_sim.ros.clients.collector import Collector
 
 pytestmark = pytest.mark.unmeasured

@@ -11,7 +11,7 @@ KEPT = 10
 """Queue length: messages per topic that wait for the rest of their set."""
 
 
-class JoinedSets:
+class SetSynchronizer:
     """Collects one message of each of the topics `names` per set, in whatever order they arrive.
 
     A simulator sends a set in the order of STATE_SET, so a message sent between two messages of the

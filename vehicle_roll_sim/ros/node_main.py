@@ -23,7 +23,7 @@ from rclpy.utilities import remove_ros_args, try_shutdown
 from vehicle_roll_sim.arguments import exit_status
 from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.early_signals import end_node_at_once
-from vehicle_roll_sim.ros import ending, qos_overrides
+from vehicle_roll_sim.ros import qos_overrides, signals
 from vehicle_roll_sim.ros.parameter_files import warn_of_files_for_others
 from vehicle_roll_sim.ros.parameter_requests import refuse_malformed
 from vehicle_roll_sim.vehicle.plausibility import unwarned
@@ -57,14 +57,14 @@ def node_main(
         try:
             _find_log_folder(parser.prog)
             _initialise(words)
-            ending.shutting_down(_shut_down)
+            signals.shut_down_on_signal(_shut_down)
             with unwarned():  # nodes log plausibility warnings themselves
                 return _run(body, arguments)
         except (KeyboardInterrupt, ExternalShutdownException):
             return 0
         finally:
             _shut_down()
-            ending.over()
+            signals.ignore_signals()
 
     return exit_status(command, parser.prog)
 

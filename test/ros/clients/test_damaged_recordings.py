@@ -13,7 +13,7 @@ pytest.importorskip("rosbags", reason="bags need the library rosbags")
 
 from vehicle_roll_sim.bags.reading import recorded_runs
 from vehicle_roll_sim.bags.replay import replay
-from vehicle_roll_sim.bags.unindexed import BagReader
+from vehicle_roll_sim.bags.unindexed_reader import BagReader
 from vehicle_roll_sim.simulation.description import described
 
 pytestmark = pytest.mark.unmeasured

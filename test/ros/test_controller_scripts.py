@@ -3,7 +3,7 @@
 import pytest
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.ros.script_texts import EXAMPLES, commanded_by, scripts_of
+from vehicle_roll_sim.ros.controller_scripts import EXAMPLES, commanded_by, scripts_of
 
 HEARS_STEERING = """
 class Mine(Controller):

@@ -20,7 +20,7 @@ END = (
 """The shortest valid end of an MCAP file."""
 
 
-class KeptFile(McapWriter):
+class CrashSafeFile(McapWriter):
     """Writes each chunk together with a file end, which the next chunk overwrites.
 
     The file has the name that rosbag2 gives to the first file of a bag, which its reindexer needs.
@@ -65,10 +65,10 @@ class _MetadataAlone:
         pass
 
 
-class KeptWriter(Writer):
+class CrashSafeWriter(Writer):
     """A writer whose bag is readable after every `keep`, even if the process is then killed."""
 
-    STORAGE_PLUGINS = Writer.STORAGE_PLUGINS | {StoragePlugin.MCAP: KeptFile}
+    STORAGE_PLUGINS = Writer.STORAGE_PLUGINS | {StoragePlugin.MCAP: CrashSafeFile}
 
     def begin(self) -> None:
         """Write metadata with all connections but no messages; this takes 0.1 s."""

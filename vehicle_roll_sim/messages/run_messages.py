@@ -26,7 +26,7 @@ NEEDED = {"x", "y", "yaw", "u", "v", "yaw_rate", "roll", "roll_rate"}
 """States that every model publishes."""
 
 
-class Collected:
+class RunMessages:
     """Messages of one run, each with the time at which it was sent (ns), in that order.
 
     A set begins with its `state`, and one process sends it in order, so a message sent between two

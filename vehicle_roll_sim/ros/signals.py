@@ -15,12 +15,12 @@ from collections.abc import Callable, Iterable, Iterator
 from vehicle_roll_sim.early_signals import SIGNALS
 
 
-def heeded(signals: Iterable[int] = SIGNALS) -> list[int]:
+def not_ignored(signals: Iterable[int] = SIGNALS) -> list[int]:
     """Those of `signals` that this process was not started with as ignored."""
     return [each for each in signals if signal.getsignal(each) is not signal.SIG_IGN]
 
 
-def shutting_down(shut_down: Callable[[], None]) -> None:
+def shut_down_on_signal(shut_down: Callable[[], None]) -> None:
     """From now on, a signal makes a thread call `shut_down`, whatever the main thread is doing.
 
     Only the most recently registered callback is called.
@@ -37,7 +37,7 @@ def shutting_down(shut_down: Callable[[], None]) -> None:
     _handle(_nothing)
 
 
-def over() -> None:
+def ignore_signals() -> None:
     """From now on, signals are ignored, so that interpreter exit is not interrupted."""
     _handle(signal.SIG_IGN)
 

@@ -11,7 +11,7 @@ from rclpy.node import Node
 
 from vehicle_roll_sim.messages.topics import DIAGNOSTICS
 from vehicle_roll_sim.model.compiled import jit
-from vehicle_roll_sim.ros.process import LOOK, lifetime
+from vehicle_roll_sim.ros.node_main import LOOK, lifetime
 from vehicle_roll_sim.ros.topics import message_class, offered_qos
 from vehicle_roll_sim.simulation.compilation import compile_model
 

@@ -11,9 +11,9 @@ from std_msgs.msg import Float64, Float64MultiArray
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.manoeuvres.catalogue import Manoeuvre
-from vehicle_roll_sim.messages.collected import COLLECTED, STATE
+from vehicle_roll_sim.messages.run_messages import COLLECTED, STATE
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED, Condition
-from vehicle_roll_sim.ros import ending
+from vehicle_roll_sim.ros import signals
 from vehicle_roll_sim.ros.clients.collector import Collector
 from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.clients.simulator_client import NoAnswerError, SimulatorClient
@@ -23,7 +23,7 @@ from vehicle_roll_sim.ros.compatibility import (
     fitting_listeners,
     publishers_of,
 )
-from vehicle_roll_sim.ros.process import refuse_unknown_parameters
+from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import make_publisher, refuse_wrong_overrides
 from vehicle_roll_sim.ros.simulator.lockstep import SETTLING
 from vehicle_roll_sim.ros.simulator.settings import LOCKSTEP
@@ -45,7 +45,7 @@ STANDING_STILL = 3
 """Repeated states after which the simulator is considered stopped."""
 
 
-class Driver(Node):
+class ManoeuvrePlayer(Node):
     """Plays a manoeuvre: answers every state with the commands for the period that starts there.
 
     It commands nothing before it has reset the simulator. In lockstep, the simulator may be waiting
@@ -93,7 +93,7 @@ class Driver(Node):
             self._refuse_wrong_overrides(lossless=True)
         if self.manoeuvre.needs_vehicle:
             vehicle, options = simulated_vehicle(simulator.get)
-            with ending.interruptible():
+            with signals.interruptible():
                 compile_model()
                 self.manoeuvre = self.manoeuvre.for_vehicle(vehicle, options)
         simulator.set("initial_speed", self.manoeuvre.speed)

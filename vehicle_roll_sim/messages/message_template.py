@@ -19,7 +19,7 @@ MARK = 0.7390851332151607
 """A placeholder number that no message contains otherwise."""
 
 
-class Encoded:
+class MessageTemplate:
     """The bytes of a message, in which numbers and stamps can be set.
 
     message: the encoded message with placeholders. count: how many numbers can be set from each
