@@ -1,6 +1,7 @@
 """Imports point one way, from the command line and the nodes down to the model."""
 
 import ast
+import re
 import subprocess
 import sys
 
@@ -74,6 +75,18 @@ def test_a_part_imports_only_what_is_below_it(own_imports, part):
     for importing, imported in own_imports:
         if is_within(importing, part):
             assert any(is_within(imported, each) for each in allowed), (importing, imported)
+
+
+def test_the_architecture_page_and_its_diagram_show_every_part(root):
+    page = (root / "docs" / "architecture.md").read_text(encoding="utf-8")
+    diagram = (root / "docs" / "architecture.svg").read_text(encoding="utf-8")
+    rows = re.findall(r'y="(\d+)" class="name">(\w+)<', diagram)
+    height = {part: -int(y) for y, part in rows}
+    assert height.keys() - {"launch"} == MAY_IMPORT.keys() - {"arguments"}
+    for part, below in MAY_IMPORT.items():
+        assert f"`{part}`" in page
+        for each in below - {"arguments"}:
+            assert height[each] < height[part], (part, each)
 
 
 def test_no_part_is_allowed_to_import_one_that_may_import_it():
