@@ -46,7 +46,7 @@ def command_of(inputs: np.ndarray) -> Command:
 
 def simulation_in(trim: Trim) -> Simulation:
     """A simulation that begins in a trim."""
-    simulation = Simulation(trim.model.vehicle, trim.model.options)
+    simulation = Simulation(trim.plant.vehicle, trim.plant.options)
     simulation.reset(float(trim.state[U]))
     simulation.state_vector[:] = trim.state
     return simulation

@@ -33,7 +33,7 @@ def test_a_simulation_that_begins_in_a_trim_stays_in_it(options):
     trim = find_trim(REFERENCE, options, speed=SPEED, lateral_acceleration=TURN)
     simulation = simulation_in(trim)
     simulation.step(command_of(trim.inputs), 1.0)
-    places = trim.model.places
+    places = trim.plant.places
     assert simulation.state_vector[places] == pytest.approx(trim.state[places], abs=ROUNDING)
     assert simulation.outputs.acceleration[1] == pytest.approx(TURN, abs=1e-6)
     assert simulation.outputs.normal_force == pytest.approx(trim.outputs.normal_force, abs=1e-3)
@@ -95,8 +95,8 @@ def test_tires_that_push_aside_do_so_from_both_sides_and_leave_it_straight_ahead
 
 def test_in_a_turn_the_yaw_rate_is_that_of_the_circle():
     trim = find_trim(REFERENCE, speed=SPEED, lateral_acceleration=TURN)
-    names = trim.model.state_names
-    state = dict(zip(names, trim.state[trim.model.places], strict=True))
+    names = trim.plant.state_names
+    state = dict(zip(names, trim.state[trim.plant.places], strict=True))
     turning = math.hypot(state["yaw_rate"], state["pitch_rate"], state["roll_rate"])
     # along the axle of the turn the c.g. is accelerated with speed times yaw rate
     assert turning * math.hypot(state["u"], state["v"]) == pytest.approx(TURN, rel=3e-3)
@@ -106,7 +106,7 @@ def test_in_a_turn_the_yaw_rate_is_that_of_the_circle():
 def test_a_right_turn_is_the_mirror_image_of_a_left_turn(options):
     left = find_trim(REFERENCE, options, speed=SPEED, steering=math.radians(3))
     right = find_trim(REFERENCE, options, speed=SPEED, steering=math.radians(-3))
-    places, image = left.model.places, mirror(left.model.state_names)
+    places, image = left.plant.places, mirror(left.plant.state_names)
     assert image @ left.state[places] == pytest.approx(right.state[places], abs=ROUNDING)
     assert left.state[ROLL] > 0.0
 

@@ -114,7 +114,7 @@ def test_a_brake_that_would_drive_is_dropped(element):
     values[element] = -1e-9
     reason = dropped("brake_torque_cmd", values)
     assert "-1e-09" in reason
-    assert "at least 0" in reason
+    assert "below 0" in reason
 
 
 def test_the_reason_shows_the_values_as_numbers():

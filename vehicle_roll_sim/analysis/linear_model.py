@@ -68,7 +68,7 @@ class LinearModel:
     @property
     def trim_state(self) -> np.ndarray:
         """The states at the trim, shape (n,) (SI units, rad)."""
-        return self.trim.state[self.trim.model.places]
+        return self.trim.state[self.trim.plant.places]
 
     @property
     def trim_output(self) -> np.ndarray:
@@ -98,7 +98,7 @@ def linearize(trim: Trim) -> LinearModel:
 
     Raises InputError at a kink, such as a wheel about to lift off.
     """
-    model = trim.model
+    model = trim.plant
     names = (*model.state_names, *(() if model.options.has_eight_dof else TIRE_NAMES))
     places = np.array([STATE_NAMES.index(name) for name in names])
     scale = typical((*names, *INPUT_NAMES))

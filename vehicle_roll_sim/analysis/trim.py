@@ -148,7 +148,7 @@ class Trim:
     record.
     """
 
-    model: LevelRoadModel
+    plant: LevelRoadModel
     state: np.ndarray
     inputs: np.ndarray
     outputs: np.record

@@ -1,16 +1,16 @@
 """A simulator with robot_state_publisher and RViz, until one of them ends; drive it separately."""
 
-from vehicle_roll_sim.ros.launching import pictures as launch_pictures
 from vehicle_roll_sim.ros.launching import processes as start
+from vehicle_roll_sim.ros.launching import rviz
 
 
 def processes(given):
-    return [start.simulator(given), *launch_pictures.pictures(given)]
+    return [start.simulator(given), *rviz.pictures(given)]
 
 
 def generate_launch_description():
     arguments = [
-        *launch_pictures.picture_arguments(),
+        *rviz.picture_arguments(),
         *start.simulator_arguments(),
         *start.name_arguments(),
     ]

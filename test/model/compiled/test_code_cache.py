@@ -12,7 +12,7 @@ from patience import PATIENCE
 from vehicle_roll_sim.model.compiled import jit
 
 pytestmark = pytest.mark.skipif(not jit.COMPILED, reason="only compiled code is cached")
-SHOW_CACHE = "from vehicle_roll_sim.model import jit; print(jit.CACHE)"
+SHOW_CACHE = "from vehicle_roll_sim.model.compiled import jit; print(jit.CACHE)"
 
 
 def doubled(x):
