@@ -2,6 +2,7 @@
 
 import errno
 import os
+import shutil
 from pathlib import Path
 
 import pytest
@@ -152,3 +153,25 @@ def test_checking_a_folder_makes_and_changes_nothing(path, name, existing):
     before = everything()
     check_folder(Path(name), "--out")
     assert everything() == before
+
+
+@pytest.mark.parametrize("check", [check_folder, check_writable])
+def test_a_signal_while_a_trial_is_being_removed_leaves_nothing(path, monkeypatch, check):
+    """Where it raises once in the middle of the removal, as handlers of signals do."""
+    for module, name in ((shutil, "rmtree"), (Path, "unlink")):
+        monkeypatch.setattr(module, name, interrupted_once(getattr(module, name)))
+    with pytest.raises(KeyboardInterrupt):
+        check(path.resolve(), "--out")
+    assert contents(Path()) == {}
+
+
+def interrupted_once(function):
+    """The function, but the first call is interrupted before it does anything."""
+    signals = iter([KeyboardInterrupt])
+
+    def call(*arguments, **options):
+        if signal := next(signals, None):
+            raise signal
+        return function(*arguments, **options)
+
+    return call

@@ -8,6 +8,8 @@ from random_states import attitude, random_command, random_state, wheel_centres
 
 from vehicle_roll_sim import Options
 
+pytestmark = pytest.mark.slow
+
 STATES = 300
 """Random states per variant; in about half of them wheels are off the ground."""
 RELATIVE = 1e-13

@@ -11,6 +11,8 @@ from test_momentum import close
 from vehicle_roll_sim import Command, Options, Simulation
 from vehicle_roll_sim.simulation.options import MODELS
 
+pytestmark = pytest.mark.slow
+
 STATES = 50
 """Random states per variant: half of them at moderate angles, half at anything up to 70 degrees."""
 MODERATE = 0.15

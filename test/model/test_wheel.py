@@ -11,6 +11,8 @@ from vehicle_roll_sim import LF, LR, RF, RR, Command, Condition, InputError, Opt
 from vehicle_roll_sim.model.wheel import with_friction
 from vehicle_roll_sim.simulation.road import Road
 
+pytestmark = pytest.mark.slow
+
 WHEELS = (LF, RF, LR, RR)
 G = 9.81
 SPIN = 40.0

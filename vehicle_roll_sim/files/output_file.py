@@ -5,7 +5,7 @@ import errno
 import os
 import shutil
 import uuid
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError, NotWrittenError
@@ -69,7 +69,7 @@ def _partial_file(path: Path) -> Iterator[Path]:
         partial.touch(mode=0o600, exist_ok=False)
         yield partial
     finally:
-        partial.unlink(missing_ok=True)
+        _despite_a_signal(lambda: partial.unlink(missing_ok=True))
 
 
 @contextlib.contextmanager
@@ -80,8 +80,16 @@ def _partial_folder(path: Path) -> Iterator[Path]:
         partial.mkdir(mode=0o700)
         yield partial
     finally:
-        if partial.exists():
-            shutil.rmtree(partial)
+        _despite_a_signal(lambda: shutil.rmtree(partial) if partial.exists() else None)
+
+
+def _despite_a_signal(remove: Callable[[], None]) -> None:
+    """Remove something, even if a signal raises an exception while it is being removed."""
+    try:
+        remove()
+    except BaseException:
+        remove()
+        raise
 
 
 def _hidden(folder: Path, suffix: str = "") -> Path:
