@@ -9,6 +9,8 @@ import textwrap
 
 import pytest
 
+pytestmark = pytest.mark.unmeasured  # what runs is a copy of the package
+
 PACKAGE = "vehicle_roll_sim"
 DOES = {
     "A vehicle parameter": """
