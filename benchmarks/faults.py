@@ -1,4 +1,4 @@
-"""Deliberate faults, such as a tired programmer makes; a test must catch each of them."""
+"""Deliberate faults, each of which a test must catch."""
 
 import dataclasses
 

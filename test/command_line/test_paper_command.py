@@ -33,26 +33,26 @@ TABLES = ("claims.md", "claims.txt")
 ROLL_PLANE = "roll_plane"
 SUFFIXES = ("csv", "png")
 BEYOND = (ROLL_PLANE, "transient_slip")
-"""Figures that the source does not have."""
+"""Figures that are not in the paper."""
 RESULTS = {
     *(f"figure_{number}.{suffix}" for number in NUMBERS for suffix in SUFFIXES),
     *(f"{figure}.{suffix}" for figure in BEYOND for suffix in SUFFIXES),
     *TABLES,
 }
 QUICK = 11
-"""The figure that has a run which no claim is about."""
+"""The figure with a run that no claim uses."""
 QUICK_RESULTS = {
     *(f"{figure}.{suffix}" for figure in (f"figure_{QUICK}", *BEYOND) for suffix in SUFFIXES),
     *TABLES,
 }
-"""Of a command that draws only this one of the figures with curves over time."""
+"""Output of a command that draws only this one of the time-history figures."""
 FALSE = {"1a": "1c-i"}
-"""A case taken for another, so that claims fail."""
+"""A case replaced by another, so that claims fail."""
 
 
 @pytest.fixture(scope="module")
 def study() -> Study:
-    """That of the reference vehicle; each of its runs is made once."""
+    """The study of the reference vehicle; each of its runs is simulated once."""
     return reference_study()
 
 
@@ -69,7 +69,7 @@ def paper(command, study, monkeypatch):
 
 
 def names(folder: Path) -> set[str]:
-    """Everything that lies in a folder, hidden files too."""
+    """Names of all files in a folder, including hidden ones."""
     return {entry.name for entry in folder.iterdir()}
 
 
@@ -160,7 +160,7 @@ FAILURES = {
     KeyboardInterrupt(): ({130}, "interrupted"),
     OSError(errno.ENOSPC, "No space left on device"): ({1}, "No space left on device"),
 }
-"""What goes wrong, and the status and the words that it ends with."""
+"""Failure, exit status, and words in the message."""
 PLACES = (
     "vehicle_roll_sim.paper.study.Study.step",
     "vehicle_roll_sim.paper.figures.save_figure",

@@ -29,7 +29,7 @@ from vehicle_roll_sim.ros.topics import message_class
 TOPICS = {topic.name.lstrip("/"): topic.type for topic in (*COMMANDS, *PUBLISHED, *STAMPED)}
 SERVICES = {"reset": "Trigger", "pause": "SetBool", "step": "Trigger"}
 NODES = {"simulator": Simulator, "recorder": Recorder}
-"""Executables whose parameters are known only once they have a node, and its class."""
+"""Executables whose parameters are known only from their node, and its class."""
 
 
 def check_run(name: str, words: list[str]) -> None:
@@ -49,7 +49,7 @@ def check_run(name: str, words: list[str]) -> None:
 
 
 def check_script(script: str, *words: str) -> None:
-    """`python3 SCRIPT …` of a controller: it makes a node, which takes these words."""
+    """`python3 SCRIPT …` for a controller: its node accepts these arguments."""
     _make(_controller_in(Path(script)), words)
 
 
@@ -102,14 +102,14 @@ def _check_service(verb: str, words: list[str]) -> None:
 
 
 def _fill(message, text: str = "{}") -> None:
-    """Give a message the values of a YAML text."""
+    """Set the fields of a message from a YAML text."""
     for name, value in yaml.safe_load(text).items():
         assert hasattr(message, name), f"{type(message).__name__} has no field {name}"
         setattr(message, name, value)
 
 
 def _controller_in(script: Path) -> type[Node]:
-    """The class that a script runs."""
+    """The controller class that a script runs."""
     found = []
     with mock.patch(f"{PACKAGE}.controller.run", found.append):
         runpy.run_path(str(script), run_name="__main__")
@@ -128,7 +128,7 @@ def _controller_of(names: dict) -> type[Node]:
 
 
 def _make(kind: type[Node], words: Sequence[str]) -> None:
-    """Make a node as an executable does with words, and refuse parameters that it has not."""
+    """Create a node as an executable does, and refuse parameters that it does not declare."""
     with own_domain() as domain, _context([PACKAGE, *words], domain):
         node = kind()
         try:

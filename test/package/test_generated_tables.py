@@ -1,4 +1,4 @@
-"""The documentation shows the parameters that the program has, and the claims as measured."""
+"""The tables of parameters and claims in the documentation agree with the program."""
 
 import re
 
@@ -12,14 +12,14 @@ from vehicle_roll_sim.paper.report import CLAIMS, as_markdown, check_claims
 pytestmark = pytest.mark.unmeasured
 
 SHOWN = 0.01
-"""Relative: numbers are rounded to three digits."""
+"""Relative tolerance: numbers are rounded to three digits."""
 ROUNDING_ERRORS = 22
-"""The claim whose numbers are as small as the machine makes them, below their criterion."""
+"""The claim whose numbers are rounding errors, which differ from machine to machine."""
 MEASURED = re.compile(r"(?P<name>.+): (?P<value>\S+)( (?P<unit>[^\s(]+))?( \((?P<criterion>.+)\))?")
 
 
 def rows_of(text: str, header: str) -> dict[int, list[str]]:
-    """Cells of the table below a header, by the number in the first."""
+    """Cells of the rows of the table with this header, by the number in the first cell."""
     table = text.partition(f"{header}\n")[2].partition("\n\n")[0]
     rows = [line.strip("| ").split(" | ") for line in table.splitlines()[1:]]
     return {int(row[0]): row for row in rows}
