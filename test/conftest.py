@@ -1,4 +1,4 @@
-"""For all tests: the model is compiled before them; profiles of random cases; who is measured."""
+"""For all tests: compiles the model first; profiles of random cases; coverage of processes."""
 
 import importlib.util
 import os

@@ -1,4 +1,4 @@
-"""The standard figure shows what the samples say: every curve, every shade, every mark."""
+"""The standard figure shows the samples: every curve, shaded interval and mark."""
 
 import math
 

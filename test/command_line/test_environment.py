@@ -1,4 +1,4 @@
-"""What the surroundings may do to a command: hang up, fill up, interrupt, damage the cache."""
+"""Disturbances of a command: hang-up, full disk, interruption, damaged cache."""
 
 import os
 import resource

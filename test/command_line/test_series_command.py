@@ -1,4 +1,4 @@
-"""`series`: a table with its verdict, the same as CSV, and what is refused."""
+"""`series`: a table with its verdict, the same as CSV, and refusals."""
 
 import csv
 

@@ -1,4 +1,4 @@
-"""Each message holds what its documentation says, without a middleware in between."""
+"""Each message has the documented content, tested without middleware."""
 
 from xml.etree import ElementTree
 

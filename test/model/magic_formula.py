@@ -1,4 +1,4 @@
-"""The Magic Formula 5.2 once more, in numpy, from the book's list of equations: an oracle.
+"""A second implementation of Magic Formula 5.2, in numpy, from the equations of the book.
 
 Every function takes slips and load in arrays and `p`, the coefficients of the file by name, with
 all scaling factors and shifts; inclination and turn slip are zero. Angles are measured on the side

@@ -1,4 +1,4 @@
-"""docs/python.md: its tables have every field there is."""
+"""docs/python.md: its tables list every field."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The clock on the wall, which may be set back and forth, is asked for stamps and names only."""
+"""The system clock, which may be set back or forward, is used for stamps and names only."""
 
 import ast
 import inspect

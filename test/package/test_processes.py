@@ -1,4 +1,4 @@
-"""Processes that tests start: ended with the test also when it fails, and they heed SIGINT."""
+"""Processes started by tests end with the test, even if it fails, and react to SIGINT."""
 
 import ast
 import subprocess

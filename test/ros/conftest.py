@@ -1,4 +1,4 @@
-"""Fixtures: a domain for each test, processes and peers that end with it."""
+"""Fixtures: a ROS domain for each test, and processes and peers that end with it."""
 
 import launch_files
 import pytest

@@ -1,4 +1,4 @@
-"""As much of `launch` and `launch_ros` as the launch files use, for where they are not installed.
+"""A stand-in for the parts of `launch` and `launch_ros` that the launch files use.
 
 Keywords are those of ROS 2 Jazzy's; one that is not there is an error.
 """

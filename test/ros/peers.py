@@ -1,4 +1,4 @@
-"""Other processes and other nodes for the tests: a simulator to talk to, a node that talks."""
+"""Other processes and nodes for the tests: a simulator, and a node that communicates with it."""
 
 import os
 import signal

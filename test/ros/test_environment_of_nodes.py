@@ -1,4 +1,4 @@
-"""Nodes that go by a /clock which is absent or runs back, or that have no compiler or no home."""
+"""Nodes whose /clock is absent or runs backwards, or without a compiler or home folder."""
 
 import re
 from pathlib import Path

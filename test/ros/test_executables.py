@@ -1,4 +1,4 @@
-"""`manoeuvre`, `recorder` and `demo` as processes beside a simulator."""
+"""`manoeuvre`, `recorder` and `demo` as processes with a running simulator."""
 
 import re
 import signal

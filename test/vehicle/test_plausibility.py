@@ -1,4 +1,4 @@
-"""What is not plausible of a vehicle or of steering is warned of, with its figure."""
+"""Implausible values of a vehicle or of steering cause a warning with the number."""
 
 import functools
 import warnings

@@ -1,4 +1,4 @@
-"""The tire: Magic Formula against its closed forms and against a second evaluation of it."""
+"""The tire: Magic Formula against closed forms and a second implementation."""
 
 import functools
 import math

@@ -1,4 +1,4 @@
-"""The example controllers, in lockstep: what they prevent, and that docs/controllers.md says so."""
+"""The example controllers in lockstep: their effects, as stated in docs/controllers.md."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Floods, a machine that stands still, a thousand resets: the simulator goes on as it should."""
+"""Floods, a suspended machine, a thousand resets: the simulator keeps working."""
 
 import itertools
 import signal

@@ -1,4 +1,4 @@
-"""The first start on a machine: the simulator says that it compiles, and who wants it waits."""
+"""The first start on a machine: the simulator says that it compiles, and clients wait."""
 
 import fcntl
 import shutil

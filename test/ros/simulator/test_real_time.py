@@ -1,4 +1,4 @@
-"""Paced by the clock: faster, slower or as fast as possible; lateness told; misfits told."""
+"""Pacing by the clock: faster, slower, as fast as possible; lateness and mismatches reported."""
 
 import itertools
 import os
