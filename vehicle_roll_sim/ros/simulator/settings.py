@@ -37,13 +37,17 @@ class Settings:
     """How the simulator runs. Model options, road and vehicle are declared elsewhere."""
 
     publish_rate: float = parameter(
-        "message sets published per second of simulated time", "Hz", 0.1, 10_000.0, default=100.0
+        "message sets published per second of simulated time; the period is a multiple of step",
+        "Hz",
+        0.1,
+        10_000.0,
+        default=100.0,
     )
     step: float = parameter(
         "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
     )
     initial_speed: float = parameter(
-        "forward speed at the start and after a reset",
+        "forward speed at the start and after a reset; a change waits for the next reset",
         "m/s",
         0.0,
         MAXIMUM_SPEED,
@@ -110,7 +114,7 @@ class Settings:
         default=("steering_cmd",),
     )
     lockstep_wait: tuple = parameter(
-        "topics that must have a subscriber before lockstep begins",
+        "topics of the set that must have a subscriber before lockstep begins",
         choices=(*PUBLISHED_IN_SETS, *NAMES_OF_STAMPED),
         default=("state",),
     )
