@@ -20,6 +20,7 @@ from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariance
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, MOTION_LABELS
 from vehicle_roll_sim.messages.topics import Topic
 from vehicle_roll_sim.model.records import WHEELS, element_names
+from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, Argument
 from vehicle_roll_sim.ros.services import SERVICES
 from vehicle_roll_sim.ros.simulator.parameters import IMU_PREFIX, ODOM_PREFIX
 from vehicle_roll_sim.ros.simulator.settings import Settings
@@ -158,6 +159,25 @@ def allowed(declared: Parameter) -> str:
     return f"{declared.size} numbers, {number}" if declared.size else number
 
 
+def argument_table() -> str:
+    """The arguments of the launch files, and which of these have each."""
+    of: dict[Argument, list[str]] = {}
+    for name, arguments in ARGUMENTS.items():
+        for each in arguments:
+            of.setdefault(each, []).append(name)
+    everywhere = len(ARGUMENTS)
+    rows = (
+        (
+            f"`{each.name}`",
+            "all" if len(names) == everywhere else ", ".join(f"`{name}`" for name in names),
+            each.default or "empty",
+            with_names(each.description),
+        )
+        for each, names in sorted(of.items(), key=lambda item: len(item[1]) == everywhere)
+    )
+    return table(("argument", "of", "default", "meaning"), *rows)
+
+
 def plausibility_table() -> str:
     """The quantities that vehicle.plausibility looks at, with their usual values."""
     gyration = usual.RADIUS_OF_GYRATION
@@ -209,6 +229,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "covariances": lambda: node_parameter_table(
         {IMU_PREFIX: ImuCovariances, ODOM_PREFIX: OdomCovariances}
     ),
+    "launch arguments": argument_table,
     "plausibility": plausibility_table,
     "vehicle": lambda: parameter_table(preset()),
     "fields of state": lambda: as_markdown("state"),

@@ -47,7 +47,7 @@ class Settings:
         "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
     )
     initial_speed: float = parameter(
-        "forward speed at the start and after a reset; a change waits for the next reset",
+        "forward speed at the start and after a reset",
         "m/s",
         0.0,
         MAXIMUM_SPEED,
