@@ -10,6 +10,8 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
+from definitions import definitions
+
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.command_line.parameters import parameter_table
 from vehicle_roll_sim.declaration import Parameter, parameters_of
@@ -178,6 +180,11 @@ def argument_table() -> str:
     return table(("argument", "of", "default", "meaning"), *rows)
 
 
+def manoeuvre_table() -> str:
+    rows = ((f"`{name}`", text) for name, text in definitions().items())
+    return table(("name", "definition"), *rows)
+
+
 def plausibility_table() -> str:
     """The quantities that vehicle.plausibility looks at, with their usual values."""
     gyration = usual.RADIUS_OF_GYRATION
@@ -230,6 +237,7 @@ TABLES: dict[str, Callable[[], str]] = {
         {IMU_PREFIX: ImuCovariances, ODOM_PREFIX: OdomCovariances}
     ),
     "launch arguments": argument_table,
+    "manoeuvres": manoeuvre_table,
     "plausibility": plausibility_table,
     "vehicle": lambda: parameter_table(preset()),
     "fields of state": lambda: as_markdown("state"),

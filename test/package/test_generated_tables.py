@@ -1,6 +1,6 @@
 """The documentation shows what the program declares, and the claims as measured."""
 
-import importlib.util
+import importlib
 import re
 
 import pytest
@@ -28,11 +28,9 @@ def rows_of(text: str, header: str) -> dict[int, list[str]]:
 def tables(root):
     """The module that makes the tables of topics, services and parameters."""
     pytest.importorskip("rclpy", reason="what the node declares needs ROS 2")
-    place = root / "docs" / "_extensions" / "tables.py"
-    spec = importlib.util.spec_from_file_location("tables", place)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(root / "docs" / "_extensions")
+        return importlib.import_module("tables")
 
 
 @pytest.fixture(scope="module")
