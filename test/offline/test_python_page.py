@@ -1,5 +1,9 @@
 """What docs/python.md says of fields, columns and names; its tables are generated."""
 
+import ast
+import inspect
+import re
+
 import pytest
 
 import vehicle_roll_sim
@@ -23,6 +27,21 @@ def test_every_field_is_explained_in_order(signals, dtype):
 def test_terms_of_the_equations_begin_where_the_page_says(page):
     assert f"The fields from `{FIRST_TERM}` on are terms" in page
     assert FIRST_TERM in OUTPUTS.names
+
+
+@pytest.mark.parametrize("name", ["run", "series", "linearize", "replay"])
+def test_a_signature_has_the_parameters_in_order_with_their_defaults(page, name):
+    shown = re.search(rf"`{name}\(([^)`]+, [^)`]+)\)`", page)[1]
+    written = [part.partition("=")[::2] for part in " ".join(shown.split()).split(", ")]
+    written.remove(("*", ""))
+    declared = inspect.signature(getattr(vehicle_roll_sim, name)).parameters.values()
+    for (shown_name, default), each in zip(written, declared, strict=True):
+        assert shown_name.lstrip("*") == each.name
+        if default and default != "…":
+            value = each.default
+            is_rounded = isinstance(value, float)
+            expected = pytest.approx(value, rel=1e-3) if is_rounded else value
+            assert ast.literal_eval(default) == expected
 
 
 def test_every_column_has_its_unit():
