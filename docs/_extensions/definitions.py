@@ -1,9 +1,12 @@
-"""The definitions of the manoeuvres: sentences around the numbers that the manoeuvres declare."""
+"""Sentences around numbers of the package: definitions of the manoeuvres, and usual values."""
 
 import dataclasses
+import math
+from collections.abc import Iterable
 
 from vehicle_roll_sim.manoeuvres.catalogue import PAPER, STANDARD
 from vehicle_roll_sim.manoeuvres.nhtsa import METRES_PER_SECOND_OF_A_MPH
+from vehicle_roll_sim.vehicle import plausibility as usual
 
 DEFINITIONS = {
     "slowly_increasing_steer": "NHTSA: {mph:g} mph held, handwheel at {handwheel_rate:g}°/s to at "
@@ -53,3 +56,38 @@ def _numbers(manoeuvre) -> dict[str, float]:
     }
     main_rise = {"main_rise": 0.8 * numbers["rise"]} if "rise" in numbers else {}
     return numbers | speeds | main_rise
+
+
+def usual_values() -> tuple[tuple[str, str], ...]:
+    """The quantities that vehicle.plausibility looks at, and what is usual."""
+    return (
+        ("compression of a spring at rest", f"at most {usual.LARGEST_SAG:g} m"),
+        ("compression of a tire at rest", f"at most {usual.LARGEST_FLATTENING:g} of its radius"),
+        (
+            "ride frequency of an axle, springs and tires in series",
+            f"{_between(usual.RIDE_FREQUENCY)} Hz",
+        ),
+        ("damping ratio of an axle, of the springs alone", _between(usual.DAMPING_RATIO)),
+        *(
+            (f"radius of gyration for `{name}`", f"{_between(range_)} of the {length}")
+            for name, (length, *range_) in usual.RADIUS_OF_GYRATION.items()
+        ),
+        (
+            "radius of gyration of a wheel, for the unsprung mass",
+            f"{_between(usual.WHEELS_RADIUS_OF_GYRATION)} of the tire radius",
+        ),
+        (
+            "roll centre given by its depth",
+            "not below the road; where its height is given, any height is taken",
+        ),
+        ("roll centre", "not above the sprung c.g."),
+        ("sprung c.g.", f"at least {usual.LOWEST_CENTRE:g} of the height of the wheel centres"),
+        (
+            "steering angle of the road wheels",
+            f"at most {usual.LARGEST_STEERING:.4f} rad, {math.degrees(usual.LARGEST_STEERING):g}°",
+        ),
+    )
+
+
+def _between(limits: Iterable[float]) -> str:
+    return "{:g} to {:g}".format(*limits)

@@ -5,12 +5,11 @@ the next empty line, is replaced. `make tables` writes them, and
 test/package/test_generated_tables.py tells whether they are up to date.
 """
 
-import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
-from definitions import definitions
+from definitions import definitions, usual_values
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.command_line.parameters import parameter_table
@@ -29,7 +28,6 @@ from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.signals import as_markdown
-from vehicle_roll_sim.vehicle import plausibility as usual
 
 DOCS = Path(__file__).parents[1]
 NAME = re.compile(r"(?<![\w`/])(/\w+|\w+_\w+)")
@@ -185,43 +183,6 @@ def manoeuvre_table() -> str:
     return table(("name", "definition"), *rows)
 
 
-def plausibility_table() -> str:
-    """The quantities that vehicle.plausibility looks at, with their usual values."""
-    gyration = usual.RADIUS_OF_GYRATION
-    return table(
-        ("quantity", "usual"),
-        ("compression of a spring at rest", f"at most {usual.LARGEST_SAG:g} m"),
-        ("compression of a tire at rest", f"at most {usual.LARGEST_FLATTENING:g} of its radius"),
-        (
-            "ride frequency of an axle, springs and tires in series",
-            f"{between(usual.RIDE_FREQUENCY)} Hz",
-        ),
-        ("damping ratio of an axle, of the springs alone", between(usual.DAMPING_RATIO)),
-        *(
-            (f"radius of gyration for `{name}`", f"{between(range_)} of the {length}")
-            for name, (length, *range_) in gyration.items()
-        ),
-        (
-            "radius of gyration of a wheel, for the unsprung mass",
-            f"{between(usual.WHEELS_RADIUS_OF_GYRATION)} of the tire radius",
-        ),
-        (
-            "roll centre given by its depth",
-            "not below the road; where its height is given, any height is taken",
-        ),
-        ("roll centre", "not above the sprung c.g."),
-        ("sprung c.g.", f"at least {usual.LOWEST_CENTRE:g} of the height of the wheel centres"),
-        (
-            "steering angle of the road wheels",
-            f"at most {usual.LARGEST_STEERING:.4f} rad, {math.degrees(usual.LARGEST_STEERING):g}°",
-        ),
-    )
-
-
-def between(limits: Iterable[float]) -> str:
-    return "{:g} to {:g}".format(*limits)
-
-
 TABLES: dict[str, Callable[[], str]] = {
     "commands": command_table,
     "set": lambda: topic_table(topics.STATE_SET),
@@ -238,7 +199,7 @@ TABLES: dict[str, Callable[[], str]] = {
     ),
     "launch arguments": argument_table,
     "manoeuvres": manoeuvre_table,
-    "plausibility": plausibility_table,
+    "plausibility": lambda: table(("quantity", "usual"), *usual_values()),
     "vehicle": lambda: parameter_table(preset()),
     "fields of state": lambda: as_markdown("state"),
     "fields of outputs": lambda: as_markdown("outputs"),
