@@ -20,7 +20,7 @@ KILTED := test/messages/test_messages.py \
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 
-.PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations controllers docs lint format build clean
+.PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations controllers tables docs lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -92,6 +92,10 @@ mutations: setup
 # Measure the effect of each example controller in lockstep, and update the table in docs/controllers.md.
 controllers: setup
 	$(BIN)/python -m benchmarks.controllers docs/controllers.md
+
+# Write the tables of topics, services and parameters into the pages of docs/.
+tables: setup
+	$(BIN)/python docs/_extensions/tables.py
 
 # docs/_build/html. A warning is an error. Nothing is fetched but what requirements/docs.txt pins.
 docs: $(VENV)/.docs-ready

@@ -17,6 +17,7 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED
+from vehicle_roll_sim.ros import services
 from vehicle_roll_sim.ros.clients import controller as base
 from vehicle_roll_sim.ros.clients.recorder import Recorder
 from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
@@ -27,7 +28,7 @@ from vehicle_roll_sim.ros.simulator.parameters import PARAMETERS
 from vehicle_roll_sim.ros.topics import message_class
 
 TOPICS = {topic.name.lstrip("/"): topic.type for topic in (*COMMANDS, *PUBLISHED, *STAMPED)}
-SERVICES = {"reset": "Trigger", "pause": "SetBool", "step": "Trigger"}
+SERVICES = {f"/simulator/{each.name}": each for each in services.SERVICES}
 NODES = {"simulator": Simulator, "recorder": Recorder}
 """Executables whose parameters are known only from their node, and its class."""
 
@@ -93,12 +94,10 @@ def _check_parameter(verb: str, words: list[str]) -> None:
 
 def _check_service(verb: str, words: list[str]) -> None:
     name, kind, *text = words
-    service = name.removeprefix("/simulator/")
     assert verb == "call", f"ros2 service {verb}"
-    assert service in SERVICES, f"no service {name}"
-    assert kind == f"std_srvs/srv/{SERVICES[service]}", f"{name} is not of the type {kind}"
-    request = getattr(importlib.import_module("std_srvs.srv"), SERVICES[service]).Request()
-    _fill(request, *text)
+    assert name in SERVICES, f"no service {name}"
+    assert kind == SERVICES[name].type, f"{name} is not of the type {kind}"
+    _fill(SERVICES[name].kind.Request(), *text)
 
 
 def _fill(message, text: str = "{}") -> None:

@@ -38,7 +38,7 @@ def test_every_launch_file_is_on_a_page(pages, root):
     assert {f"{name}.launch.py" for _, name in named} == there
 
 
-@pytest.mark.parametrize("page", ["docs/installation.md", "docs/interfaces.md"])
+@pytest.mark.parametrize("page", ["docs/installation.md", "docs/reference/command_line.md"])
 def test_how_the_command_is_called_in_a_workspace_is_said(pages, page):
     """In a workspace the command is not on the path."""
     assert f"ros2 run {PACKAGE} offline run j_turn" in pages[page]
