@@ -93,7 +93,7 @@ mutations: setup
 controllers: setup
 	$(BIN)/python -m benchmarks.controllers docs/controllers.md
 
-# Write the tables of topics, services and parameters into the pages of docs/.
+# Write the tables that are generated from declarations into the pages of docs/.
 tables: setup
 	$(BIN)/python docs/_extensions/tables.py
 

@@ -58,27 +58,30 @@ def _numbers(manoeuvre) -> dict[str, float]:
 def usual_values() -> tuple[tuple[str, str], ...]:
     """The quantities that vehicle.plausibility looks at, and what is usual."""
     return (
-        ("compression of a spring at rest", f"at most {usual.LARGEST_SAG:g} m"),
-        ("compression of a tire at rest", f"at most {usual.LARGEST_FLATTENING:g} of its radius"),
+        ("static deflection of a spring", f"at most {usual.LARGEST_SAG:g} m"),
+        ("static compression of a tire", f"at most {usual.LARGEST_FLATTENING:g} of its radius"),
         (
-            "ride frequency of an axle, springs and tires in series",
+            "ride frequency of an axle, tires included",
             f"{_between(usual.RIDE_FREQUENCY)} Hz",
         ),
-        ("damping ratio of an axle, of the springs alone", _between(usual.DAMPING_RATIO)),
+        ("damping ratio of an axle, tires not included", _between(usual.DAMPING_RATIO)),
         *(
             (f"radius of gyration for `{name}`", f"{_between(range_)} of the {length}")
             for name, (length, *range_) in usual.RADIUS_OF_GYRATION.items()
         ),
         (
-            "radius of gyration of a wheel, for the unsprung mass",
+            "radius of gyration for `wheel_inertia`, with the unsprung mass",
             f"{_between(usual.WHEELS_RADIUS_OF_GYRATION)} of the tire radius",
         ),
         (
             "roll centre given by its depth",
-            "not below the road; where its height is given, any height is taken",
+            "not below the road; given by its height, it may be anywhere",
         ),
         ("roll centre", "not above the sprung c.g."),
-        ("sprung c.g.", f"at least {usual.LOWEST_CENTRE:g} of the height of the wheel centres"),
+        (
+            "height of the sprung c.g.",
+            f"at least {usual.LOWEST_CENTRE:g} of that of the wheel centres",
+        ),
         (
             "steering angle of the road wheels",
             f"at most {usual.LARGEST_STEERING:.4f} rad, {math.degrees(usual.LARGEST_STEERING):g}°",

@@ -66,9 +66,9 @@ def command_table() -> str:
 
 def topic_table(shown: Iterable[Topic]) -> str:
     return table(
-        ("topic", "type", "keeps", "unit", "meaning"),
+        ("topic", "type", "depth", "unit", "meaning"),
         *(
-            (f"`{each.name}`", type_of(each), _kept(each), each.unit, with_names(each.meaning))
+            (f"`{each.name}`", type_of(each), _depth(each), each.unit, with_names(each.meaning))
             for each in shown
         ),
     )
@@ -79,7 +79,7 @@ def type_of(topic: Topic) -> str:
     return topic.type.replace("/msg/", "/")
 
 
-def _kept(topic: Topic) -> str:
+def _depth(topic: Topic) -> str:
     return f"{topic.depth}, latched" if topic.latched else str(topic.depth)
 
 

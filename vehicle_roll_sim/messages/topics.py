@@ -87,17 +87,17 @@ STATE_SET = (
             f"tire_forces/{wheel}",
             WRENCH,
             unit="N",
-            meaning=f"contact force of the tire {wheel} in base_footprint; the torque is 0",
+            meaning=f"contact force of tire {wheel} in base_footprint; the torque is 0",
         )
         for wheel in WHEELS
     ),
-    Topic("lift_off", FLAGS, meaning="for each tire: 1 exactly where its Fz is 0, else 0"),
+    Topic("lift_off", FLAGS, meaning="for each tire: 1 if its Fz is 0, else 0"),
     Topic(
         "load_transfer_ratio",
         FLOAT,
         meaning="(right - left) / total normal load, 0 when no tire carries load",
     ),
-    Topic("motion", ARRAY, meaning="the signals of a handling controller in one message"),
+    Topic("motion", ARRAY, meaning="signals for handling controllers in one message"),
 )
 """The topics of a set, which is published every period in this order, beginning with `state`."""
 STAMPED_ENDING = "_stamped"
@@ -133,7 +133,7 @@ SIMULATION_DESCRIPTION = _latched(
 DIAGNOSTICS = Topic(
     "/diagnostics",
     "diagnostic_msgs/msg/DiagnosticArray",
-    meaning="the condition of the simulator, once per second",
+    meaning="status of the simulator, once per second",
 )
 PUBLISHED = (
     *STATE_SET,

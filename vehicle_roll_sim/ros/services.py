@@ -22,8 +22,8 @@ class Service:
 RESET = Service(
     "reset",
     Trigger,
-    "static equilibrium at initial_speed, time 0, no commands; refused, and the run continues, "
-    "where the step is too large for that speed",
+    "return to static equilibrium at initial_speed and time 0, and discard all commands; refused, "
+    "and the run continues, if the step is too large for that speed",
 )
 PAUSE = Service("pause", SetBool, "true: pause; false: resume")
 STEP = Service(

@@ -59,8 +59,8 @@ CONTROLLER = (
     ),
     Argument(
         "parameters",
-        "ROS parameters of the controllers, such as 'share:=0.7 smoothing:=0.1'; each is passed to the "
-        "scripts that contain its name as a string, or to all if none does",
+        "ROS parameters of the controllers, such as 'share:=0.7 smoothing:=0.1'; each is passed to "
+        "the scripts that contain its name as a string, or to all if none does",
     ),
     Argument(
         "answers",
