@@ -30,9 +30,9 @@ def numbers_of(summary: str) -> dict[str, float]:
 
 
 def test_a_manoeuvre_in_real_time_equals_the_offline_run(start, capsys, tmp_path):
-    start("simulator")
+    start("simulator", fresh=True)
     plot = tmp_path / "j_turn.png"
-    status, out, err = start("manoeuvre", "j_turn", "--plot", str(plot)).finish()
+    status, out, err = start("manoeuvre", "j_turn", "--plot", str(plot), fresh=True).finish()
     assert (status, err) == (0, "")
     assert plot.read_bytes().startswith(b"\x89PNG")
     offline(["run", "j_turn", "--command-period", "0.01"])
@@ -82,7 +82,7 @@ def test_a_wrong_manoeuvre_ends_with_one_line_and_status_2(start, words, named):
 def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp_path):
     bag = tmp_path / "bag"
     start("simulator", "--ros-args", "-p", "publish_clock:=true", "-p", "publish_stamped:=true")
-    recorder = start("recorder", "--output", str(bag))
+    recorder = start("recorder", "--output", str(bag), fresh=True)
     peer.listen("state", "applied_command", "/diagnostics")
     four = [1.0, 2.0, 3.0, 4.0]
     commands = {
@@ -145,7 +145,7 @@ def test_a_name_that_a_topic_cannot_have_ends_with_one_line_and_status_2(start, 
 
 def test_the_demo_prints_what_happened_and_where_the_files_are(start, tmp_path):
     folder = tmp_path / "run"
-    status, out, _ = start("demo", "--output", str(folder)).finish()
+    status, out, _ = start("demo", "--output", str(folder), fresh=True).finish()
     assert status == 0
     numbers = numbers_of(out)
     assert numbers["rollover"] > numbers["lift-off lr"] > 1.0

@@ -214,7 +214,7 @@ def test_what_nobody_listens_to_is_not_built(peer, monkeypatch):
 def test_nothing_is_compiled_once_the_simulator_is_there(start, tmp_path):
     program = tmp_path / "program.py"
     program.write_text(CHANGES_NO_MIND)
-    status, out, err = start("program", program=str(program)).finish()
+    status, out, err = start("program", program=str(program), fresh=True).finish()
     assert status == 0, err
     kernels, before, after = map(int, out.split())
     assert kernels > 0
