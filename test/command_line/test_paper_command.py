@@ -56,14 +56,31 @@ def study() -> Study:
     return reference_study()
 
 
+@pytest.fixture(scope="module")
+def save_once():
+    """save(figure, path): writes what was written under that name before, if anything was."""
+    save, written = figures.save_figure, {}
+
+    def save_or_copy(figure, path):
+        if path.name in written:
+            path.write_bytes(written[path.name])
+        else:
+            save(figure, path)
+            written[path.name] = path.read_bytes()
+
+    return save_or_copy
+
+
 @pytest.fixture
-def paper(command, study, monkeypatch):
-    """Runs `paper` with runs that are made already, and one figure; with cases taken for others."""
+def paper(command, study, save_once, monkeypatch):
+    """Runs `paper` with runs that are made already, and one figure, each of whose files is drawn
+    once; with cases taken for others."""
 
     def call(*words, instead=None):
         monkeypatch.setattr(paper_module, "Study", lambda _, done: Rerun(study, instead, done))
         return command("paper", *words)
 
+    monkeypatch.setattr(figures, "save_figure", save_once)
     monkeypatch.setattr(figures, "FIGURES", [f for f in figures.FIGURES if f.number == QUICK])
     return call
 

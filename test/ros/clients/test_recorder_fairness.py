@@ -15,7 +15,7 @@ from vehicle_roll_sim.ros.simulator.lockstep import Lockstep, UnansweredError
 TOPICS = ("first", "second", "last")
 WAITING = 200
 """Messages on each."""
-A_WHILE = 0.6
+A_WHILE = 2.0
 """Time (s), too short to receive all messages."""
 
 
