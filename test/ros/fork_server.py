@@ -10,6 +10,7 @@ for the exit status. The answer is the process id.
 The forked process returns to the top of this program and runs there, so that the interpreter ends
 as ever: exit status, traceback, atexit, daemon threads. What differs from a process of its own:
 - modules are there already, so that their imports can neither fail nor take time;
+- threads that libraries begin when they are loaded, such as for tracing, are left behind;
 - hashes of strings are the same in all, and /proc/PID/environ is that of this program;
 - a traceback begins with lines of this file and of runpy;
 - its parent is this program, which passes the exit status on.
@@ -43,7 +44,7 @@ handles signals from its import on."""
 
 
 def preload() -> None:
-    """Whatever a node does before it joins the others, but without a thread or a context of rcl."""
+    """Whatever a node does before it has a context of rcl, and with it threads."""
     usual = {each: signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)}
     for name in PRELOADED:
         importlib.import_module(name)

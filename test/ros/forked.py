@@ -112,10 +112,11 @@ class Server:
         request |= {"environment": env, "folder": os.getcwd(), "new_session": start_new_session}
         with contextlib.ExitStack() as theirs:
             pipes = [_ends(place, theirs) for place in (stdout, stderr, subprocess.PIPE)]
-            content = json.dumps(request).encode()
-            socket.send_fds(self._requests, [content], [end for _, end in pipes])
-        answer = self._requests.recv(8)
-        assert answer, self._process.stderr.read()
+            content, answer = json.dumps(request).encode(), b""
+            with contextlib.suppress(ConnectionError):
+                socket.send_fds(self._requests, [content], [end for _, end in pipes])
+                answer = self._requests.recv(8)
+        assert answer, f"the fork server has died: {self._process.stderr.read()}"
         (out, _), (err, _), (status, _) = pipes
         return Forked(int.from_bytes(answer, "little"), status, out, err)
 
