@@ -163,7 +163,8 @@ def parameter(
 ):
     """Declare a parameter as a dataclass field; it is required if it has no `default`.
 
-    A field with an `alternative` is keyword-only and None if the alternative is given.
+    A field with an `alternative` is keyword-only and None if the alternative is given; one whose
+    `default` is None is keyword-only, too, and may be absent.
     """
     about = {
         "description": description,
@@ -176,7 +177,7 @@ def parameter(
         "size": size,
         "alternative": alternative,
     }
-    if alternative:
+    if alternative or default is None:
         return dataclasses.field(default=None, metadata=about, kw_only=True)
     return dataclasses.field(default=default, metadata=about)
 

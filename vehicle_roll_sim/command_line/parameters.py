@@ -4,7 +4,8 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.vehicle.parameters import AXLES, Vehicle
+from vehicle_roll_sim.vehicle.derived_values import AXLES
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 HEADER = ("name", "symbol", "value", "unit", "allowed", "meaning")
 

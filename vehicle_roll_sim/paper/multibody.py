@@ -31,7 +31,8 @@ from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_STEP,
     Simulation,
 )
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 MASSLESS = 1e-9
 """kg m^2: inertia of the point masses; the engine requires one, this is 1e-12 of the body's."""

@@ -6,7 +6,8 @@ import numpy as np
 
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import Command
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 PROPORTIONAL = 2.0
 """1/s: proportional gain, acceleration demand per speed error."""

@@ -6,7 +6,8 @@ import sys
 import warnings
 from collections.abc import Iterable, Iterator
 
-from vehicle_roll_sim.vehicle.parameters import AXLES, Vehicle
+from vehicle_roll_sim.vehicle.derived_values import AXLES
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 PACKAGE = __name__.partition(".")[0]
 LARGEST_STEERING = math.pi / 3

@@ -57,6 +57,7 @@ class Tire:
     coefficients: dict[str, float]
     side: str = "left"
     file: str = ""
+    version: str = "5.2"
 
     def __post_init__(self):
         for name in self.coefficients:
