@@ -12,6 +12,8 @@ from vehicle_roll_sim.model.compiled.jit import constants
 WHEELS = ("lf", "rf", "lr", "rr")
 WHEEL_COUNT = len(WHEELS)
 LF, RF, LR, RR = range(WHEEL_COUNT)
+FRONT, REAR = range(2)
+"""Indices of the axles."""
 DEGREES_OF_ACCELERATION = 6
 DU, DV, DW, DWX, DWY, DWZ = range(DEGREES_OF_ACCELERATION)
 """Indices of the derivatives of u, v, w and of the body rates among the accelerations."""
@@ -172,6 +174,8 @@ OUTPUTS = record_dtype(
     *per_wheel("strut_length", "loaded_radius", "unsprung_u", "unsprung_v"),
     *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
+    *per_wheel("overturning_moment", "rolling_resistance_moment", "aligning_moment"),
+    *per_wheel("inclination", "rolling_radius"),
     *per_wheel("steering_sine", "steering_cosine", "rolling", "sliding", "tread", "side"),
     *per_wheel("patch_slip_ratio", "patch_slip_tangent", "slip_tangent", "stiffening"),
     *per_wheel("longitudinal_peak", "lateral_peak", "longitudinal_shift", "lateral_shift"),
