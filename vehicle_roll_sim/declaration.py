@@ -14,6 +14,8 @@ import types
 import typing
 from collections.abc import Iterable, Mapping
 
+AUTO, ON, OFF = SWITCH = ("auto", "on", "off")
+"""Choices of a parameter that says whether something counts."""
 LONGEST_SHOWN = 60
 """Maximum number of characters of an invalid value shown in an error message."""
 
@@ -105,6 +107,8 @@ class Parameter:
         if self.kind is tuple:
             check = self._validate_numbers if self.size else self._validate_names
             return check(value, field)
+        if isinstance(value, bool) and ON in self.choices:
+            return ON if value else OFF  # YAML reads `on` and `off` as true and false
         if self.choices and str(value) in self.choices:
             return str(value)  # ROS parses `1` as an integer
         if not isinstance(value, self.kind):

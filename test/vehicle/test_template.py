@@ -5,7 +5,7 @@ from vehicle_files import REFERENCE_TIR, refused, write
 
 from vehicle_roll_sim import Simulation, Vehicle, load_tire, load_vehicle, preset
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.model.tire.magic_formula import OPTIONAL, RANGES, REQUIRED, SCALING
+from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, RANGES, REQUIRED, SCALING
 from vehicle_roll_sim.vehicle.template import tire_template, vehicle_template
 from vehicle_roll_sim.vehicle.tire_meanings import MEANINGS
 

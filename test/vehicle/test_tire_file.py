@@ -5,7 +5,7 @@ from vehicle_files import REFERENCE_TIR, edited, line_of, refused, write
 
 from vehicle_roll_sim import InputError, load_tire
 from vehicle_roll_sim.files.text_file import LARGEST_FILE
-from vehicle_roll_sim.model.tire.magic_formula import REQUIRED
+from vehicle_roll_sim.model.tire.coefficients import REQUIRED
 
 PUBLISHED = {
     "FNOMIN": 4000.0,

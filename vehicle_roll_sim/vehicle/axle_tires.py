@@ -8,8 +8,11 @@ from vehicle_roll_sim.vehicle.tire_file import Tire
 
 KEYS = {"tire_radius": "UNLOADED_RADIUS", "tire_stiffness": "VERTICAL_STIFFNESS"}
 """Keys of a tire file that stand for parameters of a vehicle."""
-SOFTEST = 1e3
-"""N/m: lower limit of a lateral stiffness that is computed."""
+OVERTURNING = tuple(f"QSX{number}" for number in range(1, 15))
+ROLLING_RESISTANCE = tuple(f"QSY{number}" for number in range(1, 7))
+"""Coefficients of the overturning and of the rolling resistance moment."""
+SOFTEST, STIFFEST = 1e3, 1e8
+"""N/m: limits of a lateral stiffness that is computed."""
 
 
 class FromTire(NamedTuple):
@@ -68,7 +71,7 @@ def lateral_stiffness(
     source = "cornering stiffness over relaxation length at static load"
     if length <= 0.0:
         length, source = radius, "cornering stiffness over tire radius at static load"
-    return FromTire(max(cornering / max(length, shortest), SOFTEST), source)
+    return FromTire(min(max(cornering / max(length, shortest), SOFTEST), STIFFEST), source)
 
 
 def cornering_stiffness(tire: Tire, pressure: float | None, load: float) -> float:
@@ -87,3 +90,18 @@ def relaxation_length(tire: Tire, load: float, radius: float) -> float:
         return 0.0
     ratio = load / (c["PTY2"] * c["LFZO"] * c["FNOMIN"])
     return c["PTY1"] * math.sin(2.0 * math.atan(ratio)) * radius * c["LFZO"] * c["LSGAL"]
+
+
+def has_overturning_moment(tire: Tire) -> bool:
+    """Whether the file has an overturning moment, in which its contact patch shift is contained."""
+    return _has_any(tire, OVERTURNING, "LMX")
+
+
+def has_rolling_resistance(tire: Tire) -> bool:
+    """Whether the file has a rolling resistance moment."""
+    return _has_any(tire, ROLLING_RESISTANCE, "LMY")
+
+
+def _has_any(tire: Tire, names: tuple[str, ...], factor: str) -> bool:
+    values = tire.coefficients
+    return values.get(factor, 1.0) != 0.0 and any(values.get(name, 0.0) for name in names)

@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
+from vehicle_roll_sim.vehicle.axle_tires import has_rolling_resistance
 from vehicle_roll_sim.vehicle.derived_values import AXLES, DerivedValues
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
@@ -22,6 +23,7 @@ def check_consistency(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...
     _check_tires(vehicle)
     _check_given_once(vehicle, per_axle)
     _check_pressures(vehicle)
+    _check_taken_from_tires(vehicle)
     _check_roll_centres(vehicle)
     _check_inertias(vehicle)
     _check_fits_on_its_wheels(vehicle)
@@ -73,6 +75,15 @@ def _check_pressures(vehicle: DerivedValues) -> None:
             raise InputError(name, pressure, f"{allowed}, in which it has no effect")
 
 
+def _check_taken_from_tires(vehicle: DerivedValues) -> None:
+    """What comes from a tire file must be within the range of the parameter it stands for."""
+    known = parameters_of(type(vehicle))
+    for name, found in vehicle.from_tires.items():
+        axle = name.partition("_")[0]
+        file = f" {vehicle.axle_tires[axle].file}" if vehicle.axle_tires[axle].file else ""
+        known[name].validate(found.value, f"{name}, from {found.source}{file}")
+
+
 def _check_roll_centres(vehicle: DerivedValues) -> None:
     """The depth that follows from a given height must be within the allowed range of depths."""
     for axle, wheel in AXLES.items():
@@ -121,3 +132,14 @@ def _check_springs_carry_it(vehicle: DerivedValues) -> None:
             stiffness = vehicle.given[name]
             limit = f"at least {stiffness * compression / most:g} N/m to carry the sprung mass"
             raise InputError(name, stiffness, limit)
+
+
+def check_one_rolling_resistance(vehicle: DerivedValues) -> None:
+    """Raise InputError if a rolling resistance would count twice once tire moments count."""
+    coefficient = vehicle.rolling_resistance_coefficient
+    for tire in vehicle.axle_tires.values():
+        if coefficient and has_rolling_resistance(tire):
+            file = f" {tire.file}" if tire.file else ""
+            own = f"the tire file{file} has a rolling resistance of its own (QSY1 ...)"
+            allowed = f"0 with tire_moments, since {own}; or tire_moments off"
+            raise InputError("rolling_resistance_coefficient", coefficient, allowed)

@@ -11,7 +11,13 @@ from vehicle_roll_sim.model.equilibrium import (
     static_tire_compression,
 )
 from vehicle_roll_sim.model.records import LF, LR, VEHICLE
-from vehicle_roll_sim.vehicle.axle_tires import FromTire, from_tire, lateral_stiffness
+from vehicle_roll_sim.model.tire.coefficients import on_axles
+from vehicle_roll_sim.vehicle.axle_tires import (
+    FromTire,
+    from_tire,
+    has_overturning_moment,
+    lateral_stiffness,
+)
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 GRAVITY = 9.81
@@ -127,16 +133,19 @@ class DerivedValues:
         value = self.at_axle(axle, name)
         return self.from_tires[f"{axle}_{name}"].value if value is None else value
 
-    @functools.cached_property
-    def tire_lateral_compliance(self) -> np.ndarray:
-        """Lateral deflection of each tire per lateral force, shape (4,) (m/N)."""
+    def contact_patch_compliance(self, tire_moments: bool) -> np.ndarray:
+        """Shift of each contact patch per lateral force, shape (4,) (m/N).
+
+        With tire_moments it is 0 for tires whose file has an overturning moment, which contains it.
+        """
         found = self.lateral_stiffness_from_tires
-        stiffnesses = []
-        for axle in AXLES:
+        compliances = []
+        for axle, tire in self.axle_tires.items():
             given = self.at_axle(axle, "tire_lateral_stiffness")
-            name = f"{axle}_tire_lateral_stiffness"
-            stiffnesses += [found[name].value if given is None else given] * 2
-        return 1.0 / np.array(stiffnesses)
+            stiffness = found[f"{axle}_tire_lateral_stiffness"].value if given is None else given
+            is_contained = tire_moments and has_overturning_moment(tire)
+            compliances += [0.0 if is_contained else 1.0 / stiffness] * 2
+        return np.array(compliances)
 
     def record(self) -> np.ndarray:
         """The vehicle on a level road as input to the equations: one VEHICLE record, shape (1,).
@@ -153,6 +162,13 @@ class DerivedValues:
             else:
                 vehicle[name] = self.per_wheel(name)
         return vehicle
+
+    def tires(self, moments: bool = False) -> np.ndarray:
+        """The tires of front and rear axle as input to the equations: TIRE records, shape (2,).
+
+        moments: whether their moments are computed.
+        """
+        return on_axles(*(tire.record() for tire in self.axle_tires.values()))
 
     def _placement(self) -> dict:
         """Where and how the wheels stand, and gravity (m/s^2).

@@ -3,7 +3,7 @@
 from dataclasses import MISSING
 
 from vehicle_roll_sim.declaration import Parameter, parameters_of
-from vehicle_roll_sim.model.tire.magic_formula import REQUIRED
+from vehicle_roll_sim.model.tire.coefficients import REQUIRED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import ENTRY, FORMAT, UNITS, USED
 from vehicle_roll_sim.vehicle.tire_meanings import MEANINGS

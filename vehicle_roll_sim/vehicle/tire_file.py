@@ -11,7 +11,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, number_in, number_of, unknown_name
 from vehicle_roll_sim.files.text_file import read_text
 from vehicle_roll_sim.model.records import LF, LR, RF, RR
-from vehicle_roll_sim.model.tire.magic_formula import OPTIONAL, RANGES, REQUIRED, SCALING, TIRE
+from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, RANGES, REQUIRED, SCALING, TIRE
 
 FORMAT = "PROPERTY_FILE_FORMAT"
 FORMATS = ("MF_05", "PAC2002", "MF-TYRE")

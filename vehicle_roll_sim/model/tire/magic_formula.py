@@ -11,55 +11,29 @@ by longitudinal slip. Therefore x, B, C and E of all curves of all wheels are co
 all sines in vectorized loops, and then the forces.
 """
 
-from collections import namedtuple
-
 from vehicle_roll_sim.model.compiled.elementary import (
     arctan,
     cosine_of_arctan,
     sine,
     sine_of_twice_arctan,
 )
-from vehicle_roll_sim.model.compiled.jit import constants, kernel, math, term
+from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import (
     CURVE_COUNT,
+    FRONT,
     LATERAL,
     LATERAL_AT_SHIFT,
     LATERAL_WEIGHT,
     LONGITUDINAL,
     LONGITUDINAL_AT_SHIFT,
     LONGITUDINAL_WEIGHT,
+    LR,
     MAIN_CURVES,
     PLY_STEER,
+    REAR,
     WHEEL_COUNT,
-    per_wheel,
-    record_dtype,
 )
-
-SCALING = (
-    *("LFZO", "LCX", "LMUX", "LEX", "LKX", "LHX", "LVX", "LXAL"),
-    *("LCY", "LMUY", "LEY", "LKY", "LHY", "LVY", "LYKA", "LVYKA"),
-    *("LSGKP", "LSGAL"),
-)
-REQUIRED = (
-    *("FNOMIN", "PCX1", "PDX1", "PKX1", "RBX1", "RCX1"),
-    *("PCY1", "PDY1", "PKY1", "PKY2", "RBY1", "RCY1"),
-)
-OPTIONAL = (
-    *("PDX2", "PEX1", "PEX2", "PEX3", "PEX4", "PKX2", "PKX3", "PHX1", "PHX2", "PVX1", "PVX2"),
-    *("RBX2", "REX1", "REX2", "RHX1"),
-    *("PDY2", "PEY1", "PEY2", "PEY3", "PHY1", "PHY2", "PVY1", "PVY2"),
-    *("RBY2", "RBY3", "REY1", "REY2", "RHY1", "RHY2"),
-    *("RVY1", "RVY2", "RVY4", "RVY5", "RVY6"),
-    *("PTX1", "PTX2", "PTX3", "PTY1", "PTY2"),
-)
-RANGES = ("KPUMIN", "KPUMAX", "ALPMIN", "ALPMAX", "FZMIN", "FZMAX")
-
-TIRE = record_dtype(*SCALING, *REQUIRED, *OPTIONAL, *RANGES, *per_wheel("side"))
-"""Coefficients of the tire; side is -1 at the wheels where the tire is mirrored, else +1."""
-
-TireConstants = namedtuple("TireConstants", (*SCALING, *REQUIRED, *OPTIONAL))
-tire_constants = constants(TireConstants)
-"""Copies the coefficients of a TIRE record."""
+from vehicle_roll_sim.model.tire.coefficients import tire_constants
 
 
 @term
@@ -215,10 +189,24 @@ def sine_of(curve, i, outputs):
 
 
 @kernel
-def tire_forces(tire, outputs):
-    """Longitudinal and lateral force of every tire (N), along and across its wheel.
+def tire_forces(tires, outputs):
+    """Longitudinal and lateral force of every tire (N), along and across its wheel, and moments.
 
-    From normal load, slip ratio and tangent of the slip angle in `outputs`; 0 without load.
+    tires: the TIRE records of front and rear axle. From normal load, slip ratio and tangent of the
+    slip angle in `outputs`; 0 without load.
+    """
+    if tires[FRONT].shared != 0.0:
+        forces_of_tire(tires[FRONT], 0, WHEEL_COUNT, outputs)
+    else:
+        forces_of_tire(tires[FRONT], 0, LR, outputs)
+        forces_of_tire(tires[REAR], LR, WHEEL_COUNT, outputs)
+
+
+@kernel
+def forces_of_tire(tire, first, end, outputs):
+    """Forces of one kind of tire, at the wheels from `first` to before `end`.
+
+    The loops are over all wheels nevertheless, so that they are vectorized.
     """
     peaks_and_shifts(tire, outputs)
     curves(tire, outputs)
@@ -236,6 +224,10 @@ def tire_forces(tire, outputs):
         fx = gx * (x_peak * sine_of(LONGITUDINAL, i, outputs) + x_shift)
         fy = gy * (y_peak * sine_of(LATERAL, i, outputs) + y_shift)
         fy += outputs.ply_steer[i] * sine_of(PLY_STEER, i, outputs)
-        loaded = outputs.normal_force[i] > 0.0
-        outputs.tire_longitudinal[i] = fx if loaded else 0.0
-        outputs.tire_lateral[i] = outputs.side[i] * fy if loaded else 0.0
+        loaded, mine = outputs.normal_force[i] > 0.0, first <= i < end
+        fx, fy = fx if loaded else 0.0, outputs.side[i] * fy if loaded else 0.0
+        outputs.tire_longitudinal[i] = fx if mine else outputs.tire_longitudinal[i]
+        outputs.tire_lateral[i] = fy if mine else outputs.tire_lateral[i]
+        outputs.overturning_moment[i] = 0.0
+        outputs.rolling_resistance_moment[i] = 0.0
+        outputs.aligning_moment[i] = 0.0
