@@ -60,9 +60,8 @@ def _parts(simulation: Simulation) -> dict:
         "road": dataclasses.asdict(simulation.road),
         "vehicle": _without_neutral(numbers, UPRIGHT),
     }
-    names = TIRES[:1] if vehicle.tire is not None else TIRES[1:]
-    for name in names:
-        parts |= _tire_parts(name, getattr(vehicle, name))
+    for name, tire in vehicle.own_tires.items():
+        parts |= _tire_parts(name, tire)
     return parts
 
 

@@ -30,6 +30,12 @@ class DerivedValues:
     """Properties of a Vehicle, all derived from what was given."""
 
     @property
+    def own_tires(self) -> dict[str, Tire]:
+        """The tires as they were given, by field: `tire`, or `front_tire` and `rear_tire`."""
+        names = ("tire",) if self.tire is not None else ("front_tire", "rear_tire")
+        return {name: getattr(self, name) for name in names}
+
+    @property
     def axle_tires(self) -> dict[str, Tire]:
         """The tire of each axle, by the axle's name."""
         if self.tire is not None:

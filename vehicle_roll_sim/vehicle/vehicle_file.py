@@ -169,29 +169,24 @@ def tire_of(file: str | Path, longitudinal: str) -> Tire:
     return load_tire(file, longitudinal=longitudinal) if longitudinal else load_tire(file)
 
 
-def on_tires(vehicle: Vehicle, files: dict[str, str | Path], prefix: str = "") -> Vehicle:
+def on_tires(vehicle: Vehicle, files: dict[str, str | Path]) -> Vehicle:
     """The vehicle on other tires.
 
-    files: tire files by the names of TIRES; that of one axle leaves the other axle its tire.
-    prefix: what precedes these names in messages. Raises InputError.
+    files: tire files by the names of TIRES; that of one axle leaves the other axle its tire. Raises
+    InputError.
     """
     if not files:
         return vehicle
     if "tire" in files and len(files) > 1:
         other = next(name for name in files if name != "tire")
-        problem = f"given together with {prefix}{_option(other, prefix)}"
+        problem = f"{files['tire']} together with {other} {files[other]}"
         allowed = "either one tire for all wheels, or tires of one or both axles"
-        raise InputError(prefix + _option("tire", prefix), str(files["tire"]), allowed, problem)
+        raise InputError("tire", str(files["tire"]), allowed, problem)
     loaded = {name: tire_of(file, vehicle.longitudinal) for name, file in files.items()}
     if "tire" not in loaded:
         of_axles = {f"{axle}_tire": tire for axle, tire in vehicle.axle_tires.items()}
         loaded = of_axles | loaded
     return dataclasses.replace(vehicle, **dict.fromkeys(TIRES) | loaded)
-
-
-def _option(name: str, prefix: str) -> str:
-    """The name of a tire as it is written after this prefix: an option has hyphens."""
-    return name.replace("_", "-") if prefix == "--" else name
 
 
 def _mapping(path: Path) -> tuple[dict, dict[str, int]]:
