@@ -70,7 +70,8 @@ def spin_axes(vehicle, state, outputs) -> np.ndarray:
     rotation = attitude(state["roll"], state["pitch"], state["yaw"])
     angle = outputs["steering"]
     left = np.column_stack([-np.sin(angle), np.cos(angle), 0.0 * angle])
-    camber = np.array([-vehicle.front_camber, vehicle.front_camber] + [0.0, 0.0])
+    camber = np.zeros(4)
+    camber[:2] = -vehicle.front_camber, vehicle.front_camber
     camber[2:] = -vehicle.rear_camber, vehicle.rear_camber
     return np.sin(np.arcsin((left @ rotation.T)[:, 2]) + camber)
 
