@@ -169,7 +169,7 @@ def per_curve(*names: str) -> tuple:
 
 
 TIRE_TERMS = record_dtype(
-    *per_wheel("stiffening", "load_power"),
+    *per_wheel("relative_load", "stiffening", "load_power"),
     *per_wheel("longitudinal_peak", "lateral_peak", "longitudinal_shift", "lateral_shift"),
     *per_wheel("slip_stiffness", "cornering_stiffness", "lateral_slip_shift", "ply_steer"),
     *per_wheel("upright_peak", "upright_shift", "trail_peak", "residual"),

@@ -72,7 +72,7 @@ def peaks_and_shifts(tire, form, outputs):
         shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY
         terms.lateral_shift[i] = shift * tire.LMUY
         if gamma is not None:
-            terms.upright_shift[i] = terms.lateral_shift[i]
+            terms.relative_load[i], terms.upright_shift[i] = dfz, terms.lateral_shift[i]
             terms.lateral_shift[i] += camber_shift(gamma, fz, dfz, tire)
 
 
@@ -115,21 +115,20 @@ def curves_of_moments(tire, outputs):
     for i in range(WHEEL_COUNT):
         side = outputs.side[i]
         alpha, gamma = side * outputs.slip_angle[i], side * outputs.inclination[i]
-        fz, dfz = outputs.normal_force[i], relative_load(outputs.normal_force[i], tire)
+        fz, dfz = outputs.normal_force[i], terms.relative_load[i]
         ky = terms.cornering_stiffness[i]
+        per_stiffness = 1.0 / ky if ky != 0.0 else 0.0
         mu = pure_slip.lateral_friction(0.0, dfz, tire)
         terms.upright_peak[i] = mu * tire.LMUY * fz
         upright = pure_slip.cornering_stiffness(0.0, fz, tire)
         shift = pure_slip.lateral_slip_shift(0.0, fz, dfz, upright, tire)
         fy = pure_slip.lateral_curve(alpha, 0.0, dfz, shift, upright, terms.upright_peak[i], tire)
         keep_curve(UPRIGHT_LATERAL, i, fy, terms)
-        induced = terms.slip_stiffness[i] * outputs.slip_ratio[i] * tire.combined
-        induced = induced / ky if ky != 0.0 else 0.0
+        induced = terms.slip_stiffness[i] * outputs.slip_ratio[i] * tire.combined * per_stiffness
         keep_curve(TRAIL, i, moments.trail_curve(alpha, induced, gamma, dfz, tire), terms)
         forward = moments.direction(outputs.rolling[i]) * cosine_of_arctan(outputs.slip_tangent[i])
         terms.trail_peak[i] = moments.trail_peak(gamma, fz, dfz, forward, tire)
-        level = terms.lateral_shift[i] / ky if ky != 0.0 else 0.0
-        angle = alpha + terms.lateral_slip_shift[i] + level
+        angle = alpha + terms.lateral_slip_shift[i] + terms.lateral_shift[i] * per_stiffness
         peak = terms.lateral_peak[i]
         terms.residual[i] = moments.residual_moment(
             angle, induced, gamma, fz, dfz, ky, peak, forward, tire
@@ -250,7 +249,7 @@ def moments_of_tire(tire, first, end, outputs):
         side = outputs.side[i]
         gamma = side * outputs.inclination[i]
         fz, fx, fy = outputs.normal_force[i], outputs.tire_longitudinal[i], outputs.tire_lateral[i]
-        dfz, fy = relative_load(fz, tire), side * fy
+        dfz, fy = terms.relative_load[i], side * fy
         gy = weight_of(LATERAL_WEIGHT, LATERAL_AT_SHIFT, i, tire.lowest_weight, terms)
         upright = terms.upright_peak[i] * sine_of(UPRIGHT_LATERAL, i, terms)
         inclined = terms.lateral_peak[i] * sine_of(LATERAL, i, terms) + terms.lateral_shift[i]

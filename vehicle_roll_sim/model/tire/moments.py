@@ -11,9 +11,9 @@ from vehicle_roll_sim.model.compiled.elementary import (
     cosine_of_arctan,
     sine,
     square_root,
+    squared_tangent,
 )
 from vehicle_roll_sim.model.compiled.jit import math, term
-from vehicle_roll_sim.model.tire.pure_slip import sign
 
 LOW_SPEED = 1.0
 """m/s: below this speed the moments that reverse with the direction of rolling fade out."""
@@ -33,9 +33,8 @@ def equivalent_slip(angle, induced):
     angle: slip angle with its shift (rad). induced: Kx kappa / Ky, the tangent that corresponds to
     the slip ratio.
     """
-    along = cosine(angle)
-    tangent = sine(angle) / along
-    return sign(angle) * arctan(square_root(tangent * tangent + induced * induced))
+    size = arctan(square_root(squared_tangent(angle) + induced * induced))
+    return math.copysign(size, angle)
 
 
 @term
@@ -48,7 +47,8 @@ def stiffness_over_friction(tire):
 def trail_peak(gamma, fz, dfz, forward, tire):
     """Dt cos alpha' LFZO: pneumatic trail at no slip (m; E33, E42, E43)."""
     inclined = tire.LGAZ * gamma
-    peak = fz * tire.UNLOADED_RADIUS / (tire.LFZO * tire.FNOMIN) * (tire.QDZ1 + tire.QDZ2 * dfz)
+    peak = fz * (tire.UNLOADED_RADIUS / (tire.LFZO * tire.FNOMIN))
+    peak *= tire.QDZ1 + tire.QDZ2 * dfz
     peak *= 1 - tire.PPZ1 * tire.pressure_change
     peak *= (1 + tire.QDZ3 * inclined + tire.QDZ4 * inclined * inclined) * tire.LTR
     return peak * forward * tire.LFZO
@@ -86,7 +86,7 @@ def residual_moment(angle, induced, gamma, fz, dfz, slope, peak, forward, tire):
 @term
 def longitudinal_arm(gamma, dfz, fy, tire):
     """s: arm of the longitudinal force about the z axis (m; E76)."""
-    arm = tire.SSZ1 + tire.SSZ2 * fy / tire.FNOMIN
+    arm = tire.SSZ1 + tire.SSZ2 / tire.FNOMIN * fy
     arm += (tire.SSZ3 + tire.SSZ4 * dfz) * tire.LGAZ * gamma
     return tire.UNLOADED_RADIUS * arm * tire.LS
 
@@ -94,16 +94,14 @@ def longitudinal_arm(gamma, dfz, fy, tire):
 @term
 def overturning_moment(gamma, fz, fy, tire):
     """Mx (N m; E69). QSX1-QSX11 and QSX12-QSX14 are alternatives; a file gives one of them."""
-    load, force = fz / tire.FNOMIN, fy / tire.FNOMIN
+    per_load = 1.0 / tire.FNOMIN
+    load, force = fz * per_load, fy * per_load
     part = tire.QSX1 * tire.LVMX - tire.QSX2 * gamma * (1 + tire.PPMX1 * tire.pressure_change)
     part += tire.QSX3 * force - tire.QSX12 * gamma * abs(gamma)
-    if tire.QSX4 != 0.0:
-        stretched = tire.QSX6 * load
-        wave = cosine(tire.QSX5 * arctan(stretched * stretched))
-        wave *= sine(tire.QSX7 * gamma + tire.QSX8 * arctan(tire.QSX9 * force))
-        part += tire.QSX4 * wave
-    if tire.QSX10 != 0.0:
-        part += tire.QSX10 * arctan(tire.QSX11 * load) * gamma
+    stretched = tire.QSX6 * load
+    wave = cosine(tire.QSX5 * arctan(stretched * stretched))
+    wave *= sine(tire.QSX7 * gamma + tire.QSX8 * arctan(tire.QSX9 * force))
+    part += tire.QSX4 * wave + tire.QSX10 * arctan(tire.QSX11 * load) * gamma
     moment = fz * part + fy * (tire.QSX13 + tire.QSX14 * abs(gamma))
     return tire.UNLOADED_RADIUS * tire.LMX * moment
 
@@ -123,9 +121,9 @@ def rolling_resistance_moment(gamma, fz, fx, speed, load_power, tire):
 
     speed: of rolling (m/s). load_power: (Fz / Fz0)^QSY7.
     """
-    ratio = speed / tire.LONGVL
-    part = tire.QSY1 + tire.QSY2 * fx / tire.FNOMIN + tire.QSY3 * abs(ratio)
+    ratio = speed * (1.0 / tire.LONGVL)
+    part = tire.QSY1 + tire.QSY2 / tire.FNOMIN * fx + tire.QSY3 * abs(ratio)
     part += tire.QSY4 * (ratio * ratio) * (ratio * ratio)
-    part += (tire.QSY5 + tire.QSY6 * fz / tire.FNOMIN) * gamma * gamma
+    part += (tire.QSY5 + tire.QSY6 / tire.FNOMIN * fz) * gamma * gamma
     moment = -tire.UNLOADED_RADIUS * tire.FNOMIN * part * tire.LMY
     return moment * load_power * tire.pressure_effect
