@@ -1,0 +1,156 @@
+"""What a tire must satisfy before it is used: it has forces, and they resist slip."""
+
+import math
+
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.vehicle.tire import curves
+from vehicle_roll_sim.vehicle.tire.keys import COMBINED, RANGES, REQUIRED
+from vehicle_roll_sim.vehicle.tire.text import Entry
+from vehicle_roll_sim.vehicle.tire.version import FITTYP, FORMAT
+
+ABOVE_0 = (
+    *("FNOMIN", "LFZO", "LONGVL", "UNLOADED_RADIUS", "VERTICAL_STIFFNESS"),
+    *("INFLPRES", "NOMPRES", "LKX", "LKY"),
+)
+DIVISORS = ("PCX1", "LCX", "PCY1", "LCY", "PKY2")
+COMPLETE = "all are required; `vehicle_roll_sim template --tire` writes a complete file"
+NO_COMBINED = (
+    "give the coefficients of combined slip; RBX1 = RCX1 = RBY1 = RCY1 = 0, or USE_MODE = 3 in "
+    "[MODEL], switches it off"
+)
+LOWEST_LOAD, HIGHEST_LOAD, LOAD_COUNT = 0.1, 3.0, 7
+"""Loads at which a tire is asked: over the nominal load, where its range does not say."""
+SLIPS = (0.002, 0.02, 0.1, 0.3, 1.0, 1.5)
+"""Slip ratios, and slip angles in radians, of either sign, within the range of the file."""
+
+
+def check_complete(path, numbers: dict[str, float], optional: tuple, version) -> None:
+    """Raise InputError for coefficients without which there is no tire, apart from `optional`.
+
+    version: None if the file does not say it.
+    """
+    missing = [name for name in REQUIRED if name not in (*numbers, *optional)]
+    if missing and version and set(missing) <= set(COMBINED):
+        raise InputError(f"{path}: {', '.join(missing)}", None, NO_COMBINED)
+    if not version:
+        missing.insert(0, f"{FITTYP} or {FORMAT}")
+    if missing:
+        raise InputError(f"{path}: {', '.join(missing)}", None, COMPLETE)
+
+
+def check_numbers(c: dict[str, float], entries: dict[str, Entry]) -> None:
+    """Raise InputError for numbers by which cannot be divided, and for ranges that are empty.
+
+    entries: those of the numbers that count.
+    """
+    for name in ABOVE_0:
+        if name in entries and c[name] <= 0.0:
+            raise InputError(entries[name].where, c[name], "a number above 0")
+    for name in DIVISORS:
+        if name in entries and c[name] == 0.0:
+            raise InputError(entries[name].where, 0.0, "any number but 0")
+    for lowest, highest in zip(RANGES[::2], RANGES[1::2], strict=True):
+        low, high = c[lowest], c[highest]
+        if not low < high:
+            given = entries[lowest] if lowest in entries else entries[highest]
+            raise InputError(given.where, f"{low:g} to {high:g}", f"{lowest} below {highest}")
+
+
+def loads_of(c: dict[str, float]) -> list[float]:
+    """Loads from the lowest to the highest of a file's range, and the nominal one (N)."""
+    nominal = curves.nominal_load(c)
+    low = max(c["FZMIN"], LOWEST_LOAD * nominal)
+    high = c["FZMAX"] if math.isfinite(c["FZMAX"]) else HIGHEST_LOAD * nominal
+    low = min(low, high)
+    steps = [low + (high - low) * i / (LOAD_COUNT - 1) for i in range(LOAD_COUNT)]
+    return [nominal, *(load for load in steps if load > 0.0)]
+
+
+def check_signs(c: dict[str, float], entries: dict[str, Entry]) -> None:
+    """Raise InputError for a side force or brake force that pushes with the slip.
+
+    Asked at no inclination, within the file's range of loads and slips.
+    """
+    for load in loads_of(c):
+        stiffness = curves.cornering_stiffness(c, load)
+        if not stiffness < 0.0:
+            raise _pushing_side_force(c, entries["PKY1"], load, stiffness)
+        stiffness = curves.slip_stiffness(c, load)
+        if not stiffness > 0.0:
+            _, entry = max((c[n] * s, entries[n]) for n, s in _blamed(c, load) if n in entries)
+            problem = f"{entry.text} makes the slip stiffness {stiffness:.0f} N at {load:.0f} N"
+            allowed = "a slip stiffness above 0: brake slip gives brake force" + _limit(entries)
+            raise InputError(entry.where, entry.text, allowed, problem)
+        for axis, sign in (("X", 1.0), ("Y", -1.0)):
+            _check_curve(c, entries, axis, sign, load)
+
+
+def _blamed(c: dict[str, float], load: float) -> list[tuple[str, float]]:
+    """Terms of the slip stiffness and their signs, so that the most negative has the largest."""
+    dfz = load / curves.nominal_load(c) - 1.0
+    return [("PKX1", -1.0), ("PKX2", -dfz)]
+
+
+def _pushing_side_force(c, entry: Entry, load: float, stiffness: float) -> InputError:
+    problem = f"{entry.text} makes the cornering stiffness {stiffness:.0f} N/rad at {load:.0f} N"
+    allowed = (
+        "a stiffness below 0, as ISO axes (TYDEX W) have it; for a fit in other axes write "
+        "SIGN_CONVENTION = 'ADAPTED_SAE' (or SAE, ADAPTED_ISO) in [MODEL], and it is converted"
+    )
+    if c["PKY1"] * c["PKY2"] < 0.0:
+        allowed = "a stiffness below 0 at every load of the range; lower FZMAX, or correct PKY2"
+    return InputError(entry.where, entry.text, allowed, problem)
+
+
+def _limit(entries: dict[str, Entry]) -> str:
+    """What else helps against a fit that fails at the ends of its range."""
+    return "; or limit FZMIN to FZMAX to loads that were fitted" if "PKX2" in entries else ""
+
+
+def _check_curve(c, entries: dict[str, Entry], axis: str, sign: float, load: float) -> None:
+    """Raise InputError if the curve of pure slip changes its sign within the range of slip."""
+    low, high = ("KPUMIN", "KPUMAX") if axis == "X" else ("ALPMIN", "ALPMAX")
+    for slip in (s * way for s in SLIPS for way in (-1.0, 1.0)):
+        if not c[low] <= slip <= c[high]:
+            continue
+        force = sign * curves.curve(c, axis, load, slip)
+        if force * slip < 0.0:
+            entry = entries.get(f"PC{axis}1", entries["PCY1"])
+            problem = (
+                f"{entry.text} reverses F{axis.lower()} at a slip of {slip:g} and {load:.0f} N"
+            )
+            allowed = "a shape factor of at most 2, with which the force resists slip"
+            raise InputError(entry.where, entry.text, allowed, problem)
+
+
+def warnings_of(c: dict[str, float], entries: dict[str, Entry], combined: bool) -> list[str]:
+    """Notes on what is allowed but seldom meant."""
+    notes = []
+    if combined and c["RBX1"] * c["RCX1"] == 0.0:
+        notes.append("combined slip is off for Fx: slip angle does not weaken it")
+    if combined and c["RBY1"] * c["RCY1"] == 0.0:
+        notes.append("combined slip is off for Fy: a locked wheel keeps its side force")
+    for axis in "XY":
+        lost = [
+            load for load in loads_of(c) if curves.friction(c, axis, load) * c[f"PD{axis}1"] <= 0
+        ]
+        if lost:
+            notes.append(f"friction of F{axis.lower()} is 0 from {min(lost):.0f} N on")
+    radius = c["UNLOADED_RADIUS"]
+    if "UNLOADED_RADIUS" in entries and not 0.03 <= radius <= 2.0:
+        said = entries["UNLOADED_RADIUS"].said
+        notes.append(f"{said}: a radius of {radius:g} m; is the unit of LENGTH right?")
+    if c["QSY1"] < 0.0:
+        notes.append(f"{entries['QSY1'].said}: rolling resistance that drives")
+    return [f"warning: {note}" for note in notes] + _missing_moments(c)
+
+
+def _missing_moments(c: dict[str, float]) -> list[str]:
+    """A note on the moments for which a file has no coefficients."""
+    parts = {
+        "overturning": [v for n, v in c.items() if n.startswith("QSX")],
+        "rolling resistance": [v for n, v in c.items() if n.startswith("QSY") and n[3] in "123456"],
+        "aligning": [c[n] for n in ("QDZ1", "QDZ6", "QDZ7", "QDZ8", "QDZ9", "SSZ1", "SSZ2")],
+    }
+    missing = [name for name, values in parts.items() if not any(values)]
+    return [f"no coefficients of the {', '.join(missing)} moment"] if missing else []
