@@ -67,10 +67,12 @@ def pure_lateral(p, alpha, load):
 
 
 def weight(slip, shift, b, c, e):
+    """A ratio of cosines, which may not become negative."""
+
     def wave(s):
         return np.cos(c * np.arctan(b * s - e * (b * s - np.arctan(b * s))))
 
-    return wave(slip + shift) / wave(shift)
+    return np.maximum(wave(slip + shift) / wave(shift), 0.0)
 
 
 def combined(p, kappa, alpha, load):
