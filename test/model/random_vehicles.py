@@ -10,10 +10,11 @@ from programmes import SHIFTS, with_tire
 from vehicle_roll_sim import InputError, Options, Tire, Vehicle, preset
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.model.records import COMMAND
-from vehicle_roll_sim.model.tire.magic_formula import RANGES
+from vehicle_roll_sim.model.tire.coefficients import RANGES
 from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS, SYMMETRIC
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.vehicle.parameters import GRAVITY
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.vehicle.tire.keys import COEFFICIENTS
 
 REFERENCE = preset()
 LARGEST_FACTOR = 1.6
@@ -61,6 +62,8 @@ def ordinary_vehicles(draw, sides=("", "left", "right")) -> Vehicle:
         values[name] = value * factor
     values["rolling_resistance_coefficient"] = draw(st.floats(0.0, 0.05))
     values["drag_area"] = draw(st.floats(0.0, 2.0))
+    for name in ("front_camber", "rear_camber"):
+        values[name] = draw(st.floats(-0.1, 0.1))
     return _on_a_tire(_possible(values), draw(st.sampled_from(sides)))
 
 
@@ -71,7 +74,7 @@ def allowed_vehicles(draw) -> Vehicle:
     for name in REFERENCE.given:
         about = parameters_of(Vehicle)[name]
         least, most = about.minimum, about.maximum
-        if name in DEPTHS or least == 0.0:
+        if name in DEPTHS or least == 0.0 or name.endswith("camber"):
             values[name] = draw(st.one_of(st.just(max(0.0, least)), st.floats(least, most)))
         else:
             power = st.floats(math.log10(least), math.log10(most))
@@ -107,9 +110,10 @@ def _on_a_tire(vehicle: Vehicle, side: str) -> Vehicle:
 
 @st.composite
 def tires(draw) -> Tire:
-    """Tires with coefficients within 20 % of those of the reference tire, shifts active."""
+    """Tires with all coefficients of the version within 20 % of the reference tire, shifts on."""
     rng, given = draw(NUMBERS), REFERENCE.tire.coefficients
-    nearby = {name: value * rng.uniform(0.8, 1.2) for name, value in given.items()}
+    own = COEFFICIENTS[REFERENCE.tire.version]
+    nearby = {name: given[name] * rng.uniform(0.8, 1.2) for name in given if name in own}
     ranges = {name: given[name] for name in RANGES}
     return REFERENCE.tire.with_coefficients(**nearby | SHIFTS | ranges)
 
