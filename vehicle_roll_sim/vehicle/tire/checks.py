@@ -12,6 +12,7 @@ ABOVE_0 = (
     *("INFLPRES", "NOMPRES", "LKX", "LKY"),
 )
 DIVISORS = ("PCX1", "LCX", "PCY1", "LCY", "PKY2")
+PRESSURE_TERMS = ("PPX1", "PPX2", "PPX3", "PPX4", "PPY1", "PPY2", "PPY3", "PPY4", "PPY5", "PFZ1")
 COMPLETE = "all are required; `vehicle_roll_sim template --tire` writes a complete file"
 NO_COMBINED = (
     "give the coefficients of combined slip; RBX1 = RCX1 = RBY1 = RCY1 = 0, or USE_MODE = 3 in "
@@ -63,7 +64,9 @@ def warnings_of(c: dict[str, float], entries: dict[str, Entry], combined: bool) 
             load for load in loads_of(c) if curves.friction(c, axis, load) * c[f"PD{axis}1"] <= 0
         ]
         if lost:
-            notes.append(f"friction of F{axis.lower()} is 0 from {min(lost):.0f} N on")
+            notes.append(f"F{axis.lower()} has no friction at some loads, as {lost[0]:.0f} N")
+    if c["NOMPRES"] <= 0.0 and any(c[name] for name in PRESSURE_TERMS):
+        notes.append("NOMPRES is not given: the terms of pressure have no effect")
     radius = c["UNLOADED_RADIUS"]
     if "UNLOADED_RADIUS" in entries and not 0.03 <= radius <= 2.0:
         said = entries["UNLOADED_RADIUS"].said
