@@ -97,10 +97,10 @@ class LevelRoadModel:
         if "rates_not_rotated" in MODELS[options.model]:
             allowed = "a model in which height and attitude determine the tire compression"
             raise InputError("model", options.model, allowed)
-        self.vehicle, self.options = vehicle, options
-        plant = Plant.of(vehicle, options)
+        self.vehicle, self.options = vehicle, options.for_vehicle(vehicle)
+        plant = Plant.of(vehicle, self.options)
         self.record = plant.vehicle
-        self._plant = tuple(record for (record,) in plant.arguments())
+        self._plant = plant.parts()
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))

@@ -16,8 +16,8 @@ with TAU = SIGMA / 15 m/s (longitudinally with less, where that would stop a lig
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.elementary import cosine, sine_of_twice_arctan
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
-from vehicle_roll_sim.model.records import WHEEL_COUNT, vehicle_constants
-from vehicle_roll_sim.model.tire.magic_formula import tire_constants
+from vehicle_roll_sim.model.records import AXLE_COUNT, LR, WHEEL_COUNT, vehicle_constants
+from vehicle_roll_sim.model.tire.coefficients import tire_constants
 
 LOW_SPEED = 1.0
 """m/s: rolling speed below which the standstill terms (w) act."""
@@ -32,11 +32,11 @@ RELEASE_TIME = 0.02
 
 
 @term
-def relaxation_lengths(fz, vehicle, tire):
+def relaxation_lengths(fz, radius, vehicle, tire):
     """Longitudinal and lateral relaxation length at load fz (m; Magic Formula 5.2)."""
     nominal = tire.LFZO * tire.FNOMIN
     dfz = (fz - nominal) / nominal
-    radius, floor = vehicle.tire_radius, vehicle.minimum_relaxation_length
+    floor = vehicle.minimum_relaxation_length
     along = fz * (tire.PTX1 + tire.PTX2 * dfz) * math.exp(-tire.PTX3 * dfz)
     along *= radius / tire.FNOMIN * tire.LSGKP
     across = 0.0
@@ -61,30 +61,34 @@ def slip_rate(slip, rolling, sliding, length, weight):
 
 
 @kernel
-def transient_slip(state, vehicle, tire, outputs):
+def transient_slip(state, vehicle, tires, outputs):
     """Slip ratio and tangent of the slip angle of every wheel, and the rates of its slip states."""
     along, across = state[at.LONGITUDINAL_SLIP], state[at.LATERAL_SLIP]
     for i in range(WHEEL_COUNT):
         outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
-    vehicle, tire = vehicle_constants(vehicle), tire_constants(tire)
-    for i in range(WHEEL_COUNT):
-        outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
-            damped_slip(
-                outputs.patch_slip_ratio[i],
-                outputs.patch_slip_tangent[i],
-                outputs.rolling[i],
-                outputs.sliding[i],
-                outputs.tread[i],
-                outputs.normal_force[i],
-                vehicle,
-                tire,
+        outputs.unloaded_radius[i] = vehicle.tire_radius[i]
+    vehicle = vehicle_constants(vehicle)
+    for axle in range(AXLE_COUNT):
+        tire = tire_constants(tires[axle])
+        for i in range(axle * LR, axle * LR + LR):
+            outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
+                damped_slip(
+                    outputs.patch_slip_ratio[i],
+                    outputs.patch_slip_tangent[i],
+                    outputs.rolling[i],
+                    outputs.sliding[i],
+                    outputs.tread[i],
+                    outputs.normal_force[i],
+                    outputs.unloaded_radius[i],
+                    vehicle,
+                    tire,
+                )
             )
-        )
-        outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
+            outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
 
 
 @term
-def damped_slip(along, across, rolling, sliding, tread, fz, vehicle, tire):
+def damped_slip(along, across, rolling, sliding, tread, fz, radius, vehicle, tire):
     """Rates of the longitudinal and lateral slip (1/s), and the slips for the Magic Formula.
 
     rolling, sliding: velocity of the contact point along and across the wheel (m/s). tread: spin
@@ -92,11 +96,11 @@ def damped_slip(along, across, rolling, sliding, tread, fz, vehicle, tire):
     """
     if fz <= 0.0:
         return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across
-    long, lateral = relaxation_lengths(fz, vehicle, tire)
+    long, lateral = relaxation_lengths(fz, radius, vehicle, tire)
     weight = standstill(rolling)
     along_rate = slip_rate(along, rolling, tread - rolling, long, weight)
     across_rate = slip_rate(across, rolling, sliding, lateral, weight)
-    slope = fz * tire.PKX1 * tire.LKX * vehicle.tire_radius**2  # about Kx r^2
+    slope = fz * tire.PKX1 * tire.LKX * radius**2  # about Kx r^2
     firm = max(DAMPING_SPEED, slope / (vehicle.wheel_inertia * QUICKEST_DAMPING))
     along += long / firm * weight * along_rate
     across += lateral / DAMPING_SPEED * weight * across_rate
