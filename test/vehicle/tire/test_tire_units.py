@@ -69,6 +69,14 @@ def test_a_radius_that_no_tire_has_is_noted(read):
     assert not any("warning" in note for note in read(BASE).notes)
 
 
+def test_units_that_are_converted_are_noted(read, base):
+    tire = read(
+        changed({"FORCE": "FORCE = 'kN'", "FNOMIN": "FNOMIN = 3.8", "FZMAX": "", "FZMIN": ""})
+    )
+    assert any(note == "converted to SI units: FORCE = kN (line 8)" for note in tire.notes)
+    assert not any("SI units" in note for note in base.notes)
+
+
 @pytest.mark.parametrize("quantity", UNITS)
 def test_every_name_of_a_unit_is_read_in_any_letters(read, quantity):
     """Names after the units commands of Adams; some are longer or shorter than there."""
