@@ -56,6 +56,7 @@ PRESSURES = {"bar": 1e5, "kPa": 1e3, "psi": 6894.757293168361, "pascal": 1.0, "k
 @pytest.mark.parametrize("unit", PRESSURES)
 def test_pressures_have_their_unit_or_that_of_force_and_length(read, unit):
     lines = {"TIME": f"TIME = 'sec'\nPRESSURE = '{unit}'", "INFLPRES": "INFLPRES = 2.2"}
+    lines["NOMPRES"] = "NOMPRES = 2"
     c = read(changed(lines, BASE_6_1)).coefficients
     assert c["INFLPRES"] == pytest.approx(2.2 * PRESSURES[unit], rel=1e-12)
     lines = {"LENGTH": "LENGTH = 'mm'", "INFLPRES": "INFLPRES = 0.22", "NOMPRES": "NOMPRES = 0.2"}

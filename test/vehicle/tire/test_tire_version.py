@@ -182,3 +182,18 @@ def test_without_a_nominal_pressure_its_terms_have_no_effect_and_that_is_noted(r
     nominal = read(changed({"INFLPRES": ""}, BASE_6_1))
     assert nominal.record()["pressure_change"][0] == 0.0
     assert read(BASE_6_1).record()["pressure_change"][0] == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("line", ["INFLPRES = 2.2", "INFLPRES = 1e-300", "INFLPRES = 9e14"])
+def test_a_pressure_that_no_tire_has_is_refused(read, line):
+    """2.2 is likely to be in bar."""
+    text = changed({"INFLPRES": line}, BASE_6_1)
+    with refused(line_of(text, "INFLPRES"), "INFLPRES", "Pa", "times NOMPRES"):
+        read(text)
+
+
+@pytest.mark.parametrize("key", ["QSY7", "QSY8"])
+def test_a_power_that_no_tire_has_is_refused(read, key):
+    text = BASE_6_1 + f"{key} = 1e6\n"
+    with refused(line_of(text, key), key, "-20 to 20"):
+        read(text)

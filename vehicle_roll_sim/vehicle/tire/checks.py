@@ -12,6 +12,9 @@ ABOVE_0 = (
     *("INFLPRES", "NOMPRES", "LKX", "LKY"),
 )
 DIVISORS = ("PCX1", "LCX", "PCY1", "LCY", "PKY2")
+EXPONENTS, LARGEST_EXPONENT = ("QSY7", "QSY8"), 20
+PRESSURE_RATIO = 20
+"""Largest ratio of the inflation pressure to the nominal one, and of the latter to the former."""
 PRESSURE_TERMS = ("PPX1", "PPX2", "PPX3", "PPX4", "PPY1", "PPY2", "PPY3", "PPY4", "PPY5", "PFZ1")
 COMPLETE = "all are required; `vehicle_roll_sim template --tire` writes a complete file"
 NO_COMBINED = (
@@ -35,7 +38,7 @@ def check_complete(path, numbers: dict[str, float], optional: tuple, version) ->
 
 
 def check_numbers(c: dict[str, float], entries: dict[str, Entry]) -> None:
-    """Raise InputError for numbers by which cannot be divided, and for ranges that are empty.
+    """Raise InputError for a zero divisor, an empty range, or a power or pressure of no tire.
 
     entries: those of the numbers that count.
     """
@@ -45,6 +48,14 @@ def check_numbers(c: dict[str, float], entries: dict[str, Entry]) -> None:
     for name in DIVISORS:
         if name in entries and c[name] == 0.0:
             raise InputError(entries[name].where, 0.0, "any number but 0")
+    for name in EXPONENTS:
+        if abs(c[name]) > LARGEST_EXPONENT:
+            allowed = f"a number from {-LARGEST_EXPONENT} to {LARGEST_EXPONENT}"
+            raise InputError(entries[name].where, c[name], allowed)
+    ratio = 1.0 + curves.pressure_change(c)
+    if not 1 / PRESSURE_RATIO <= ratio <= PRESSURE_RATIO:
+        allowed = f"a pressure from 1/{PRESSURE_RATIO} to {PRESSURE_RATIO} times NOMPRES"
+        raise InputError(entries["INFLPRES"].where, f"{c['INFLPRES']:g} Pa", allowed)
     for lowest, highest in zip(RANGES[::2], RANGES[1::2], strict=True):
         low, high = c[lowest], c[highest]
         if not low < high:
