@@ -7,10 +7,10 @@ the default of its version. Angles are measured on the side that the file was ma
 forward.
 """
 
-from magic_formula.coefficients import Coefficients, complete, read
-from magic_formula.combined import combined, lateral_weight, longitudinal_weight
+from magic_formula.coefficients import Coefficients, complete, is_number, read
+from magic_formula.combined import combined, lateral_weight, limits, longitudinal_weight
 from magic_formula.curves import relative_load
-from magic_formula.evaluation import Forces, evaluate
+from magic_formula.evaluation import Forces, evaluate, slopes
 from magic_formula.lateral import cornering_stiffness, lateral_peak, pure_lateral
 from magic_formula.longitudinal import (
     longitudinal_peak,

@@ -41,3 +41,11 @@ def evaluate(p, load, kappa, alpha, camber=0.0, pressure=None, speed=16.7, mirro
     my = rolling_resistance_moment(p, load, fx, camber, dp, speed)
     mz = aligning_moment(p, kappa, alpha, load, fx, fy, camber, dp)
     return Forces(fx, hand * fy, hand * mx, my, hand * mz, loaded, effective)
+
+
+def slopes(p, load, dp=0.0):
+    """Slopes of Fx and Fy at no slip, shifts included (N, N/rad), by differences."""
+    step = 1e-6
+    either = [combined(p, way, 0.0, load, 0.0, dp)[0] for way in (-step, step)]
+    aside = [combined(p, 0.0, way, load, 0.0, dp)[1] for way in (-step, step)]
+    return (either[1] - either[0]) / (2 * step), (aside[1] - aside[0]) / (2 * step)

@@ -4,12 +4,14 @@ import numpy as np
 
 SETTLED = 60
 """Steps after which the spin, which changes Re by its growth alone, is known to rounding."""
-GRID = 500
+GRID = 200
 """Steps from the free radius to 0, in the first of which that carries the load it is sought."""
 
 
 def free_radius(p, spin):
-    """R_omega (m): the unloaded radius of the spinning tire."""
+    """R_omega (m): the unloaded radius of the spinning tire; in 5.2 it does not grow."""
+    if p.version == "5.2":
+        return p["UNLOADED_RADIUS"]
     growth = p["Q_V1"] * (spin * p["UNLOADED_RADIUS"] / p["LONGVL"]) ** 2
     return p["UNLOADED_RADIUS"] * (p["Q_RE0"] + growth)
 
