@@ -12,6 +12,10 @@ ABOVE_0 = (
     *("INFLPRES", "NOMPRES", "LKX", "LKY"),
 )
 DIVISORS = ("PCX1", "LCX", "PCY1", "LCY", "PKY2")
+EXPONENTS, LARGEST_EXPONENT = ("QSY7", "QSY8"), 20
+PRESSURE_RATIO = 20
+"""Largest ratio of the inflation pressure to the nominal one, and of the latter to the former."""
+PRESSURE_TERMS = ("PPX1", "PPX2", "PPX3", "PPX4", "PPY1", "PPY2", "PPY3", "PPY4", "PPY5", "PFZ1")
 COMPLETE = "all are required; `vehicle_roll_sim template --tire` writes a complete file"
 NO_COMBINED = (
     "give the coefficients of combined slip; RBX1 = RCX1 = RBY1 = RCY1 = 0, or USE_MODE = 3 in "
@@ -34,7 +38,7 @@ def check_complete(path, numbers: dict[str, float], optional: tuple, version) ->
 
 
 def check_numbers(c: dict[str, float], entries: dict[str, Entry]) -> None:
-    """Raise InputError for numbers by which cannot be divided, and for ranges that are empty.
+    """Raise InputError for a zero divisor, an empty range, or a power or pressure of no tire.
 
     entries: those of the numbers that count.
     """
@@ -44,6 +48,14 @@ def check_numbers(c: dict[str, float], entries: dict[str, Entry]) -> None:
     for name in DIVISORS:
         if name in entries and c[name] == 0.0:
             raise InputError(entries[name].where, 0.0, "any number but 0")
+    for name in EXPONENTS:
+        if abs(c[name]) > LARGEST_EXPONENT:
+            allowed = f"a number from {-LARGEST_EXPONENT} to {LARGEST_EXPONENT}"
+            raise InputError(entries[name].where, c[name], allowed)
+    ratio = 1.0 + curves.pressure_change(c)
+    if not 1 / PRESSURE_RATIO <= ratio <= PRESSURE_RATIO:
+        allowed = f"a pressure from 1/{PRESSURE_RATIO} to {PRESSURE_RATIO} times NOMPRES"
+        raise InputError(entries["INFLPRES"].where, f"{c['INFLPRES']:g} Pa", allowed)
     for lowest, highest in zip(RANGES[::2], RANGES[1::2], strict=True):
         low, high = c[lowest], c[highest]
         if not low < high:
@@ -63,7 +75,9 @@ def warnings_of(c: dict[str, float], entries: dict[str, Entry], combined: bool) 
             load for load in loads_of(c) if curves.friction(c, axis, load) * c[f"PD{axis}1"] <= 0
         ]
         if lost:
-            notes.append(f"friction of F{axis.lower()} is 0 from {min(lost):.0f} N on")
+            notes.append(f"F{axis.lower()} has no friction at some loads, as {lost[0]:.0f} N")
+    if c["NOMPRES"] <= 0.0 and any(c[name] for name in PRESSURE_TERMS):
+        notes.append("NOMPRES is not given: the terms of pressure have no effect")
     radius = c["UNLOADED_RADIUS"]
     if "UNLOADED_RADIUS" in entries and not 0.03 <= radius <= 2.0:
         said = entries["UNLOADED_RADIUS"].said

@@ -18,8 +18,8 @@ def nominal_load(c: dict[str, float]) -> float:
 
 def pressure_change(c: dict[str, float]) -> float:
     """dp: the relative change of the pressure; 0 if a file gives none."""
-    nominal = c["NOMPRES"]
-    return (c["INFLPRES"] - nominal) / nominal if nominal > 0.0 else 0.0
+    actual, nominal = c["INFLPRES"], c["NOMPRES"]
+    return (actual - nominal) / nominal if actual > 0.0 and nominal > 0.0 else 0.0
 
 
 def cornering_stiffness(c: dict[str, float], load: float) -> float:

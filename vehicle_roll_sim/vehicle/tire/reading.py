@@ -19,7 +19,7 @@ from vehicle_roll_sim.vehicle.tire.pac2002_pressure import without_pressure
 from vehicle_roll_sim.vehicle.tire.resistance import within_resistance
 from vehicle_roll_sim.vehicle.tire.signs import in_iso, made_symmetric
 from vehicle_roll_sim.vehicle.tire.text import UNITS, Entry, first_of_each, read
-from vehicle_roll_sim.vehicle.tire.units import factors
+from vehicle_roll_sim.vehicle.tire.units import converted, factors
 from vehicle_roll_sim.vehicle.tire.unknown_keys import pass_over
 from vehicle_roll_sim.vehicle.tire.use_mode import Mode, mode_of, side_of
 from vehicle_roll_sim.vehicle.tire.version import version_of
@@ -44,7 +44,8 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
         raise InputError("longitudinal", longitudinal, FROM_LATERAL)
     text = read(path)
     notes = pass_over(text.entries)
-    units = factors(first_of_each(e for e in text.entries if e.section == UNITS))
+    units_given = first_of_each(e for e in text.entries if e.section == UNITS)
+    units = factors(units_given)
     entries = _known(text.entries)
     mode = mode_of(entries)
     numbers = {
@@ -63,14 +64,14 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
     if is_made:
         coefficients, replaced = stand_in(coefficients, mode.combined)
     side, about_side = side_of(entries, mode.mirrored)
-    coefficients, converted = in_iso(coefficients, entries, text.comments)
+    coefficients, turned = in_iso(coefficients, entries, text.comments)
     coefficients, cut = within_resistance(coefficients, entries)
     if side == "symmetric":
         coefficients, symmetric = made_symmetric(coefficients)
         about_side = [*about_side, *symmetric]
-    decided = [version.reason, *dropped, *converted, *about_side, *mode.notes, *replaced]
+    decided = [version.reason, *dropped, *turned, *about_side, *mode.notes, *replaced]
     warned = warnings_of(coefficients, entries, mode.combined)
-    told = (*decided, *_turn_slip(entries), *notes, *cut, *warned)
+    told = (*decided, *converted(units_given), *_turn_slip(entries), *notes, *cut, *warned)
     return TireData(coefficients, side, version.name, mode.combined, told)
 
 

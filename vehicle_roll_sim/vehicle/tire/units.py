@@ -96,6 +96,12 @@ def factors(units: dict[str, Entry]) -> dict[str, float]:
     }
 
 
+def converted(units: dict[str, Entry]) -> list[str]:
+    """A note on the units of a file that are not SI."""
+    others = [e.said for e in units.values() if e.key in UNITS and _value_of(e) != 1.0]
+    return [f"converted to SI units: {', '.join(others)}"] if others else []
+
+
 def _value_of(entry: Entry) -> float:
     known = UNITS[entry.key]
     for value, names in known.items():

@@ -1,5 +1,6 @@
 """Which Magic Formula a tire file is written for, and why."""
 
+import re
 from typing import NamedTuple
 
 from vehicle_roll_sim.declaration import InputError
@@ -23,14 +24,11 @@ FORMATS = {
     "MF60": "6.1",
     "MF61": "6.1",
     "MF62": "6.2",
-    "MFTYRE": "",
-    "MFTIRE": "",
-    "MFSWIFT": "",
+    "MF": "",
     "USER": "",
 }
-"""The version that a PROPERTY_FILE_FORMAT stands for, if it stands for one; in capitals and digits
-alone."""
-OF_5_2_IF_NOTHING_ELSE = ("MFTYRE", "MFTIRE", "MFSWIFT")
+"""The version that a PROPERTY_FILE_FORMAT stands for, if it stands for one, by its plain name."""
+MF_TYRE = "MF"
 SHOWN = "PAC2002, MF_05, MF52, MF61, MF62, MF-TYRE, MF_SWIFT, USER"
 GIVE = "give FITTYP = 52 (Magic Formula 5.0 to 5.2), 61 (6.0, 6.1) or 62 (6.2) in [MODEL]"
 OTHERS = "a Magic Formula for cars: FITTYP 5, 6, 51, 52 (5.0 to 5.2), 60, 61 (6.1) or 62 (6.2)"
@@ -91,8 +89,9 @@ def _formatted(entries: dict[str, Entry]) -> tuple[str, Entry] | None:
 
 
 def _plain(text: str) -> str:
-    """Capitals and digits of a name: MF_6.1, MF-61 and mf61 are one."""
-    return "".join(char for char in text.upper() if char.isalnum())
+    """Capitals and digits of a format: MF_6.1, MF-Tyre 6.1, MF-Swift 6.1 and mf61 are one."""
+    name = "".join(char for char in text.upper() if char.isalnum())
+    return re.sub("^MF(TYRE|TIRE|SWIFT)", MF_TYRE, name)
 
 
 def foreign_to(version: str, numbers: dict[str, float]) -> list[str]:
@@ -127,7 +126,7 @@ def _by_coefficients(entries: dict[str, Entry], numbers: dict[str, float]) -> Ve
         if old:
             return _without_fittyp("5.2", old)
         reason = "Magic Formula 5.2: FITTYP is not given, and no coefficient is of version 6"
-        return Version("5.2", reason) if given in OF_5_2_IF_NOTHING_ELSE else None
+        return Version("5.2", reason) if given == MF_TYRE else None
     if "6.1" in possible and (not old or "5.2" not in possible):
         return _without_fittyp("6.2" if newest else "6.1", newest or new)
     if "5.2" in possible and "6.1" in possible:
