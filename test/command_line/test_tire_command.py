@@ -106,6 +106,20 @@ def test_what_a_file_leaves_open_is_said(command, folder):
     assert "TYRESIDE is not given" in result.out
 
 
+def test_converted_units_and_warnings_have_lines_of_their_own(command, folder):
+    command("template", "--tire", "mine.tir")
+    text = (folder / "mine.tir").read_text().replace("'newton'", "'kN'")
+    lines = [line for line in text.splitlines() if not line.startswith(("FNOMIN", "FZM"))]
+    (folder / "mine.tir").write_text("\n".join([*lines, "[LOAD]", "FNOMIN = 4"]))
+    said = command("tire", "mine.tir").value
+    assert said["units"].startswith("SI, converted from FORCE = kN")
+    assert said["nominal load"] == "4000 N"
+    switched_off = ["[MORE]", "RBX1 = 0", "RCX1 = 0", "RBY1 = 0", "RCY1 = 0"]
+    lines = [line for line in lines if not line.startswith(("RBX1", "RCX1", "RBY1", "RCY1"))]
+    (folder / "mine.tir").write_text("\n".join([*lines, "[LOAD]", "FNOMIN = 4", *switched_off]))
+    assert "combined slip is off" in command("tire", "mine.tir").value["warning"]
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_the_table_has_stiffness_and_friction_at_four_loads(command, name):
     p, _ = magic_formula.read(file(name))
@@ -130,7 +144,6 @@ def test_conditions_are_chosen_and_every_combination_has_a_row(command):
     assert sorted(set(rows[:, 1])) == [-0.05, 0.05]
     assert sorted(set(rows[:, 2])) == [200.0, 220.0]
     assert len(rows) == len({tuple(row) for row in rows}) == 8
-    assert (rows == table_of(command("tire", *words, "--csv", "c.csv", file("mf61")).out)).all()
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -191,7 +204,7 @@ def test_the_outline_encloses_the_curves(command, folder):
     assert (corners[0] == corners[-1]).all()
     for a, b in itertools.pairwise(corners):
         left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])
-        assert (left >= -1e-3 * np.hypot(*(b - a)) * 4000.0).all()  # a grid misses the peak by less
+        assert (left >= -1e-9 * np.hypot(*(b - a)) * 4000.0).all()
 
 
 def test_the_figure_shows_what_the_data_has(command, folder, monkeypatch):
@@ -221,7 +234,7 @@ def test_the_figure_shows_what_the_data_has(command, folder, monkeypatch):
 def test_the_same_file_gives_the_same_bytes(command, folder):
     for suffix in (".png", ".svg"):
         for name in ("one", "two"):
-            words = ("--plot", f"{name}{suffix}", "--csv", f"{name}.csv")
+            words = ("--plot", f"{name}{suffix}", "--csv", f"{name}.csv", "--load", "3000")
             assert command("tire", file("mf52_full"), *words).status == 0
         assert (folder / f"one{suffix}").read_bytes() == (folder / f"two{suffix}").read_bytes()
         assert (folder / "one.csv").read_bytes() == (folder / "two.csv").read_bytes()
@@ -307,7 +320,7 @@ def test_a_full_disk_leaves_no_file(command, folder, monkeypatch):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("pathlib.Path.replace", full)
-    result = command("tire", file("mf61"), "--csv", "curves.csv")
+    result = command("tire", file("mf61"), "--csv", "curves.csv", "--load", "3000")
     assert (result.status, result.out) == (1, "")
     assert "No space left on device" in result.err
     assert len(result.err.splitlines()) == 1
@@ -342,7 +355,7 @@ def test_a_file_without_an_aligning_moment_and_a_narrow_range_say_so_in_the_figu
     lines = [line for line in text.splitlines() if not line.startswith(("ALPM", "KPUM"))]
     narrow = ["[SLIP_ANGLE_RANGE]", "ALPMIN = -0.1", "ALPMAX = 0.1"]
     (folder / "mine.tir").write_text("\n".join([*lines, *narrow]))
-    assert command("tire", "mine.tir", "--plot", "f.png").err == ""
+    assert command("tire", "mine.tir", "--plot", "f.png", "--load", "3000").err == ""
     ((figure, _),) = kept
     assert [text.get_text() for text in figure.axes[2].texts] == ["no coefficients in the file"]
     ends = [line for line in figure.axes[1].lines if line.get_linestyle() == ":"]

@@ -15,7 +15,7 @@ WIDEST_SLIP_RATIO, WIDEST_SLIP_ANGLE = 1.0, math.radians(20)
 """Curves end here (-, rad)."""
 POINTS = 201
 """Of a curve; odd, so that zero slip is one of them."""
-RINGS, RAYS = 61, 81
+RINGS, RAYS = 41, 61
 """Slip angles and slip ratios whose forces the outline of combined slip encloses."""
 SLIGHT = 1e-6
 """Slip (- and rad) to either side at which slopes are taken: the next term is below 1e-8 of it."""
@@ -122,7 +122,9 @@ def outline(tire: Tire, condition: Condition) -> Curve:
     The first is repeated at the end.
     """
     grid = np.meshgrid(_denser(WIDEST_SLIP_RATIO, RAYS), _denser(WIDEST_SLIP_ANGLE, RINGS))
-    slip_ratio, slip_angle = (axis.ravel() for axis in grid)
+    none, (ratios, angles) = np.zeros(POINTS), (axis.ravel() for axis in grid)
+    slip_ratio = np.concatenate([ratios, _even(WIDEST_SLIP_RATIO), none])  # and those of the curves
+    slip_angle = np.concatenate([angles, none, _even(WIDEST_SLIP_ANGLE)])
     forces = condition.forces(tire, slip_ratio, slip_angle)
     corners = _hull(forces.longitudinal_force, forces.lateral_force)
     chosen = TireForces(*(values[corners] for values in forces))

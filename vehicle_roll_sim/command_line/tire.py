@@ -23,7 +23,7 @@ HEADER = (
 )
 UNITS = f"{'N':>8}{'rad':>8}{'kPa':>10}{'kN':>14}{'kN/rad':>15}{'peak force over load':>35}"
 KILO = 1e3
-VERSION, UNITS_READ, WARNING = "Magic Formula", "units: ", "warning: "
+VERSION, UNITS_READ, WARNING = "Magic Formula", "converted to SI units: ", "warning: "
 """How the notes on version, units and doubts begin."""
 LABELS = (VERSION, UNITS_READ)
 
@@ -201,7 +201,8 @@ def _version_and_units(tire: Tire) -> list[str]:
     """The version with the reason for it, and the units, from the notes."""
     given = {label: each for each in tire.notes for label in LABELS if each.startswith(label)}
     version = given.get(VERSION, f"{VERSION} {tire.version}")
-    units = given.get(UNITS_READ, f"{UNITS_READ}SI").removeprefix(UNITS_READ)
+    converted = given.get(UNITS_READ, "").removeprefix(UNITS_READ)
+    units = f"SI, converted from {converted}" if converted else "SI"
     return [line("version", version), line("units", units)]
 
 
