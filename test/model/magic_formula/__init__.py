@@ -4,7 +4,8 @@ Numbers of equations are those of Pacejka (2012), section 4.3. Functions take sl
 inclination in arrays and `p`, the coefficients of the file by name, in SI units; what `p` lacks has
 the default of its version. Angles are measured on the side that the file was made for, but
 `evaluate` takes the side as well. Axes are ISO (TYDEX W). Turn slip is zero and the tire rolls
-forward.
+forward. Sources differ on where the scaling factors LGAX, LGAY and LGAZ of 5.2 act: here on the
+inclination in all of Fx, Fy and Mz.
 """
 
 from magic_formula.coefficients import Coefficients, complete, is_number, read

@@ -34,7 +34,7 @@ def ply_steer(p, kappa, alpha, load, camber=0.0, dp=0.0):
     """SVy kappa, the lateral force induced by longitudinal slip (N; E66, E67)."""
     p = complete(p)
     dfz = relative_load(p, load)
-    reach = p["RVY1"] + p["RVY2"] * dfz + p["RVY3"] * camber
+    reach = p["RVY1"] + p["RVY2"] * dfz + p["RVY3"] * p["LGAY"] * camber
     reach = lateral_peak(p, load, camber, dp) * reach
     reach = reach / np.sqrt(1 + (p["RVY4"] * alpha) ** 2) * p["LVYKA"]
     return reach * np.sin(p["RVY5"] * np.arctan(p["RVY6"] * kappa))

@@ -25,7 +25,7 @@ def evaluate(p, load, kappa, alpha, camber=0.0, pressure=None, speed=16.7, mirro
     """Forces at a load (N) above 0, slip ratio, slip angle and inclination (rad), speed (m/s).
 
     pressure: Pa, of 6.1 and 6.2 alone; nominal if None. mirrored: the wheel is on the side that
-    the file was not made for. 5.2 has no loaded radius.
+    the file was not made for. 5.2 has no loaded radius; no file has one without its data.
     """
     given = (load, kappa, alpha, camber, speed, mirrored)
     load, kappa, alpha, camber, speed, mirrored = np.broadcast_arrays(*np.atleast_1d(*given))
@@ -35,7 +35,10 @@ def evaluate(p, load, kappa, alpha, camber=0.0, pressure=None, speed=16.7, mirro
     fx, fy = combined(p, kappa, alpha, load, camber, dp)
     spin, effective = spin_and_effective_radius(p, load, kappa, dp, speed)
     loaded = np.full(load.shape, np.nan)
-    if p.version != "5.2":
+    has_radius = p["UNLOADED_RADIUS"] > 0 and p["VERTICAL_STIFFNESS"] > 0
+    if not (has_radius and (p["DREFF"] or p["FREFF"])):
+        effective = loaded
+    if has_radius and p.version != "5.2":
         loaded = loaded_radius(p, load, fx, fy, camber, dp, spin)
     mx = overturning_moment(p, load, fy, camber, dp)
     my = rolling_resistance_moment(p, load, fx, camber, dp, speed)

@@ -41,7 +41,8 @@ def load_at(p, radius, fx, fy, camber, dp, spin):
     if p.version == "6.2":
         width = (1.075 - 0.5 * p["ASPECT_RATIO"]) * p["WIDTH"]
         bulge = p["Q_CAM1"] * radius + p["Q_CAM2"] * radius**2
-        bulge = bulge / (p["Q_CAM1"] * free + p["Q_CAM2"] * free**2)
+        largest = p["Q_CAM1"] * free + p["Q_CAM2"] * free**2
+        bulge = np.divide(bulge, largest, out=np.zeros_like(radius), where=largest != 0)
         lean = bulge**2 * width / 8 * np.abs(np.tan(camber))
         deflection = deflection + lean - p["Q_CAM3"] * deflection * np.abs(camber)
         deflection = np.maximum(deflection, 0.0)
