@@ -96,3 +96,24 @@ def test_a_stiffness_of_the_other_sign_is_refused_by_name(name, key, tmp_path):
     with pytest.raises(InputError, match=key if key[0] == "P" else key[2]) as error:
         load_tire(path)
     assert str(error.value).isprintable()
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "words"),
+    [
+        ("RCX1", 11.0, "at most 3"),
+        ("RCY1", -4.0, "at most 3"),
+        ("RHX1", 2.0, "leaves no Fx without other slip"),
+        ("RHY1", -3.0, "leaves no Fy without other slip"),
+    ],
+)
+@pytest.mark.parametrize("name", NAMES)
+def test_a_weight_that_comes_back_or_is_used_up_without_other_slip_is_refused(
+    name, key, value, words, tmp_path
+):
+    path, given_ = tmp_path / "weights.tir", {key: value}
+    if key.startswith("RH"):
+        given_["RC" + key[2] + "1"] = 1.5  # below 1, a weight never ends
+    path.write_text(changed(text_of(name), given_), encoding="utf-8")
+    with pytest.raises(InputError, match=f"{key}: .*{words}"):
+        load_tire(path)

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.vehicle.tire.checks import check_complete, check_numbers, warnings_of
+from vehicle_roll_sim.vehicle.tire.combined_slip import check_weights
 from vehicle_roll_sim.vehicle.tire.idle_keys import TURN_SLIP
 from vehicle_roll_sim.vehicle.tire.keys import (
     COEFFICIENTS,
@@ -66,6 +67,8 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
     side, about_side = side_of(entries, mode.mirrored)
     coefficients, turned = in_iso(coefficients, entries, text.comments)
     coefficients, cut = within_resistance(coefficients, entries)
+    if mode.combined and not is_made:
+        check_weights(coefficients, entries)
     if side == "symmetric":
         coefficients, symmetric = made_symmetric(coefficients)
         about_side = [*about_side, *symmetric]
