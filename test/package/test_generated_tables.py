@@ -52,11 +52,14 @@ def test_every_table_of_declarations_is_on_one_page_and_up_to_date(tables, pages
 
 
 def test_they_have_every_parameter_of_the_simulator(tables, pages):
-    from vehicle_roll_sim.ros.simulator.parameters import PARAMETERS, TIRE, VEHICLE_PREFIX
+    from vehicle_roll_sim.ros.simulator import parameters as declared
 
     shown = pages["reference/node.md"] + pages["parameters.md"]
-    for name in PARAMETERS.keys() - {TIRE}:
-        assert f"| `{name.removeprefix(VEHICLE_PREFIX)}` |" in shown
+    of_files = {*declared.TIRE_PARAMETERS, declared.VEHICLE_PREFIX + declared.LONGITUDINAL}
+    for name in of_files:  # in the text above the table
+        assert f"`{name}`" in shown
+    for name in declared.PARAMETERS.keys() - of_files:
+        assert f"| `{name.removeprefix(declared.VEHICLE_PREFIX)}` |" in shown
 
 
 def test_a_table_that_is_not_up_to_date_is_replaced_and_nothing_else(tables):
