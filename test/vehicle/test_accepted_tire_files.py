@@ -103,8 +103,8 @@ def test_a_stiffness_of_the_other_sign_is_refused_by_name(name, key, tmp_path):
     [
         ("RCX1", 11.0, "at most 3"),
         ("RCY1", -4.0, "at most 3"),
-        ("RHX1", 2.0, "leaves no Fx without other slip"),
-        ("RHY1", -3.0, "leaves no Fy without other slip"),
+        ("RHX1", 2.0, "leaves no Fx in pure slip"),
+        ("RHY1", -3.0, "leaves no Fy in pure slip"),
     ],
 )
 @pytest.mark.parametrize("name", NAMES)

@@ -129,7 +129,7 @@ def test_a_key_with_the_same_value_twice_is_read_once(read, base, line):
 def test_a_key_with_two_values_is_refused_with_both_lines(read, section):
     text = BASE + section + "PEY1 = -0.5\n"
     first, second = (n for n, line in enumerate(text.splitlines(), 1) if line.startswith("PEY1"))
-    with refused("PEY1", "'-0.6'", "'-0.5'", f"line {first} of", f"line {second} of"):
+    with refused("PEY1", "'-0.6'", "'-0.5'", f"line {first} in", f"line {second} in"):
         read(text)
 
 

@@ -123,7 +123,7 @@ def test_a_file_that_says_nothing_of_its_version_is_refused(read, line):
 @pytest.mark.parametrize("lines", ["PKY4 = 1.5\nPHY3 = 0.1", "Q_CAM1 = 50\nPTX1 = 2"])
 def test_coefficients_of_two_versions_in_one_file_are_refused(read, lines):
     one, other = (line.split()[0] for line in lines.splitlines())
-    with refused("some.tir", one, other, "of version 6"):
+    with refused("some.tir", one, other, "to version 6"):
         read(of("5.2") + lines + "\n")
 
 

@@ -1,4 +1,4 @@
-"""Keys of tire files that are no terms of force or moment curves."""
+"""Keys of tire files other than the coefficients of force and moment curves."""
 
 import math
 
@@ -171,4 +171,4 @@ GENERAL = (
     | CAMBER_FORCE
     | RANGES
 )
-"""Those of [UNITS] are apart: MASS is also a mass."""
+"""All but those of [UNITS], which are separate since MASS there is a unit."""

@@ -1,4 +1,4 @@
-"""From a tire file to coefficients in SI units and ISO signs, and what was decided on the way."""
+"""Reads a tire file: coefficients in SI units and ISO signs, and notes on the decisions made."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -39,7 +39,7 @@ class TireData(NamedTuple):
 def tire_data(path: Path, longitudinal: str = "") -> TireData:
     """Read a tire file; raises InputError naming file, line, key, value and what is allowed.
 
-    longitudinal: from_lateral, to make the longitudinal force of a file without one.
+    longitudinal: from_lateral, to derive the longitudinal force of a file that has none.
     """
     if longitudinal not in ("", FROM_LATERAL):
         raise InputError("longitudinal", longitudinal, FROM_LATERAL)
@@ -84,24 +84,24 @@ def _known(entries: list[Entry]) -> dict[str, Entry]:
 
 
 def _is_to_be_made(path: Path, numbers: dict[str, float], mode: Mode, longitudinal: str) -> bool:
-    """Whether the longitudinal force is to be made from the side force.
+    """Whether the longitudinal force is to be derived from the lateral force.
 
-    Raises InputError if there is none and none is to be made.
+    Raises InputError if the file has none and none is to be derived.
     """
     has_none = not any(numbers.get(name, 0.0) for name in LONGITUDINAL)
     if "PKY1" not in numbers or not (mode.lateral_only or has_none):
         return False
     if longitudinal == FROM_LATERAL:
         return True
-    problem = "USE_MODE is for side force alone" if mode.lateral_only else "missing or 0"
+    problem = "USE_MODE is for lateral force only" if mode.lateral_only else "missing or 0"
     allowed = (
         "`longitudinal: from_lateral` in the vehicle file, or load_tire(..., "
-        "longitudinal='from_lateral'), makes a longitudinal force from the side force"
+        "longitudinal='from_lateral'), which derives it from the lateral force"
     )
     raise InputError(f"{path}: {', '.join(LONGITUDINAL)}", None, allowed, problem)
 
 
 def _turn_slip(entries: dict[str, Entry]) -> list[str]:
-    """A note on the terms of turn slip that a file has."""
+    """A note on the turn-slip terms of a file."""
     given = [name for name in TURN_SLIP if name in entries and name != "LMP"]
-    return [f"turn slip is not simulated: {len(given)} coefficients left out"] if given else []
+    return [f"turn slip is not simulated: {len(given)} coefficients ignored"] if given else []
