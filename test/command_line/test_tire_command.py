@@ -1,4 +1,4 @@
-"""`tire`: what a tire file says and what the tire does, as a table, a figure and answers."""
+"""`tire`: what a tire file contains and how the tire behaves, as a table, a figure and answers."""
 
 import csv
 import itertools
@@ -360,5 +360,7 @@ def test_a_file_without_an_aligning_moment_and_a_narrow_range_say_so_in_the_figu
     assert [text.get_text() for text in figure.axes[2].texts] == ["no coefficients in the file"]
     ends = [line for line in figure.axes[1].lines if line.get_linestyle() == ":"]
     assert [line.get_xdata()[0] for line in ends] == pytest.approx([-5.73, 5.73], abs=0.01)
-    assert "range of the file ends" in [text.get_text() for text in figure.legends[0].get_texts()]
+    assert "limit of the file's range" in [
+        text.get_text() for text in figure.legends[0].get_texts()
+    ]
     assert not [line for line in figure.axes[0].lines if line.get_linestyle() == ":"]

@@ -1,4 +1,4 @@
-"""What a tire does over slip: curves, stiffnesses and peak friction under given conditions."""
+"""Tire behaviour over slip: curves, stiffnesses and peak friction under given conditions."""
 
 import dataclasses
 import itertools
@@ -14,19 +14,19 @@ from vehicle_roll_sim.vehicle.tire_file import Tire
 WIDEST_SLIP_RATIO, WIDEST_SLIP_ANGLE = 1.0, math.radians(20)
 """Curves end here (-, rad)."""
 POINTS = 201
-"""Of a curve; odd, so that zero slip is one of them."""
+"""Number of points of a curve; odd, so that zero slip is one of them."""
 RINGS, RAYS = 41, 61
-"""Slip angles and slip ratios whose forces the outline of combined slip encloses."""
+"""Number of slip angles and slip ratios whose forces the combined-slip envelope encloses."""
 SLIGHT = 1e-6
-"""Slip (- and rad) to either side at which slopes are taken: the next term is below 1e-8 of it."""
+"""Slip (- and rad) for central differences; their relative error is below 1e-8."""
 SHARES_OF_NOMINAL = (0.5, 1.0, 1.5, 2.0)
-"""Loads over the nominal load, unless others are asked for."""
+"""Default loads relative to the nominal load."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Condition:
-    """What slip does not say: load (N), inclination (rad), pressure (Pa; None: the file's), speed
-    (m/s), and side of the vehicle."""
+    """All inputs other than slip: load (N), inclination (rad), pressure (Pa; None for that of the
+    file), speed (m/s), and side of the vehicle."""
 
     normal_force: float
     inclination: float
@@ -59,8 +59,8 @@ class Curve(NamedTuple):
 
 
 class Figures(NamedTuple):
-    """Slopes at zero slip (N, N/rad), both above 0 for a tire that opposes slip, and the largest
-    force over load (-): braking, driving, and to the side at slip angles above and below 0."""
+    """Slopes at zero slip (N, N/rad), positive for a tire that opposes slip, and peak force over
+    load (-): braking, driving, and lateral at positive and negative slip angles."""
 
     slip_stiffness: float
     cornering_stiffness: float
@@ -73,9 +73,9 @@ class Figures(NamedTuple):
 def conditions(
     tire: Tire, loads: Sequence[float], inclinations: Sequence[float], pressures: Sequence
 ) -> list[Condition]:
-    """Every combination of these, at the file's own speed, on the side that it was made for.
+    """Every combination of these, at the speed of the file, on the side for which it was made.
 
-    Where there are no loads (N), they are SHARES_OF_NOMINAL.
+    Without loads (N), they are SHARES_OF_NOMINAL of the nominal load.
     """
     loads = loads or [share * tire.coefficients["FNOMIN"] for share in SHARES_OF_NOMINAL]
     side = "right" if tire.side == "right" else "left"
@@ -84,12 +84,12 @@ def conditions(
 
 
 def reference_speed(tire: Tire) -> float:
-    """LONGVL, the speed of the measurements, 16.7 if the file gives none (m/s)."""
+    """LONGVL, the speed of the measurements (m/s); 16.7 if the file gives none."""
     return tire.coefficients["LONGVL"]
 
 
 def figures(tire: Tire, condition: Condition) -> Figures:
-    """Stiffnesses and peak friction of pure slip."""
+    """Stiffnesses and peak friction in pure slip."""
     either = np.array([-SLIGHT, SLIGHT])
     ahead = condition.forces(tire, either, 0.0).longitudinal_force
     aside = condition.forces(tire, 0.0, either).lateral_force
@@ -107,19 +107,19 @@ def _slope(forces: np.ndarray) -> float:
 
 
 def longitudinal_curve(tire: Tire, condition: Condition) -> Curve:
-    """Over the slip ratio, without slip angle."""
+    """Forces over slip ratio at zero slip angle."""
     return _curve("longitudinal", tire, condition, _even(WIDEST_SLIP_RATIO), 0.0)
 
 
 def lateral_curve(tire: Tire, condition: Condition) -> Curve:
-    """Over the slip angle, without slip ratio."""
+    """Forces over slip angle at zero slip ratio."""
     return _curve("lateral", tire, condition, 0.0, _even(WIDEST_SLIP_ANGLE))
 
 
 def outline(tire: Tire, condition: Condition) -> Curve:
-    """The corners of the least convex figure around the forces of all slips, counter-clockwise.
+    """The convex hull of the forces at all slips, counter-clockwise.
 
-    The first is repeated at the end.
+    The first corner is repeated at the end.
     """
     grid = np.meshgrid(_denser(WIDEST_SLIP_RATIO, RAYS), _denser(WIDEST_SLIP_ANGLE, RINGS))
     none, (ratios, angles) = np.zeros(POINTS), (axis.ravel() for axis in grid)
@@ -150,12 +150,12 @@ def curves_of(tire: Tire, conditions: Sequence[Condition]) -> list[CurveSet]:
 
 
 def _even(widest: float) -> np.ndarray:
-    """Slips from -widest to widest, zero among them, shape (POINTS,)."""
+    """Evenly spaced slips from -widest to widest, including zero, shape (POINTS,)."""
     return np.linspace(-widest, widest, POINTS)
 
 
 def _denser(widest: float, count: int) -> np.ndarray:
-    """Slips from -widest to widest, the denser the smaller they are, shape (count,)."""
+    """Slips from -widest to widest, denser towards zero, shape (count,)."""
     steps = np.linspace(-1.0, 1.0, count)
     return widest * steps * np.abs(steps)
 
@@ -166,7 +166,7 @@ def _curve(name: str, tire: Tire, condition: Condition, slip_ratio, slip_angle) 
 
 
 def _hull(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Indices of the corners of the convex hull of points: Andrew's monotone chain."""
+    """Indices of the corners of the convex hull of points, by Andrew's monotone chain."""
     order = np.lexsort((y, x)).tolist()
     lower, upper = _half_hull(x, y, order), _half_hull(x, y, order[::-1])
     return np.array([*lower, *upper[1:]])

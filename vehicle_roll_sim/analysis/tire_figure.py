@@ -1,4 +1,4 @@
-"""The standard figure of a tire: Fx, Fy and Mz over slip, and the forces of combined slip."""
+"""The standard figure of a tire: Fx, Fy and Mz over slip, and the envelope of combined forces."""
 
 import math
 from collections.abc import Sequence
@@ -15,18 +15,18 @@ WIDTH, HEIGHT = 11.0, 8.5
 """Inches."""
 KILO = 1e3
 DEGREES = math.degrees(1)
-RANGE_ENDS = "range of the file ends"
+RANGE_ENDS = "limit of the file's range"
 STYLES = ("-", "--", "-.", ":")
-"""Of inclinations and pressures; loads have colours."""
+"""Line styles of inclinations and pressures; loads differ in colour."""
 FAINT = {"color": "0.8", "linewidth": 0.8, "zorder": 1}
-"""Of the axes through zero."""
+"""Style of the lines through zero."""
 MIDDLE = {"xycoords": "axes fraction", "ha": "center", "color": "0.4"}
 
 
 def tire_figure(curves: Sequence[CurveSet], tire: Tire, title: str) -> DrawnFigure:
-    """At most as many loads as there are COLOURS, and as many other conditions as STYLES.
+    """The figure of at most as many loads as COLOURS, and as many other conditions as STYLES.
 
-    Where the file's range of slip ends within a panel, a dotted line says so.
+    A dotted line marks a limit of the file's slip range within a panel.
     """
     figure = new_figure(WIDTH, HEIGHT)
     axes = figure.subplots(2, 2).flatten()
@@ -73,10 +73,10 @@ def _draw(axes, curves: CurveSet, look: dict) -> None:
 
 def _label(axes) -> None:
     labels = (
-        ("slip ratio κ (−)", "longitudinal force Fx (kN)", "no slip angle"),
-        ("slip angle α (deg)", "lateral force Fy (kN)", "no slip ratio"),
-        ("slip angle α (deg)", "aligning moment Mz (N m)", "no slip ratio"),
-        ("longitudinal force Fx (kN)", "lateral force Fy (kN)", "outline of combined slip"),
+        ("slip ratio κ (−)", "longitudinal force Fx (kN)", "zero slip angle"),
+        ("slip angle α (deg)", "lateral force Fy (kN)", "zero slip ratio"),
+        ("slip angle α (deg)", "aligning moment Mz (N m)", "zero slip ratio"),
+        ("longitudinal force Fx (kN)", "lateral force Fy (kN)", "envelope of combined forces"),
     )
     for axis, (x, y, title) in zip(axes, labels, strict=True):
         axis.set(xlabel=x, ylabel=y)
@@ -88,7 +88,7 @@ def _label(axes) -> None:
 
 
 def _draw_ranges(axes, tire: Tire) -> None:
-    """Draw the ends of the file's ranges of slip that are within the panels."""
+    """Mark the limits of the file's slip ranges that are within the panels."""
     for axis, slip, scale in zip(axes, ("KPU", "ALP", "ALP"), (1.0, *2 * [DEGREES]), strict=False):
         low, high = axis.get_xlim()
         for end in ("MIN", "MAX"):
@@ -99,7 +99,7 @@ def _draw_ranges(axes, tire: Tire) -> None:
 
 
 def _range_ends(axes) -> list[tuple]:
-    """A legend entry for the ends of ranges, if any is drawn."""
+    """A legend entry for the range limits, if any is drawn."""
     drawn = [line for axis in axes for line in axis.lines if line.get_label() == RANGE_ENDS]
     return [(line, RANGE_ENDS) for line in drawn[:1]]
 

@@ -1,4 +1,4 @@
-"""`vehicle_roll_sim tire`: what a tire file says, and what the tire does."""
+"""`vehicle_roll_sim tire`: what a tire file contains, and how the tire behaves."""
 
 import argparse
 import dataclasses
@@ -16,7 +16,7 @@ from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
 
 MOST_LOADS, MOST_OTHERS = 6, 4
-"""Colours and line styles of the figure."""
+"""As many as the figure has colours and line styles."""
 HEADER = (
     f"{'load':>8}{'incl.':>8}{'pressure':>10}{'slip stiffn.':>14}{'cornering st.':>15}"
     f"{'braking':>10}{'driving':>9}{'α > 0':>8}{'α < 0':>8}"
@@ -24,7 +24,7 @@ HEADER = (
 UNITS = f"{'N':>8}{'rad':>8}{'kPa':>10}{'kN':>14}{'kN/rad':>15}{'peak force over load':>35}"
 KILO = 1e3
 VERSION, UNITS_READ, WARNING = "Magic Formula", "converted to SI units: ", "warning: "
-"""How the notes on version, units and doubts begin."""
+"""The beginnings of notes on version and units, and of warnings."""
 LABELS = (VERSION, UNITS_READ)
 
 
@@ -34,7 +34,7 @@ class TireConditions:
 
     load: float = parameter("tire loads (default: 0.5, 1, 1.5 and 2 times nominal)", "N", 1.0, 1e6)
     camber: float = parameter("inclination angles of the wheel (default 0)", "rad", -1.0, 1.0)
-    pressure: float = parameter("inflation pressures (default: the file's)", "Pa", 1e3, 1e7)
+    pressure: float = parameter("inflation pressures (default: that of the file)", "Pa", 1e3, 1e7)
 
 
 def tire_command(words: list[str], program: str) -> int:
@@ -44,7 +44,7 @@ def tire_command(words: list[str], program: str) -> int:
     asked_for = _conditions(arguments)
     tire = load_tire(named_file(arguments.file, "FILE"))
     if asked_for["pressure"] and tire.version == "5.2":
-        wanted = "not for a file of Magic Formula 5.2, which knows no pressure"
+        wanted = "no pressure for a file of Magic Formula 5.2, which has none"
         raise InputError("--pressure", asked_for["pressure"][0], wanted)
     with signals.exit_on_signal():
         compile_model()
@@ -73,10 +73,10 @@ def _parser(program: str) -> argparse.ArgumentParser:
         prog=program,
         usage=f"{program} FILE [options]",
         description=COMMANDS["tire"],
-        epilog="Axes are those of the contact patch in ISO 8855 (TYDEX W): x ahead, y left, z up.",
+        epilog="Axes of the contact patch as in ISO 8855 (TYDEX W): x forward, y left, z up.",
     )
     parser.add_argument("file", metavar="FILE", help="tire file (.tir)")
-    group = parser.add_argument_group("conditions (all combinations are shown)")
+    group = parser.add_argument_group("conditions (every combination is shown)")
     for declared in parameters_of(TireConditions).values():
         group.add_argument(
             f"--{declared.name}",
@@ -90,7 +90,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
     group.add_argument(
         "--plot",
         metavar="FILE",
-        help="figure of Fx, Fy and Mz over slip and of combined slip: PNG, SVG or PDF",
+        help="figure of Fx, Fy and Mz over slip, and of combined forces: PNG, SVG or PDF",
     )
     group.add_argument(
         "--csv", metavar="FILE", help="write the curves of the figure, or the answers to --points"
@@ -99,23 +99,23 @@ def _parser(program: str) -> argparse.ArgumentParser:
         "--points",
         metavar="FILE",
         help="CSV file of points to evaluate: normal_force (N), slip_ratio, slip_angle (rad), and "
-        "if wanted inclination (rad), pressure (Pa), speed (m/s), side (left or right)",
+        "optionally inclination (rad), pressure (Pa), speed (m/s), side (left or right)",
     )
     group.add_argument(
         "--as-simulated",
         action="store_true",
-        help="answer points as the tire is simulated: with weights of combined slip of at least 0, "
-        "which are negative in the published formula far beyond the peak",
+        help="evaluate --points as in the simulation, which limits the weights of combined slip to "
+        "at least 0; in the published formula they can become negative far beyond the peak",
     )
     return parser
 
 
 def _files(arguments: argparse.Namespace) -> tuple[Path | None, Path | None, Path | None]:
-    """The figure and the table to write and the points to read, checked as far as they can be."""
+    """The figure and table to write and the points to read, checked as far as possible."""
     options = ("--plot", "--csv", "--points")
     plot, table, asked = (named_file(getattr(arguments, each[2:]), each) for each in options)
     if asked and not table:
-        raise InputError("--csv", None, "the file for the answers to --points")
+        raise InputError("--csv", None, "required with --points: the file for the answers")
     if arguments.as_simulated and not asked:
         raise InputError("--as-simulated", "", "together with --points", "given alone")
     if plot:
@@ -129,7 +129,7 @@ def _files(arguments: argparse.Namespace) -> tuple[Path | None, Path | None, Pat
 
 
 def _conditions(arguments: argparse.Namespace) -> dict[str, list[float]]:
-    """The loads, inclinations and pressures that are asked for, each of them once."""
+    """The requested loads, inclinations and pressures, without duplicates."""
     asked_for = {}
     for name, declared in parameters_of(TireConditions).items():
         field = f"--{name}"
@@ -146,7 +146,7 @@ def _conditions(arguments: argparse.Namespace) -> dict[str, list[float]]:
 
 
 def _write_answers(tire: Tire, points: dict, table: Path, as_simulated: bool) -> None:
-    """Write the answers to points; say where the simulation differs from what is written."""
+    """Write the answers to points; report at how many the simulation would differ."""
     from vehicle_roll_sim.offline import tire_points
 
     simulated = tire_points.answers(tire, points)
@@ -156,7 +156,7 @@ def _write_answers(tire: Tire, points: dict, table: Path, as_simulated: bool) ->
     if count and not as_simulated:
         print(
             f"{signals.PROGRAM}: a weight of combined slip is negative at {count} of "
-            f"{len(points['side'])} points; the simulation takes it as 0 (--as-simulated)",
+            f"{len(points['side'])} points; the simulation limits it to 0 (--as-simulated)",
             file=sys.stderr,
         )
 
@@ -176,7 +176,7 @@ def _write_curves(tire: Tire, conditions: list, plot: Path | None, table: Path |
 
 
 def _read_lines(tire: Tire) -> list[str]:
-    """What the file says, one quantity a line, and what was decided when reading it."""
+    """The contents of the file, one quantity per line, and the notes on how it was read."""
     from vehicle_roll_sim.offline import tire_points
 
     given = tire.coefficients
@@ -184,7 +184,7 @@ def _read_lines(tire: Tire) -> list[str]:
         line("tire file", tire.file),
         *_version_and_units(tire),
         line("side", tire.side),
-        line("combined slip", "yes" if tire.combined else "no: the file's USE_MODE leaves it out"),
+        line("combined slip", "yes" if tire.combined else "no: switched off by USE_MODE"),
         line("nominal load", f"{given['FNOMIN']:g} N"),
     ]
     pressure = tire_points.own_pressure(tire)
@@ -198,7 +198,7 @@ def _read_lines(tire: Tire) -> list[str]:
 
 
 def _version_and_units(tire: Tire) -> list[str]:
-    """The version with the reason for it, and the units, from the notes."""
+    """The version and the reason for it, and the units, from the notes."""
     given = {label: each for each in tire.notes for label in LABELS if each.startswith(label)}
     version = given.get(VERSION, f"{VERSION} {tire.version}")
     converted = given.get(UNITS_READ, "").removeprefix(UNITS_READ)
@@ -222,7 +222,7 @@ def _range(low: float, high: float, unit: str) -> str:
 
 
 def _table_lines(tire: Tire, conditions: list) -> list[str]:
-    """Stiffness and peak friction under each condition."""
+    """Stiffnesses and peak friction under each condition."""
     from vehicle_roll_sim.analysis.tire_curves import figures
     from vehicle_roll_sim.offline.tire_points import own_pressure
 

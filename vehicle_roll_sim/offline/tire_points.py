@@ -1,4 +1,4 @@
-"""Questions to a tire in a CSV file, one point a row, and their answers in another."""
+"""Evaluates a tire at the points of a CSV file, one per row, and writes the results to another."""
 
 import dataclasses
 import itertools
@@ -22,7 +22,7 @@ from vehicle_roll_sim.vehicle.tire_evaluation import TireForces, evaluate
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 LARGEST_FILE = 200_000_000
-"""Bytes: some million points."""
+"""Bytes: a few million points."""
 RIGHT_ANGLE = math.pi / 2
 SIDES = ("left", "right")
 LIMITS = {
@@ -32,20 +32,20 @@ LIMITS = {
     "inclination": ("inclination", "CAMMIN", "CAMMAX", "rad"),
     "pressure": ("pressure", "PRESMIN", "PRESMAX", "Pa"),
 }
-"""Name, first and last coefficient and unit of the ranges of a file, by column."""
+"""Name, lower and upper coefficient, and unit of the ranges of a tire file, by column."""
 
 
 @dataclasses.dataclass(frozen=True)
 class TirePoint:
-    """A point at which a tire is asked, in the axes W of ISO 8855: x ahead, y left, z up."""
+    """A point at which a tire is evaluated, in the W axes of ISO 8855: x forward, y left, z up."""
 
     normal_force: float = parameter("load of the tire", "N", 0.0, 1e6)
     slip_ratio: float = parameter("-1 for a locked wheel", "", -1e3, 1e3)
     slip_angle: float = parameter(
-        "above 0 if it slides to the left", "rad", -RIGHT_ANGLE, RIGHT_ANGLE
+        "positive if the tire slides to the left", "rad", -RIGHT_ANGLE, RIGHT_ANGLE
     )
     inclination: float = parameter(
-        "of the wheel to the road, above 0 if its top leans to the right",
+        "of the wheel to the road, positive if its top leans to the right",
         "rad",
         -RIGHT_ANGLE,
         RIGHT_ANGLE,
@@ -63,9 +63,9 @@ ANSWERS = TireForces._fields
 
 
 def read_points(path: Path, tire: Tire) -> dict[str, np.ndarray]:
-    """The columns of a file of points by name, each of shape (n,); those it lacks have defaults.
+    """The columns of a file of points by name, each of shape (n,); missing ones take defaults.
 
-    The defaults are the file's own pressure, or nan if its version knows none, and its own speed.
+    By default, pressure is that of the tire file (nan if its version has none), speed its LONGVL.
     Raises InputError naming file, line and column.
     """
     header, lines = read_table(path, LARGEST_FILE)
@@ -86,14 +86,14 @@ def read_points(path: Path, tire: Tire) -> dict[str, np.ndarray]:
 
 
 def own_pressure(tire: Tire) -> float:
-    """The pressure (Pa) at which the tire is evaluated unless another is given; nan for 5.2."""
+    """The pressure (Pa) at which a tire is evaluated by default; nan for 5.2."""
     if tire.version == "5.2":
         return math.nan
     return tire.coefficients["INFLPRES"] or tire.coefficients["NOMPRES"] or math.nan
 
 
 def outside(tire: Tire, points: dict[str, np.ndarray]) -> dict[str, int]:
-    """The number of points outside the ranges of the file, by the name of the range; none for 0."""
+    """The number of points outside each range of the tire file, by name; zeros are omitted."""
     given = tire.coefficients
     counts = {
         label: int(((points[name] < given[low]) | (points[name] > given[high])).sum())
@@ -105,7 +105,7 @@ def outside(tire: Tire, points: dict[str, np.ndarray]) -> dict[str, int]:
 def answers(tire: Tire, points: dict[str, np.ndarray], *, as_published: bool = False) -> TireForces:
     """Forces, moments and radii at points as `read_points` gives them, each of shape (n,).
 
-    as_published: let the weights of combined slip be negative, as the formula has them.
+    as_published: allow negative weights of combined slip, as in the published formula.
     """
     found = np.empty((len(ANSWERS), len(points["side"])))
     for pressure, side in _kinds(points):
@@ -124,19 +124,19 @@ def _kinds(points: dict[str, np.ndarray]) -> set[tuple[float | None, str]]:
 
 
 def reversed_points(published: TireForces, simulated: TireForces) -> int:
-    """The number of points at which a weight of combined slip is negative in the formula."""
+    """The number of points at which the formula has a negative weight of combined slip."""
     pairs = zip(published[:2], simulated[:2], strict=True)
     return int(np.any([mine != theirs for mine, theirs in pairs], axis=0).sum())
 
 
 def write_answers(path: Path, points: dict[str, np.ndarray], forces: TireForces) -> None:
-    """Write points and answers as CSV in full precision; what a version does not have is empty."""
+    """Write points and answers as CSV in full precision; quantities a version lacks are empty."""
     columns = [*(points[name].tolist() for name in COLUMNS), *(each.tolist() for each in forces)]
     write_rows(path, (*COLUMNS, *ANSWERS), _without_nan(zip(*columns, strict=True)))
 
 
 def write_curves(path: Path, tire: Tire, curves: Iterable[Curve]) -> None:
-    """Write curves as points and answers, with the name of the curve in front."""
+    """Write curves as points and answers, with the name of the curve in the first column."""
     rows = itertools.chain.from_iterable(_rows_of(tire, curve) for curve in curves)
     write_rows(path, ("curve", *COLUMNS, *ANSWERS), list(rows))
 
@@ -152,7 +152,7 @@ def _rows_of(tire: Tire, curve: Curve) -> list[list]:
 
 
 def _without_nan(rows: Iterable[Sequence]) -> list[list]:
-    """Rows in which nan is an empty field."""
+    """Rows with empty fields in place of nan."""
     return [["" if value != value else value for value in row] for row in rows]
 
 
@@ -167,7 +167,7 @@ def _check_header(path: Path, header: list[str], tire: Tire) -> None:
         if name not in header:
             raise InputError(f"{where} {name}", None, "required, as are " + ", ".join(REQUIRED))
     if "pressure" in header and tire.version == "5.2":
-        raise InputError(where, "pressure", "not for Magic Formula 5.2, which knows no pressure")
+        raise InputError(where, "pressure", "not for Magic Formula 5.2, which has no pressure")
 
 
 def _value(where: str, text: str, declared):
