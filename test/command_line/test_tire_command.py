@@ -34,8 +34,8 @@ ANSWERS = {
 TOLERANCE = 1e-9
 """Relative to the largest value of a column."""
 WEIGHTS = (
-    "vehicle_roll_sim: a weight of combined slip is negative at {} points; the simulation limits it "
-    "to 0 (--as-simulated)\n"
+    "vehicle_roll_sim: a weight of combined slip is negative at {} points; the simulation limits "
+    "it to 0 (--as-simulated)\n"
 )
 REVERSED = {
     "mf52_full": WEIGHTS.format("2 of 53"),
