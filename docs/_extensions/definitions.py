@@ -77,6 +77,7 @@ def usual_values() -> tuple[tuple[str, str], ...]:
             "roll centre given by its depth",
             "not below the road; given by its height, it may be anywhere",
         ),
+        ("tire pressure", "PRESMIN to PRESMAX of the tire file"),
         ("roll centre", "not above the sprung c.g."),
         (
             "height of the sprung c.g.",

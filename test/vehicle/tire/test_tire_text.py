@@ -117,6 +117,13 @@ def test_text_behind_a_value_is_refused_with_its_line(read, line):
         read(text)
 
 
+@pytest.mark.parametrize("value", ["nan", "NaN", "inf"])
+def test_what_is_no_finite_number_is_refused_as_that(read, value):
+    text = changed({"FNOMIN": f"FNOMIN = {value}"})
+    with refused(line_of(text, "FNOMIN"), f"FNOMIN: '{value}'", "a finite number"):
+        read(text)
+
+
 SAME = ("PEY1 = -0.6", "PEY1 = -.60D0", "PEY1 = -0.6 $ again", "\n[EXTRA]\npey1 = -6e-1")
 
 

@@ -111,10 +111,12 @@ def first_of_each(entries: Iterable[Entry]) -> dict[str, Entry]:
 
 def _same(one: str, other: str) -> bool:
     """Whether two texts are the same word or number."""
+    if one.casefold() == other.casefold():
+        return True
     try:
         return _number_in(one) == _number_in(other)
     except ValueError:
-        return one.casefold() == other.casefold()
+        return False
 
 
 def _number_in(text: str) -> float:
