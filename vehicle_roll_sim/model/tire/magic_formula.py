@@ -71,7 +71,7 @@ def peaks_and_shifts(tire, form, outputs):
         terms.longitudinal_shift[i] = shift * tire.LMUX
         shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY
         terms.lateral_shift[i] = shift * tire.LMUY
-        if gamma is not None:
+        if form is not None:  # an argument: older versions of numba prune by those alone
             terms.relative_load[i], terms.upright_shift[i] = dfz, terms.lateral_shift[i]
             terms.lateral_shift[i] += camber_shift(gamma, fz, dfz, tire)
 
