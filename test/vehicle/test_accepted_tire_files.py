@@ -19,6 +19,8 @@ from vehicle_roll_sim import InputError
 from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
 from vehicle_roll_sim.vehicle.tire_file import load_tire
 
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
+
 ROUNDING = 1e-9
 """Of the load."""
 FACTORS = (-1.0, 0.0, 0.1, 0.5, 2.0, 10.0)

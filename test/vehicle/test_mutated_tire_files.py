@@ -25,6 +25,8 @@ from tire_files import (
 from vehicle_roll_sim import InputError
 from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
 
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
+
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 SMALLEST = 0.01
 """m: a tire given in metres by a file in millimetres is smaller."""

@@ -34,9 +34,20 @@ def slip_at_peak(stiffness, shape, curvature):
 
 
 @term
+def is_below_peak(x, stiffness, shape, curvature):
+    """Whether a slip is below that at the peak of its curve, without solving for the peak."""
+    if shape <= 1.0 or abs(x) > LARGEST_HELD:
+        return abs(x) <= LARGEST_HELD
+    y = abs(stiffness * x)
+    return y - curvature * (y - arctan(y)) <= math.tan(math.pi / (2 * shape))
+
+
+@term
 def held(parts, slip):
     """The nearest slip to `slip` that a tire holds; parts: x, B, C and E of its curve there."""
     x, stiffness, shape, curvature = parts
+    if is_below_peak(x, stiffness, shape, curvature):
+        return slip
     most = slip_at_peak(stiffness, shape, curvature)
     return slip - x + max(-most, min(most, x))
 
