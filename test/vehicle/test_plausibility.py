@@ -2,6 +2,7 @@
 
 import dataclasses
 import functools
+import math
 import warnings
 from pathlib import Path
 
@@ -158,6 +159,14 @@ TYPICALLY = "typically 100000 to 500000 Pa"
 def test_a_pressure_outside_the_range_of_the_tire_file_is_told_once(given, lines):
     vehicle = dataclasses.replace(preset(), tire=load_tire(PRESSURIZED)).with_values(given)
     assert plausibility(vehicle) == lines
+
+
+def test_a_range_of_pressures_without_an_end_is_told_as_such():
+    tire = load_tire(PRESSURIZED).with_coefficients(PRESMAX=math.inf)
+    vehicle = dataclasses.replace(preset(), tire=tire).with_values({"tire_pressure": 2e4})
+    assert plausibility(vehicle) == [
+        f"tire_pressure: 20000 {OUTSIDE}: typically at least 100000 Pa"
+    ]
 
 
 @pytest.mark.parametrize("use", [Simulation, functools.partial(find_trim, speed=20.0)])

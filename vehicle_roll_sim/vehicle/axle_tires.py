@@ -8,9 +8,6 @@ from vehicle_roll_sim.vehicle.tire_file import Tire
 
 KEYS = {"tire_radius": "UNLOADED_RADIUS", "tire_stiffness": "VERTICAL_STIFFNESS"}
 """Keys of a tire file that replace missing parameters of a vehicle."""
-OVERTURNING = tuple(f"QSX{number}" for number in range(1, 15))
-ROLLING_RESISTANCE = tuple(f"QSY{number}" for number in range(1, 7))
-"""Coefficients of the overturning and of the rolling resistance moment."""
 SOFTEST, STIFFEST = 1e3, 1e8
 """N/m: limits of a computed lateral stiffness."""
 
@@ -97,18 +94,3 @@ def relaxation_length(tire: Tire, load: float, radius: float) -> float:
         return 0.0
     ratio = load / (c["PTY2"] * c["LFZO"] * c["FNOMIN"])
     return c["PTY1"] * math.sin(2.0 * math.atan(ratio)) * radius * c["LFZO"] * c["LSGAL"]
-
-
-def has_overturning_moment(tire: Tire) -> bool:
-    """Whether the file has an overturning moment, which includes the shift of the contact patch."""
-    return _has_any(tire, OVERTURNING, "LMX")
-
-
-def has_rolling_resistance(tire: Tire) -> bool:
-    """Whether the file has a rolling resistance moment."""
-    return _has_any(tire, ROLLING_RESISTANCE, "LMY")
-
-
-def _has_any(tire: Tire, names: tuple[str, ...], factor: str) -> bool:
-    values = tire.coefficients
-    return values[factor] != 0.0 and any(values[name] for name in names)

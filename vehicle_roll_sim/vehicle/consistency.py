@@ -6,8 +6,9 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
-from vehicle_roll_sim.vehicle.axle_tires import has_rolling_resistance, of_file
+from vehicle_roll_sim.vehicle.axle_tires import of_file
 from vehicle_roll_sim.vehicle.derived_values import AXLES, DerivedValues
+from vehicle_roll_sim.vehicle.tire.moments import ROLLING_RESISTANCE, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 ROLL_CENTRES = {"minimum": -5.0, "maximum": 50.0}
@@ -141,7 +142,7 @@ def check_one_rolling_resistance(vehicle: DerivedValues) -> None:
     """Raise InputError if rolling resistance would count twice with tire moments on."""
     coefficient = vehicle.rolling_resistance_coefficient
     for tire in vehicle.axle_tires.values():
-        if coefficient and has_rolling_resistance(tire):
+        if coefficient and has_moment(ROLLING_RESISTANCE, tire.coefficients):
             file = f" {tire.file}" if tire.file else ""
             own = f"the tire file{file} has its own rolling resistance (QSY1 ...)"
             allowed = f"0 with tire_moments, since {own}; or tire_moments off"

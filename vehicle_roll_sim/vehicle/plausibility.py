@@ -169,7 +169,8 @@ def _pressures(vehicle: Vehicle) -> Iterator[str]:
         name = f"{axle}_tire_pressure"
         name = name if name in vehicle.given else "tire_pressure"
         figure = f"{pressure:g} Pa is outside the range of the tire file (PRESMIN, PRESMAX)"
-        line = f"{name}: {figure}: typically {least:g} to {most:g} Pa"
+        usual = f"at least {least:g}" if math.isinf(most) else f"{least:g} to {most:g}"
+        line = f"{name}: {figure}: typically {usual} Pa"
         if line not in told:
             told.add(line)
             yield line

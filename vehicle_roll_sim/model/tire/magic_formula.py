@@ -90,8 +90,9 @@ def curves_of_forces(tire, form, outputs):
         kx = pure_slip.slip_stiffness(gamma, fz, dfz, terms.stiffening[i], tire)
         ky = pure_slip.cornering_stiffness(gamma, fz, tire)
         y_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, ky, tire)
-        terms.slip_stiffness[i], terms.cornering_stiffness[i] = kx, ky
-        terms.lateral_slip_shift[i] = y_shift
+        if form is not None:  # for the moments
+            terms.slip_stiffness[i], terms.cornering_stiffness[i] = kx, ky
+            terms.lateral_slip_shift[i] = y_shift
         fx = pure_slip.longitudinal_curve(kappa, dfz, kx, x_peak, tire)
         fy = pure_slip.lateral_curve(alpha, gamma, dfz, y_shift, ky, y_peak, tire)
         gx = longitudinal_weight_curve(alpha, kappa, gamma, dfz, tire)

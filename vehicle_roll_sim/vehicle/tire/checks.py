@@ -3,6 +3,7 @@
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.vehicle.tire import curves
 from vehicle_roll_sim.vehicle.tire.keys import COMBINED, RANGES, REQUIRED
+from vehicle_roll_sim.vehicle.tire.moments import COEFFICIENTS, has_moment
 from vehicle_roll_sim.vehicle.tire.resistance import loads_of
 from vehicle_roll_sim.vehicle.tire.text import Entry
 from vehicle_roll_sim.vehicle.tire.version import FITTYP, FORMAT
@@ -89,10 +90,5 @@ def warnings_of(c: dict[str, float], entries: dict[str, Entry], combined: bool) 
 
 def _missing_moments(c: dict[str, float]) -> list[str]:
     """A note on the moments for which a file has no coefficients."""
-    parts = {
-        "overturning": [v for n, v in c.items() if n.startswith("QSX")],
-        "rolling resistance": [v for n, v in c.items() if n.startswith("QSY") and n[3] in "123456"],
-        "aligning": [c[n] for n in ("QDZ1", "QDZ6", "QDZ7", "QDZ8", "QDZ9", "SSZ1", "SSZ2")],
-    }
-    missing = [name for name, values in parts.items() if not any(values)]
+    missing = [moment for moment in COEFFICIENTS if not has_moment(moment, c)]
     return [f"no coefficients for moments: {', '.join(missing)}"] if missing else []
