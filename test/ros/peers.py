@@ -23,6 +23,9 @@ ASK_AGAIN = 5.0
 RACE_FOR_A_PORT = "RTPS_TRANSPORT_SHM Error"
 """Fast DDS says so where another process, of whatever domain, has just taken the port of shared
 memory that it wanted. It takes the next one."""
+EVERY_STATE = "qos_overrides./state.publisher.depth:=1000"
+"""A simulator that catches up sends some ten sets at once, as many as its queues hold by default:
+a peer that is held up just then would miss one."""
 TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED)}
 
 

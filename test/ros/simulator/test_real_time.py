@@ -7,6 +7,7 @@ import statistics
 import time
 
 import pytest
+from peers import EVERY_STATE
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import Imu
 from std_msgs.msg import Float64, String
@@ -152,7 +153,8 @@ def test_lateness_is_in_the_diagnostics_in_milliseconds(start, peer):
 
 
 def test_a_suspended_simulator_gives_up_what_is_beyond_its_catch_up_and_never_jumps(start, peer):
-    simulator = start("simulator", "--ros-args", "-p", "catch_up_limit:=0.05")
+    words = ("-p", "catch_up_limit:=0.05", "-p", EVERY_STATE)
+    simulator = start("simulator", "--ros-args", *words)
     peer.listen("state", "/diagnostics")
     peer.newest("state")
     before = int(diagnostics_of(peer)["overruns"])
