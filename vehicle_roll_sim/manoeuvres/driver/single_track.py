@@ -1,6 +1,7 @@
 """The linear single-track model of a vehicle: the internal model of the path-following driver."""
 
 import dataclasses
+import functools
 
 import numpy as np
 
@@ -48,7 +49,11 @@ class SingleTrack:
     def rates(self, speed: float) -> tuple[np.ndarray, np.ndarray]:
         """A (2, 2) and b (2,) of d(v, r)/dt = A (v, r) + b delta at a forward speed (m/s)."""
         forces = self.slip / speed - speed * self.turning
-        return np.linalg.solve(self.inertia, forces), np.linalg.solve(self.inertia, self.steer)
+        return np.linalg.solve(self.inertia, forces), self._steered
+
+    @functools.cached_property
+    def _steered(self) -> np.ndarray:
+        return np.linalg.solve(self.inertia, self.steer)
 
 
 def cornering_stiffnesses(vehicle: Vehicle) -> np.ndarray:
