@@ -71,6 +71,19 @@ def started():
             process.kill()
 
 
+@pytest.fixture(scope="session")
+def study(tmp_path_factory):
+    """The study of the reference vehicle; test processes that run together make its runs once."""
+    from studies import Study, shared_study
+
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        yield Study(preset())  # makes the runs that are asked for
+        return
+    path = tmp_path_factory.getbasetemp().with_name("study")  # beside the folders of the processes
+    yield shared_study(path)
+    path.unlink(missing_ok=True)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def compiled_model():
     """On a fresh machine this takes some 15 s, and says so; no test should meet that by chance."""
