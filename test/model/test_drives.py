@@ -186,7 +186,7 @@ def test_every_model_starts_stops_and_stays(vehicle, model):
     brakes = Command(brake_torque=(500.0,) * 4)
     simulation.step(brakes, 8.0)
     x, y = simulation.state.x, simulation.state.y
-    assert simulation.step(brakes, 60.0) is Condition.RUNNING
+    assert simulation.step(brakes, 20.0) is Condition.RUNNING
     assert np.isfinite(simulation.model_state).all()
     assert math.hypot(simulation.state.x - x, simulation.state.y - y) < 1e-4  # m
     assert abs(simulation.state.u) < 1e-9
