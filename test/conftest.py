@@ -1,5 +1,6 @@
 """For all tests: compiles the model first; profiles of random cases; coverage of processes."""
 
+import gc
 import importlib.util
 import os
 import signal
@@ -93,6 +94,12 @@ def compiled_model():
 def pytest_collection_modifyitems(items) -> None:
     """Start with the files that take longest, so that no worker is left with one at the end."""
     items.sort(key=lambda item: LONGEST.index(name) if (name := item.path.stem) in LONGEST else 99)
+
+
+def pytest_collection_finish() -> None:
+    """Thousands of tests stay to the end: collections of garbage need not look at them."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.hookimpl(wrapper=True)
