@@ -18,12 +18,19 @@ MEASURING = "COVERAGE_PROCESS_CONFIG"
 """In the environment where coverage is measured; processes that are started take part by it."""
 
 LONGEST = (
-    *("test_controllers", "test_signals", "test_driven_manoeuvres", "test_paper_command"),
-    *("test_executables", "test_compare", "test_environment", "test_standard_figure"),
-    *("test_lockstep", "test_entry_speed_search", "test_double_lane_change", "test_multibody"),
-    *("test_waiting_in_lockstep", "test_parameters", "test_real_time", "test_diagnostics"),
+    *("test_pages", "test_driven_manoeuvres", "test_controllers", "test_paper_command"),
+    *("test_signals", "test_compare", "test_executables", "test_environment_of_nodes"),
+    *("test_multibody", "test_environment", "test_lockstep", "test_drives", "test_wheel"),
+    *(
+        "test_entry_speed_search",
+        "test_circles_of_iso_4138",
+        "test_energy",
+        "test_properties_of_runs",
+    ),
+    *("test_double_lane_change", "test_run_results", "test_mirror", "test_mutated_tire_files"),
+    *("test_standard_figure", "test_plain_python", "test_waiting_in_lockstep", "test_real_time"),
 )
-"""Files of 15 to 60 s of processor time."""
+"""Files of 10 to 60 s of processor time, or of waiting."""
 
 settings.register_profile(
     "suite", derandomize=True, database=None, deadline=None, max_examples=200, print_blob=False
