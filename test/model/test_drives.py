@@ -11,7 +11,7 @@ from vehicle_roll_sim import Command, Condition, Options, Simulation
 from vehicle_roll_sim.model.records import COMMAND, MODEL_STATE, STATE, STATE_NAMES
 from vehicle_roll_sim.simulation.options import MODELS
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
 VELOCITIES = (
     *("u", "v", "w", "roll_rate", "pitch_rate", "yaw_rate"),

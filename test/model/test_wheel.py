@@ -11,7 +11,7 @@ from vehicle_roll_sim import LF, LR, RF, RR, Command, Condition, InputError, Opt
 from vehicle_roll_sim.model.wheel import with_friction
 from vehicle_roll_sim.simulation.road import Road
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
 WHEELS = (LF, RF, LR, RR)
 G = 9.81
