@@ -21,14 +21,10 @@ LONGEST = (
     *("test_pages", "test_driven_manoeuvres", "test_controllers", "test_paper_command"),
     *("test_signals", "test_compare", "test_executables", "test_environment_of_nodes"),
     *("test_multibody", "test_environment", "test_lockstep", "test_drives", "test_wheel"),
-    *(
-        "test_entry_speed_search",
-        "test_circles_of_iso_4138",
-        "test_energy",
-        "test_properties_of_runs",
-    ),
-    *("test_double_lane_change", "test_run_results", "test_mirror", "test_mutated_tire_files"),
-    *("test_standard_figure", "test_plain_python", "test_waiting_in_lockstep", "test_real_time"),
+    *("test_entry_speed_search", "test_circles_of_iso_4138", "test_properties_of_runs"),
+    *("test_energy", "test_double_lane_change", "test_run_results", "test_mutated_tire_files"),
+    *("test_mirror", "test_plain_python"),
+    *("test_standard_figure", "test_waiting_in_lockstep", "test_real_time"),
 )
 """Files of 10 to 60 s of processor time, or of waiting."""
 
