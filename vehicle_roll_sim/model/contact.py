@@ -3,7 +3,7 @@
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.frames import yawed_to_body
-from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
+from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.model.tire.radii import rolling_radii
 from vehicle_roll_sim.model.tire.transient_slip import transient_slip
@@ -49,7 +49,7 @@ def wheel_motion(state, tires, outputs):
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         outputs.rolling[i], outputs.sliding[i] = ug * c + vg * s, vg * c - ug * s
         outputs.tread[i] = outputs.rolling_radius[i] * spin[i]
-        outputs.side[i] = tires[FRONT if i < LR else REAR].side[i]
+        outputs.side[i] = (tires.front if i < LR else tires.rear).side[i]
 
 
 @kernel

@@ -1,13 +1,13 @@
 """Inclination (camber) of the wheels to the road, from attitude, steering and static camber."""
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math
-from vehicle_roll_sim.model.records import FRONT, REAR, WHEEL_COUNT
+from vehicle_roll_sim.model.records import WHEEL_COUNT
 
 
 @kernel
 def inclinations(attitude, vehicle, tires, options, outputs):
     """gamma of every wheel (rad); 0 if nothing depends on it, to save time."""
-    is_plain = tires[FRONT].plain != 0.0 and tires[REAR].plain != 0.0
+    is_plain = tires.front.plain != 0.0 and tires.rear.plain != 0.0
     if options.contact_moments or not is_plain:
         actual_inclinations(attitude, vehicle, options, outputs)
     else:

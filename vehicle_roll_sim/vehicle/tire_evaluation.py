@@ -7,7 +7,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.records import LF, OUTPUTS, RF, WHEEL_COUNT
-from vehicle_roll_sim.model.tire.coefficients import on_axles
+from vehicle_roll_sim.model.tire.coefficients import as_one, on_axles
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.model.tire.radii import effective_rolling_radius, free_spin, loaded_radius
 from vehicle_roll_sim.vehicle.tire_file import Tire
@@ -73,7 +73,7 @@ def evaluate(
 
 def _forces(record: np.ndarray, points: np.ndarray, wheel: int) -> np.ndarray:
     """Forces and moments, shape (n, 5), at points (n, 5); every batch is one of four wheels."""
-    tires, outputs = kernel_argument(on_axles(record, record)), np.zeros(1, OUTPUTS)
+    (tires,), outputs = kernel_argument(as_one(on_axles(record, record))), np.zeros(1, OUTPUTS)
     found, seen = np.empty((len(points), 5)), outputs[0]
     for first in range(0, len(points), WHEEL_COUNT):
         batch = points[first : first + WHEEL_COUNT]

@@ -7,9 +7,7 @@ import numpy as np
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import (
-    FRONT,
     LR,
-    REAR,
     STATE,
     STATE_SIZE,
     WHEEL_COUNT,
@@ -95,12 +93,12 @@ def crossing_time(time, step, before, after):
 def note_peaks(time, state, tires, outputs, events):
     """Update the peaks of roll angle and lateral acceleration, and the tire range events.
 
-    tires: the TIRE records of front and rear axle.
+    tires: the TIRES record.
     """
     keep_peak(time, state[at.ROLL], events.peak_roll)
     keep_peak(time, outputs.acceleration[1], events.peak_lateral_acceleration)
     for i in range(WHEEL_COUNT):
-        fz, tire = outputs.normal_force[i], tires[FRONT if i < LR else REAR]
+        fz, tire = outputs.normal_force[i], tires.front if i < LR else tires.rear
         if fz > 0.0:
             kappa, alpha = outputs.slip_ratio[i], outputs.slip_angle[i]
             noted = events.out_of_range_time

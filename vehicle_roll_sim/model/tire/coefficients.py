@@ -4,7 +4,7 @@ from collections import namedtuple
 
 import numpy as np
 
-from vehicle_roll_sim.model.compiled.jit import constants
+from vehicle_roll_sim.model.compiled.jit import constants, term
 from vehicle_roll_sim.model.records import FRONT, REAR, per_wheel, record_dtype
 
 
@@ -81,6 +81,9 @@ pressure and no moment is computed, so that the plain forms suffice. rolls_on_ow
 whether the file gives the effective rolling radius. shared: whether both axles have this tire.
 side: -1 at the wheels where the tire is mirrored, else +1.
 """
+TIRES = record_dtype(("front", TIRE), ("rear", TIRE))
+"""The tires of both axles in one record: compiled code passes records on at less cost than arrays,
+whose references it counts."""
 NEUTRAL = (
     dict.fromkeys(COEFFICIENTS, 0.0)
     | {name: 1.0 for name in COEFFICIENTS if name.startswith("L") and len(name) < len("LONGVL")}
@@ -103,3 +106,14 @@ def on_axles(front: np.ndarray, rear: np.ndarray) -> np.ndarray:
     tires = np.concatenate((front, rear))
     tires["shared"] = tires[FRONT].tobytes() == tires[REAR].tobytes()
     return tires
+
+
+def as_one(tires: np.ndarray) -> np.ndarray:
+    """TIRE records of both axles, shape (2,), as one TIRES record, shape (1,); not a copy."""
+    return tires.view(TIRES)
+
+
+@term
+def of_axle(tires, axle):
+    """The TIRE record of an axle, FRONT or REAR."""
+    return tires.front if axle == FRONT else tires.rear

@@ -16,7 +16,6 @@ from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import (
     CURVE_COUNT,
     FORCE_CURVES,
-    FRONT,
     LATERAL,
     LATERAL_AT_SHIFT,
     LATERAL_WEIGHT,
@@ -26,7 +25,6 @@ from vehicle_roll_sim.model.records import (
     LR,
     MAIN_CURVES,
     PLY_STEER,
-    REAR,
     TRAIL,
     UPRIGHT_LATERAL,
     WHEEL_COUNT,
@@ -176,15 +174,15 @@ def weight_of(curve, curve_at_shift, i, lowest, terms):
 def tire_forces(tires, outputs):
     """Longitudinal and lateral force (N) and moments of every tire.
 
-    tires: the TIRE records of front and rear axle. Inputs in `outputs`: normal load, slip
+    tires: a TIRES record. Inputs in `outputs`: normal load, slip
     ratio, tangent of the slip angle and inclination; for the moments also the speeds of rolling and
     of the tread. All are 0 without load. Moments (N m) are 0 if they are switched off.
     """
-    if tires[FRONT].shared != 0.0:
-        forces_of_tire(tires[FRONT], 0, WHEEL_COUNT, outputs)
+    if tires.front.shared != 0.0:
+        forces_of_tire(tires.front, 0, WHEEL_COUNT, outputs)
     else:
-        forces_of_tire(tires[FRONT], 0, LR, outputs)
-        forces_of_tire(tires[REAR], LR, WHEEL_COUNT, outputs)
+        forces_of_tire(tires.front, 0, LR, outputs)
+        forces_of_tire(tires.rear, LR, WHEEL_COUNT, outputs)
 
 
 @kernel

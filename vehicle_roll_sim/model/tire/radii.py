@@ -13,6 +13,7 @@ both depend on the loaded radius RL and on inclination.
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import AXLE_COUNT, LR
+from vehicle_roll_sim.model.tire.coefficients import of_axle
 
 STEPS, HALVINGS = 200, 60
 """Search for the loaded radius: steps over the radius, then bisections of the step that brackets
@@ -54,7 +55,7 @@ def rolling_radii(spin, tires, outputs):
     spin: of every wheel (rad/s).
     """
     for axle in range(AXLE_COUNT):
-        tire = tires[axle]
+        tire = of_axle(tires, axle)
         for i in range(axle * LR, axle * LR + LR):
             outputs.rolling_radius[i] = outputs.loaded_radius[i]
             if tire.rolls_on_own_radius != 0.0:

@@ -17,6 +17,7 @@ from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.elementary import cosine, sine_of_twice_arctan
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import AXLE_COUNT, LR, WHEEL_COUNT, vehicle_constants
+from vehicle_roll_sim.model.tire.coefficients import of_axle
 from vehicle_roll_sim.model.tire.pure_slip import cornering_stiffness, slip_stiffness
 from vehicle_roll_sim.model.tire.standing import held_slips
 
@@ -89,7 +90,7 @@ def transient_slip(state, vehicle, tires, outputs):
         outputs.unloaded_radius[i] = vehicle.tire_radius[i]
     vehicle = vehicle_constants(vehicle)
     for axle in range(AXLE_COUNT):
-        tire = tires[axle]
+        tire = of_axle(tires, axle)
         for i in range(axle * LR, axle * LR + LR):
             outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
                 damped_slip(
