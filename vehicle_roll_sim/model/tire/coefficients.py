@@ -4,7 +4,7 @@ from collections import namedtuple
 
 import numpy as np
 
-from vehicle_roll_sim.model.compiled.jit import constants, term
+from vehicle_roll_sim.model.compiled.jit import constants
 from vehicle_roll_sim.model.records import FRONT, REAR, per_wheel, record_dtype
 
 
@@ -111,9 +111,3 @@ def on_axles(front: np.ndarray, rear: np.ndarray) -> np.ndarray:
 def as_one(tires: np.ndarray) -> np.ndarray:
     """TIRE records of both axles, shape (2,), as one TIRES record, shape (1,); not a copy."""
     return tires.view(TIRES)
-
-
-@term
-def of_axle(tires, axle):
-    """The TIRE record of an axle, FRONT or REAR."""
-    return tires.front if axle == FRONT else tires.rear
