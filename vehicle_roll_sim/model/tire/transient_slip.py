@@ -32,8 +32,21 @@ RELEASE_TIME = 0.02
 
 
 @kernel
+def relaxation_lengths(tire, least, outputs):
+    """Longitudinal and lateral relaxation length of every wheel, at least `least` (m).
+
+    After `terms_of_loads`. Files of version 5.2 give them (PTX1-PTX3, PTY1, PTY2); in 6.1 and 6.2
+    they follow from the stiffness of the carcass.
+    """
+    if tire.version > 6.0:
+        lengths_by_stiffness(tire, least, outputs)
+    else:
+        lengths_by_coefficients(tire, least, outputs)
+
+
+@kernel
 def lengths_by_coefficients(tire, least, outputs):
-    """Relaxation lengths of version 5.2, at least `least` (m; PTX1-PTX3, PTY1, PTY2)."""
+    """Relaxation lengths of 5.2, at least `least` (m)."""
     terms, is_plain = outputs.tire_terms, tire.plain != 0.0
     tire = all_tire_constants(tire)
     if is_plain:
@@ -106,10 +119,7 @@ def transient_slip(state, vehicle, tires, outputs):
 def slips_of_tire(tire, first, vehicle, outputs):
     """Those of one kind of tire, at the wheels from `first` on. Without load the slips decay."""
     terms = outputs.tire_terms
-    if tire.version > 6.0:
-        lengths_by_stiffness(tire, vehicle.minimum_relaxation_length, outputs)
-    else:
-        lengths_by_coefficients(tire, vehicle.minimum_relaxation_length, outputs)
+    relaxation_lengths(tire, vehicle.minimum_relaxation_length, outputs)
     slow = False
     for i in range(WHEEL_COUNT):
         slow = slow or abs(outputs.rolling[i]) < LOW_SPEED
