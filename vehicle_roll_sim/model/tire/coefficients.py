@@ -61,13 +61,14 @@ CARCASS = (
     *("LATERAL_STIFFNESS", *numbered("PCFY", 1, 2, 3)),
 )
 RANGES = ("KPUMIN", "KPUMAX", "ALPMIN", "ALPMAX", "FZMIN", "FZMAX")
+CAMBER_RANGE = ("CAMMIN", "CAMMAX")
 STATE_OF_TIRE = (
     *("version", "pressure_change", "pressure_effect", "lowest_weight"),
     *("combined", "moments", "plain", "rolls_on_own_radius", "shared"),
 )
 COEFFICIENTS = (
     *(*SCALING, *REQUIRED, *OPTIONAL, *INCLINED, *PRESSURE, *OVERTURNING, *ROLLING, *ALIGNING),
-    *(*RADII, *CARCASS, *RANGES),
+    *(*RADII, *CARCASS, *RANGES, *CAMBER_RANGE),
 )
 
 TIRE = record_dtype(*COEFFICIENTS, *STATE_OF_TIRE, *per_wheel("side"))
@@ -88,7 +89,7 @@ NEUTRAL = (
     dict.fromkeys(COEFFICIENTS, 0.0)
     | {name: 1.0 for name in COEFFICIENTS if name.startswith("L") and len(name) < len("LONGVL")}
     | {"PKY4": 2.0, "QSY7": 1.0, "Q_RE0": 1.0}
-    | {name: -np.inf if name.endswith("MIN") else np.inf for name in RANGES}
+    | {name: -np.inf if name.endswith("MIN") else np.inf for name in (*RANGES, *CAMBER_RANGE)}
 )
 """The value of each coefficient that a version does not have, with which the terms that it lacks
 vanish: scaling factors are 1."""
