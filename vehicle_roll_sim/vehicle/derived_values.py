@@ -195,10 +195,13 @@ class DerivedValues:
         tire_lateral_compliance: 0, as for a contact patch that does not shift.
         """
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
+        camber = self.per_wheel("camber") * (-1, 1, -1, 1)
         return {
             "x": (front, front, rear, rear),
             "y": self.per_wheel("track") / 2 * (1, -1, 1, -1),
-            "camber": self.per_wheel("camber") * (-1, 1, -1, 1),
+            "camber": camber,
+            "camber_sine": np.sin(camber),
+            "camber_cosine": np.cos(camber),
             "tire_radius": self.per_wheel("tire_radius"),
             "tire_lateral_compliance": 0.0,
             "gravity": GRAVITY,
