@@ -2,6 +2,7 @@
 
 import argparse
 import io
+import json
 import os
 import re
 import sys
@@ -9,6 +10,7 @@ from collections.abc import Callable, Container
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import (
+    Curve,
     InputError,
     NotWrittenError,
     Parameter,
@@ -132,11 +134,16 @@ def declared_values(arguments: argparse.Namespace, declaring) -> dict:
     return values
 
 
-def number(text: str, field: str, parameter: Parameter) -> float:
-    """Parse a number given on the command line; raises InputError naming `field`."""
+def number(text: str, field: str, parameter: Parameter) -> float | list:
+    """Parse a number, or the table of a Curve, given on the command line.
+
+    Raises InputError naming `field`.
+    """
     try:
+        if parameter.kind is Curve and text.lstrip().startswith("["):
+            return json.loads(text)
         return number_in(text)
-    except ValueError:
+    except (ValueError, RecursionError):
         raise InputError(field, text, parameter.allowed) from None
 
 

@@ -7,6 +7,7 @@ documentation all read these declarations.
 import array
 import dataclasses
 import difflib
+import itertools
 import math
 import numbers
 import reprlib
@@ -16,8 +17,19 @@ from collections.abc import Iterable, Mapping
 
 AUTO, ON, OFF = SWITCH = ("auto", "on", "off")
 """Choices of a parameter that says whether something counts."""
+FEWEST_POINTS, MOST_POINTS = 2, 63
+LARGEST_TRAVEL, CLOSEST_TRAVELS = 2.0, 1e-5
+"""m: of the points of a Curve, and between two of them."""
 LONGEST_SHOWN = 60
 """Maximum number of characters of an invalid value shown in an error message."""
+
+
+class Curve:
+    """Kind of a parameter that changes with wheel travel.
+
+    Its values are a float, the change per metre of travel, or a tuple of pairs of floats: travel
+    (m, increasing) and value.
+    """
 
 
 class InputError(ValueError):
@@ -107,6 +119,8 @@ class Parameter:
         if self.kind is tuple:
             check = self._validate_numbers if self.size else self._validate_names
             return check(value, field)
+        if self.kind is Curve:
+            return self._validate_curve(value, field)
         if isinstance(value, bool) and ON in self.choices:
             return ON if value else OFF  # YAML reads `on` and `off` as true and false
         if self.choices and str(value) in self.choices:
@@ -131,6 +145,31 @@ class Parameter:
         except InputError:
             raise InputError(field, value, self.allowed) from None
 
+    def _validate_curve(self, value, field: str) -> float | tuple[tuple[float, float], ...]:
+        if not isinstance(value, (list, tuple, array.array)):
+            return self._validate_number(value, field)
+        try:
+            points = self._points(value, field)
+        except (TypeError, ValueError):  # InputError is one
+            raise InputError(field, value, self.allowed) from None
+        travels = [travel for travel, _ in points]
+        gaps = [after - before for before, after in itertools.pairwise(travels)]
+        if max(map(abs, travels)) > LARGEST_TRAVEL or min(gaps) < CLOSEST_TRAVELS:
+            raise InputError(field, value, self.allowed)
+        return points
+
+    def _points(self, values, field: str) -> tuple[tuple[float, float], ...]:
+        """Pairs from a list of pairs, or from their numbers in a row."""
+        if not isinstance(values[0], (list, tuple)):
+            values = list(zip(values[::2], values[1::2], strict=True))
+        points = tuple(
+            (number_of(travel, field, ""), self._validate_number(value, field))
+            for travel, value in values
+        )
+        if not FEWEST_POINTS <= len(points) <= MOST_POINTS:
+            raise ValueError
+        return points
+
     def _validate_names(self, value, field: str) -> tuple[str, ...]:
         is_list = isinstance(value, (list, tuple)) and len(value) > 0
         if not is_list or any(name not in self.choices for name in value):
@@ -144,6 +183,10 @@ class Parameter:
             return "a list of one or more of " + ", ".join(self.choices)
         if self.kind is bool:
             return "true or false"
+        if self.kind is Curve:
+            span = f"from {self.minimum:g} to {self.maximum:g}"
+            points = f"{FEWEST_POINTS} to {MOST_POINTS} pairs [travel, value]"
+            return f"a number {span} {self.unit}, or {points}, travels increasing, values {span}"
         if self.choices:
             return " or ".join(self.choices)
         if self.kind is str:

@@ -84,7 +84,7 @@ def test_without_a_roll_centre_there_is_no_asymmetric_link_load_transfer(combina
 @pytest.mark.parametrize(
     ("name", "value"),
     [
-        ("model", "2"),
+        ("model", "3"),
         ("model", "1A"),
         ("model", ""),
         ("model", 1.5),

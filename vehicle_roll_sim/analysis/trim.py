@@ -17,6 +17,7 @@ from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
+from vehicle_roll_sim.model.kinematic.contact import note_tire_compression
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
@@ -114,6 +115,7 @@ class LevelRoadModel:
     def rates(self, state: np.ndarray, inputs: np.ndarray) -> np.ndarray:
         """Time derivative of a flat state vector, shape (STATE_SIZE,); also updates `outputs`.
 
+        In model 2 also the compression of the tires in `state`, which follows from the others.
         inputs: named by INPUT_NAMES, shape (10,) (rad, N m, N). Rates of states that the model does
         not have are nan.
         """
@@ -124,6 +126,7 @@ class LevelRoadModel:
         with silently():
             note_turning(state, outputs)
             derivatives(state, kernel_argument(command)[0], *self._plant, outputs, rates)
+            note_tire_compression(state, self._plant[-1], outputs)
         return rates
 
     def on_flat_road(self, state: np.ndarray) -> np.ndarray:

@@ -27,6 +27,11 @@ def record_dtype(*fields) -> np.dtype:
     return np.dtype((np.record, [_field(field) for field in fields]))
 
 
+def vectors(*names: str) -> tuple:
+    """Fields with a vector (x, y, z) per wheel, shape (3, 4)."""
+    return tuple((name, (3, WHEEL_COUNT)) for name in names)
+
+
 def _field(field):
     if isinstance(field, str):
         return (field, np.float64)
@@ -108,6 +113,17 @@ COMMAND = record_dtype(
 each wheel (N m), active force at each corner (N), and a speed hold, a torque gain * (target - u)
 added at each rear wheel (N m per m/s, m/s)."""
 
+TRAVEL_CURVE_COUNT = 5
+HALF_TRACK, AHEAD, CAMBER, TOE, CARRIER_PITCH = range(
+    0, TRAVEL_CURVE_COUNT * WHEEL_COUNT, WHEEL_COUNT
+)
+"""First places of the curves, each of all wheels.
+
+What changes with the travel of a left wheel: place of its contact point (m, outwards), place of its
+centre (m, forward), and angles of its carrier about x, z and y of frame 1 (rad)."""
+KNOTS, COEFFICIENTS = 63, 6
+"""Most knots of the curves of an axle; coefficients of a polynomial of fifth degree."""
+
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
     *("wheel_inertia", "gravity", "gravity_along", "gravity_across"),
@@ -117,8 +133,17 @@ VEHICLE = record_dtype(
     *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
     *per_wheel("static_strut_length", "static_suspension_compression"),
     *per_wheel("static_tire_compression", "tire_radius", "camber", "tire_lateral_compliance"),
+    *per_wheel("bar_rate", "static_loaded_radius", "static_wheel_height"),
+    ("travel_knots", (2, KNOTS)),
+    ("travel_origins", (2, KNOTS + 1)),
+    ("travel_curves", (2, KNOTS + 1, COEFFICIENTS, TRAVEL_CURVE_COUNT)),
 )
-"""The vehicle as input to the equations: front and rear values are laid out per wheel."""
+"""The vehicle as input to the equations: front and rear values are laid out per wheel.
+
+travel_knots, travel_origins, travel_curves: of each axle the ends of the intervals of travel (m,
+inf for those that are not used), and for each interval the travel from which the polynomials of its
+curves are counted (m), and their coefficients, lowest power first.
+"""
 
 VehicleConstants = namedtuple(
     "VehicleConstants", [name for name in VEHICLE.names if not VEHICLE[name].shape]
@@ -145,6 +170,7 @@ OPTION_NAMES = (
     "rigid_tires",
     "steady_state_slip",
     "contact_moments",
+    "kinematic",
 )
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 """Forms of terms in the equations; all off is model 1. Each is explained where it is used."""
@@ -164,6 +190,9 @@ def per_curve(*names: str) -> tuple:
     """Fields with one value per curve and wheel; the wheels of a curve are adjacent."""
     return tuple((name, CURVE_COUNT * WHEEL_COUNT) for name in names)
 
+
+PARTS = 27
+"""Elements of the lower triangle of the mass matrix of model 2 and of its right-hand side."""
 
 OUTPUTS = record_dtype(
     *per_wheel("normal_force", "longitudinal_force", "lateral_force", "support"),
@@ -186,6 +215,21 @@ OUTPUTS = record_dtype(
     *per_curve("curve_bend", "curve_angle", "curve_sine"),
     *per_wheel("contact_x", "contact_y", "strut_force", "link_load_transfer"),
     *per_wheel("applied_x", "applied_y", "link_x", "link_y"),
+    ("roll_centre_height", 2),
+    ("roll_centre_place", 2),
+    *per_wheel("tire_compression", "travel", "travel_force", "travel_acceleration", "pull"),
+    *per_wheel("contact_z"),
+    ("travel_coefficients", (COEFFICIENTS, TRAVEL_CURVE_COUNT * WHEEL_COUNT)),
+    *(
+        (name, TRAVEL_CURVE_COUNT * WHEEL_COUNT)
+        for name in ("travel_part", "travel_value", "travel_slope", "travel_bend")
+    ),
+    *((name, 3 * WHEEL_COUNT) for name in ("carrier_angle", "carrier_sine", "carrier_cosine")),
+    *per_wheel("leaning", "nodding", "turning_in", "lean", "resisting_mass"),
+    *vectors("wheel", "carrier_turn", "spin_axis", "arm", "contact_path"),
+    ("path", (2, WHEEL_COUNT)),
+    ("path_bend", (2, WHEEL_COUNT)),
+    ("of_wheels", (PARTS, WHEEL_COUNT)),
     ("body_acceleration", DEGREES_OF_ACCELERATION),
     ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
 )

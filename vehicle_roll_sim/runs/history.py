@@ -52,6 +52,11 @@ COMMANDS = (
 If commands are held over periods, those of the period that ends with the row; else those at the
 time of the row.
 """
+ROLL_CENTRES = tuple(
+    f"{axle}_roll_centre_{measure}" for measure in ("height", "place") for axle in ("front", "rear")
+)
+"""Names of further columns of model 2: height above the road, and place to the left of the c.g., of
+the roll centre of each axle (m); nan where there is none."""
 WITH_COMMANDS = "add all commands to the CSV, not only the steering; `plot` then draws them"
 """Help text of the option of that name."""
 
@@ -76,15 +81,27 @@ def row_of(simulation: Simulation) -> np.ndarray:
     )
 
 
+def roll_centres_of(simulation: Simulation) -> np.ndarray:
+    """The values of ROLL_CENTRES at the present simulated time; nan in models without them."""
+    outputs = simulation.outputs
+    return np.concatenate((outputs["roll_centre_height"], outputs["roll_centre_place"]))
+
+
 class History:
     """Samples of a run; `history["roll"]` is one column, shape (rows,).
 
     rows: values of COLUMNS, shape (rows, columns). commands: values of COMMANDS, shape (rows,
-    commands), or None if they are unknown.
+    commands), or None if they are unknown. roll_centres: values of ROLL_CENTRES, shape (rows, 4),
+    or None if the model has none or they are unknown.
     """
 
-    def __init__(self, rows: list[np.ndarray] | np.ndarray, commands: np.ndarray | None = None):
-        self.rows, self.commands = np.array(rows), commands
+    def __init__(
+        self,
+        rows: list[np.ndarray] | np.ndarray,
+        commands: np.ndarray | None = None,
+        roll_centres: np.ndarray | None = None,
+    ):
+        self.rows, self.commands, self.roll_centres = np.array(rows), commands, roll_centres
 
     @classmethod
     def read_csv(cls, path: Path) -> "History":
@@ -134,16 +151,20 @@ class History:
     def part(self, chosen: np.ndarray) -> "History":
         """The selected rows; chosen: a boolean for each row, shape (rows,)."""
         commands = None if self.commands is None else self.commands[chosen]
-        return History(self.rows[chosen], commands)
+        centres = None if self.roll_centres is None else self.roll_centres[chosen]
+        return History(self.rows[chosen], commands, centres)
 
     def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
         """Write all rows in full precision; the file is written completely or not at all.
 
-        with_commands: append COMMANDS to the columns; nan if they are unknown.
+        Columns of ROLL_CENTRES follow if they are known. with_commands: append COMMANDS to the
+        columns; nan if they are unknown.
         """
         names, rows = COLUMNS, self.rows
+        if self.roll_centres is not None:
+            names, rows = (*names, *ROLL_CENTRES), np.hstack((rows, self.roll_centres))
         if with_commands:
-            names, rows = (*COLUMNS, *COMMANDS), np.hstack((rows, self._known_commands()))
+            names, rows = (*names, *COMMANDS), np.hstack((rows, self._known_commands()))
         with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
             file.write(",".join(names) + "\n")
             for row in rows.tolist():

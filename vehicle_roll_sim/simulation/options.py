@@ -30,6 +30,7 @@ MODELS = {
     "1b-no-strut": (*_1B, "fixed_strut_length", "unsprung_moves_with_corner"),
     "1b-turning-kept": (*_1A, "no_link_inertia"),
     "1b-mass-lumped": (*_1B, "lumped_unsprung_mass"),
+    "2": ("kinematic",),
     "8dof": ("eight_dof",),
     "8dof-rigid-tires": ("eight_dof", "rigid_tires"),
 }
@@ -94,7 +95,10 @@ class Options:
         keep_validated(self)  # converts 1 to model "1"
         if self.model != "1":
             self._refuse("of model 1", "tire_normal_to_ground", "link_load_transfer", "euler_terms")
-            self._refuse("of model 1", *SWITCHES)
+        if not self.has_tire_moments:
+            self._refuse("of models 1 and 2", *SWITCHES)
+        if self.is_kinematic:
+            self._refuse("of models with a fixed roll centre", "no_roll_centre")
         if self.has_eight_dof:
             self._refuse("of the 14 DOF models", "no_roll_centre")
         if self.no_roll_centre and self.link_load_transfer == ASYMMETRIC:
@@ -111,6 +115,16 @@ class Options:
     @property
     def has_eight_dof(self) -> bool:
         return "eight_dof" in MODELS[self.model]
+
+    @property
+    def is_kinematic(self) -> bool:
+        """Whether the suspension guides the wheels along paths, as in model 2."""
+        return "kinematic" in MODELS[self.model]
+
+    @property
+    def has_tire_moments(self) -> bool:
+        """Whether the equations have terms for the moments of the tires."""
+        return self.model == "1" or self.is_kinematic
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -131,7 +145,7 @@ class Options:
     def for_vehicle(self, vehicle: Vehicle) -> "Options":
         """The same options with on or off in place of auto, as a vehicle has it."""
         chosen = {
-            name: ON if self.model == "1" and getattr(vehicle, name) else OFF
+            name: ON if self.has_tire_moments and getattr(vehicle, name) else OFF
             for name in SWITCHES
             if getattr(self, name) == AUTO
         }

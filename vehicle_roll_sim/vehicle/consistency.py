@@ -9,6 +9,7 @@ from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.vehicle.axle_tires import has_rolling_resistance
 from vehicle_roll_sim.vehicle.derived_values import AXLES, DerivedValues
 from vehicle_roll_sim.vehicle.tire_file import Tire
+from vehicle_roll_sim.vehicle.travel_curves import check_knots
 
 ROLL_CENTRES = {"minimum": -5.0, "maximum": 50.0}
 """m: allowed range of the depth, and of the height, of a roll centre."""
@@ -26,8 +27,11 @@ def check_consistency(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...
     _check_taken_from_tires(vehicle)
     _check_roll_centres(vehicle)
     _check_inertias(vehicle)
+    _check_anti_roll_bars(vehicle)
     _check_fits_on_its_wheels(vehicle)
     _check_springs_carry_it(vehicle)
+    for axle in AXLES:
+        check_knots(vehicle.travel_curves(axle))
 
 
 def _check_tires(vehicle: DerivedValues) -> None:
@@ -94,6 +98,16 @@ def _check_roll_centres(vehicle: DerivedValues) -> None:
             least, most = vehicle.cg_height - highest, vehicle.cg_height - lowest
             limit = f"from {least:g} to {most:g} m with the c.g. at {vehicle.cg_height:g} m"
             raise InputError(name, vehicle.given[name], limit)
+
+
+def _check_anti_roll_bars(vehicle: DerivedValues) -> None:
+    """A bar has one stiffness, given at the wheels or in roll."""
+    for axle in AXLES:
+        name, other = f"{axle}_anti_roll_bar_stiffness", f"{axle}_anti_roll_bar_rate"
+        if name in vehicle.given and other in vehicle.given:
+            value = vehicle.given[name]
+            problem = f"{value:g} together with {other} {vehicle.given[other]:g}"
+            raise InputError(name, value, "only one of the two may be given", problem)
 
 
 def _check_inertias(vehicle: DerivedValues) -> None:

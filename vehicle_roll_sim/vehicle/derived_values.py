@@ -4,6 +4,7 @@ import functools
 
 import numpy as np
 
+from vehicle_roll_sim.declaration import Curve
 from vehicle_roll_sim.model.equilibrium import (
     axle_load_share,
     static_strut_length,
@@ -19,11 +20,30 @@ from vehicle_roll_sim.vehicle.axle_tires import (
     lateral_stiffness,
 )
 from vehicle_roll_sim.vehicle.tire_file import Tire
+from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
 GRAVITY = 9.81
 """m/s^2, the value used in the paper."""
 AXLES = {"front": LF, "rear": LR}
 """The left wheel of each axle; both wheels of an axle have the same parameters."""
+TRAVEL_SIGNS = {
+    "half_track_change": 1.0,
+    "longitudinal_change": 1.0,
+    "camber_change": -1.0,
+    "toe_change": -1.0,
+    "carrier_pitch_change": 1.0,
+}
+"""Parameters of each axle that are curves over wheel travel, and the sign with which they are
+displacements, or rotations of a left wheel about the axes, of frame 1."""
+
+
+def _times(given: Curve, sign: float) -> Curve:
+    """A curve, 0 if not given, times a sign."""
+    if given is None:
+        return 0.0
+    if isinstance(given, tuple):
+        return tuple((travel, sign * value) for travel, value in given)
+    return sign * float(given)
 
 
 class DerivedValues:
@@ -127,6 +147,49 @@ class DerivedValues:
             self.cg_height, self.per_wheel("tire_radius"), self.static_tire_compression
         )
 
+    @functools.cached_property
+    def bar_rate(self) -> np.ndarray:
+        """Force of the anti-roll bar on a wheel per difference of travels, shape (4,) (N/m).
+
+        K / c^2 with the bar's roll stiffness K: a roll angle phi moves the wheels c phi apart, and
+        the pair of forces has the lever c.
+        """
+        rates = []
+        for axle in AXLES:
+            rate = getattr(self, f"{axle}_anti_roll_bar_rate") or 0.0
+            stiffness = getattr(self, f"{axle}_anti_roll_bar_stiffness")
+            if stiffness is not None:
+                rate = stiffness / getattr(self, f"{axle}_track") ** 2
+            rates += [rate, rate]
+        return np.array(rates)
+
+    @functools.cached_property
+    def static_loaded_radius(self) -> np.ndarray:
+        """Distance from each wheel centre to its contact point at rest, shape (4,) (m)."""
+        flattening = self.static_tire_compression * np.cos(self.per_wheel("camber"))
+        return self.per_wheel("tire_radius") - flattening
+
+    @functools.cached_property
+    def static_wheel_height(self) -> np.ndarray:
+        """Height of each wheel centre above the road at rest, in model 2; shape (4,) (m)."""
+        return self.static_loaded_radius * np.cos(self.per_wheel("camber"))
+
+    def travel_curves(self, axle: str) -> dict[str, TravelCurve]:
+        """What changes with the travel of an axle's left wheel: HALF_TRACK to CARRIER_PITCH.
+
+        By the names of the parameters, but with the signs of rotations about the body's axes.
+        Without a half-track change the contact point moves at right angles to the line from it to
+        the roll centre.
+        """
+        wheel = AXLES[axle]
+        curves = {}
+        for name, sign in TRAVEL_SIGNS.items():
+            given = getattr(self, f"{axle}_{name}")
+            if given is None and name == "half_track_change":
+                given = 2 * self.roll_centre_height[wheel] / getattr(self, f"{axle}_track")
+            curves[f"{axle}_{name}"] = TravelCurve(_times(given, sign))
+        return curves
+
     def per_wheel(self, name: str) -> np.ndarray:
         """The values of NAME of the front and rear axle at lf, rf, lr, rr; shape (4,).
 
@@ -183,12 +246,17 @@ class DerivedValues:
         tire_lateral_compliance: 0, as for a contact patch that does not shift.
         """
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
+        of_axles = [tabulated([*self.travel_curves(axle).values()]) for axle in AXLES]
+        knots, origins, curves = zip(*of_axles, strict=True)
         return {
             "x": (front, front, rear, rear),
             "y": self.per_wheel("track") / 2 * (1, -1, 1, -1),
             "camber": self.per_wheel("camber") * (-1, 1, -1, 1),
             "tire_radius": self.per_wheel("tire_radius"),
             "tire_lateral_compliance": 0.0,
+            "travel_knots": knots,
+            "travel_origins": origins,
+            "travel_curves": curves,
             "gravity": GRAVITY,
             "gravity_along": 0.0,
             "gravity_across": 0.0,

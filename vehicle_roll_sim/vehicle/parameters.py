@@ -3,6 +3,7 @@
 import dataclasses
 
 from vehicle_roll_sim.declaration import (
+    Curve,
     InputError,
     check_alternatives,
     keep_validated,
@@ -23,6 +24,10 @@ _MASS = {"unit": "kg", "minimum": 0.01, "maximum": 1e6}
 _CENTRE = {"unit": "m"} | ROLL_CENTRES
 _PRESSURE = {"unit": "Pa", "minimum": 1e4, "maximum": 2e6}
 _CAMBER = {"unit": "rad", "minimum": -0.5, "maximum": 0.5}
+_ROLL_STIFFNESS = {"unit": "N m/rad", "minimum": 0.0, "maximum": 1e8}
+_BAR = {"unit": "N/m", "minimum": 0.0, "maximum": 1e8}
+_PATH = {"unit": "m/m", "minimum": -10.0, "maximum": 10.0}
+_TURN = {"unit": "rad/m", "minimum": -50.0, "maximum": 50.0}
 _LATERAL = _STIFFNESS | {"minimum": 1e3}
 PER_AXLE = {
     name: tuple(f"{axle}_{name}" for axle in AXLES) for name in ("tire_radius", "tire_pressure")
@@ -180,6 +185,84 @@ class Vehicle(DerivedValues):
         "static camber of the rear wheels, positive with their tops outwards",
         **_CAMBER,
         default=0.0,
+    )
+    front_anti_roll_bar_stiffness: float | None = parameter(
+        "roll stiffness of the front anti-roll bar, between body and road; by default 0",
+        **_ROLL_STIFFNESS,
+        default=None,
+    )
+    front_anti_roll_bar_rate: float | None = parameter(
+        "the same at the wheels: force on each per difference of their travels",
+        **_BAR,
+        default=None,
+    )
+    rear_anti_roll_bar_stiffness: float | None = parameter(
+        "roll stiffness of the rear anti-roll bar, between body and road; by default 0",
+        **_ROLL_STIFFNESS,
+        default=None,
+    )
+    rear_anti_roll_bar_rate: float | None = parameter(
+        "the same at the wheels: force on each per difference of their travels",
+        **_BAR,
+        default=None,
+    )
+    front_half_track_change: Curve | None = parameter(
+        "front wheels: displacement of the contact point outwards with wheel travel (model "
+        "2); by default along the line that gives the roll centre",
+        **_PATH,
+        default=None,
+    )
+    front_longitudinal_change: Curve | None = parameter(
+        "front wheels: displacement of the wheel centre forwards with wheel travel (model 2); "
+        "by default 0",
+        **_PATH,
+        default=None,
+    )
+    front_camber_change: Curve | None = parameter(
+        "front wheels: camber with wheel travel, positive with the top outwards (model 2); by "
+        "default 0",
+        **_TURN,
+        default=None,
+    )
+    front_toe_change: Curve | None = parameter(
+        "front wheels: toe-in with wheel travel (model 2); by default 0",
+        **_TURN,
+        default=None,
+    )
+    front_carrier_pitch_change: Curve | None = parameter(
+        "front wheels: turn of the wheel carrier with wheel travel, positive with its top "
+        "forwards (model 2); by default 0",
+        **_TURN,
+        default=None,
+    )
+    rear_half_track_change: Curve | None = parameter(
+        "rear wheels: displacement of the contact point outwards with wheel travel (model 2); "
+        "by default along the line that gives the roll centre",
+        **_PATH,
+        default=None,
+    )
+    rear_longitudinal_change: Curve | None = parameter(
+        "rear wheels: displacement of the wheel centre forwards with wheel travel (model 2); "
+        "by default 0",
+        **_PATH,
+        default=None,
+    )
+    rear_camber_change: Curve | None = parameter(
+        "rear wheels: camber with wheel travel, positive with the top outwards (model 2); by "
+        "default 0",
+        **_TURN,
+        default=None,
+    )
+    rear_toe_change: Curve | None = parameter(
+        "rear wheels: toe-in with wheel travel (model 2); by default 0",
+        **_TURN,
+        default=None,
+    )
+    rear_carrier_pitch_change: Curve | None = parameter(
+        "rear wheels: turn of the wheel carrier with wheel travel, positive with its top "
+        "forwards (model 2); by default 0",
+        **_TURN,
+        default=None,
     )
     tire: Tire | None = dataclasses.field(kw_only=True, default=None)
     front_tire: Tire | None = dataclasses.field(kw_only=True, default=None)

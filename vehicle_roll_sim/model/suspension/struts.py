@@ -32,11 +32,13 @@ def strut_kinematics(state, vehicle, options, outputs):
 
 @kernel
 def strut_forces(state, command, vehicle, outputs):
-    """Fzs of every corner (N): spring, damper and active normal force (eq. 23)."""
+    """Fzs of every corner (N): spring, damper, anti-roll bar and active normal force (eq. 23)."""
     xs = state[at.SUSPENSION_COMPRESSION]
     for i in range(WHEEL_COUNT):
         passive = vehicle.spring_stiffness[i] * xs[i]
         passive += vehicle.damping[i] * outputs.suspension_rate[i]
+        other = i + 1 if i % 2 == 0 else i - 1
+        passive += vehicle.bar_rate[i] * (xs[i] - xs[other])
         outputs.strut_force[i] = passive + command.normal_force[i]
 
 

@@ -13,6 +13,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter as RosParameter
 
 from vehicle_roll_sim.declaration import (
+    Curve,
     InputError,
     Parameter,
     parameter,
@@ -35,6 +36,7 @@ SIM_TIME = "use_sim_time"
 """A parameter that every node has."""
 ROS_TYPES = {
     float: ParameterType.PARAMETER_DOUBLE,
+    Curve: ParameterType.PARAMETER_DOUBLE,  # or a double array: travel, value, travel, value ...
     bool: ParameterType.PARAMETER_BOOL,
     str: ParameterType.PARAMETER_STRING,
     tuple: ParameterType.PARAMETER_STRING_ARRAY,  # or a double array, if of numbers
@@ -208,6 +210,8 @@ def _declare(node: Node, name: str, default, is_resolved: bool = False):
     declared, given = PARAMETERS[name], node._parameter_overrides.get(name)
     value = default if given is None or is_resolved else given.value
     value = declared.validate(value, name)
+    if declared.kind is Curve and isinstance(value, tuple):
+        value = [number for point in value for number in point]
     return node.declare_parameter(name, value, _descriptor(declared), ignore_override=True).value
 
 
