@@ -7,7 +7,7 @@ run by the trapezoidal rule.
 import numpy as np
 import pytest
 from mechanics import energy, powers
-from programmes import Run, record_run
+from programmes import Run, record_run, with_moments
 
 from vehicle_roll_sim import LF, LR, Options, Simulation
 from vehicle_roll_sim.model.records import COMMAND
@@ -20,7 +20,7 @@ pytestmark = pytest.mark.slow
 EXACT = Options(no_roll_centre=True, euler_terms=True)
 STEP, END = 1e-3, 6.0
 """s"""
-NEARLY_OVER = 18.0
+NEARLY_OVER, NOT_OVER_WITH_MOMENTS = 18.0, 14.0
 """m/s"""
 SHARE = 1e-6
 """Of the kinetic energy at the start; seen 3e-8 in the stops, 1e-7 in the landings, where the slope
@@ -79,6 +79,15 @@ def test_energy_changes_by_the_work_of_dampers_slip_brakes_and_torques(vehicle, 
     assert work["torques"] > 0.0
     assert -work["brakes"] > 0.5 * kinetic(vehicle)
     assert abs(missing) < SHARE * kinetic(vehicle)
+
+
+def test_with_contact_moments_their_work_is_all_that_is_added(reference):
+    vehicle = with_moments(reference)
+    simulation = Simulation(vehicle, EXACT, step=STEP)
+    simulation.reset(NOT_OVER_WITH_MOMENTS)
+    _, missing, work = audit(simulation, vehicle, swerve)
+    assert abs(work["contact moments"]) > 100 * SHARE * kinetic(vehicle, NOT_OVER_WITH_MOMENTS)
+    assert abs(missing) < SHARE * kinetic(vehicle, NOT_OVER_WITH_MOMENTS)
 
 
 def test_what_is_unaccounted_for_is_the_error_of_the_rule(reference):

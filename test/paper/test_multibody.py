@@ -8,7 +8,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from programmes import Evaluation, j_turn, ramp_and_hold
+from programmes import Evaluation, j_turn, ramp_and_hold, with_moments
 from random_states import attitude, random_command, random_state, wheel_positions
 
 from vehicle_roll_sim import Condition, InputError, Simulation, Vehicle, preset
@@ -52,7 +52,11 @@ def uneven() -> Vehicle:
     )
 
 
-VEHICLES = {"reference": preset("reference"), "uneven": uneven()}
+VEHICLES = {
+    "reference": preset("reference"),
+    "uneven": uneven(),
+    "with contact moments": with_moments(uneven()),
+}
 
 
 @pytest.fixture(params=VEHICLES)
@@ -123,7 +127,7 @@ def both(vehicle, programme, duration, speed=DEFAULT_SPEED, **settings) -> Runs:
     return Runs(simulation, model, engine, multibody.events)
 
 
-@pytest.fixture(scope="module", params=VEHICLES)
+@pytest.fixture(scope="module", params=["reference", "with contact moments"])
 def turn(request) -> Runs:
     """The J-turn to rollover."""
     return both(VEHICLES[request.param], j_turn(), 6.0)

@@ -47,11 +47,7 @@ def of_file(tire: Tire, key: str) -> float | None:
 
 def pressure_change(tire: Tire, pressure: float | None) -> float:
     """dp: relative deviation of the inflation pressure (Pa) from the nominal one (-)."""
-    nominal = of_file(tire, "NOMPRES")
-    if nominal is None:
-        return 0.0
-    actual = of_file(tire, "INFLPRES") if pressure is None else pressure
-    return (actual or nominal) / nominal - 1.0
+    return float(tire.record(pressure)["pressure_change"][0])
 
 
 def lateral_stiffness(

@@ -6,7 +6,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
-from vehicle_roll_sim.vehicle.axle_tires import has_rolling_resistance
+from vehicle_roll_sim.vehicle.axle_tires import has_rolling_resistance, of_file
 from vehicle_roll_sim.vehicle.derived_values import AXLES, DerivedValues
 from vehicle_roll_sim.vehicle.tire_file import Tire
 from vehicle_roll_sim.vehicle.travel_curves import check_knots
@@ -68,15 +68,17 @@ def _check_given_once(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...
 
 
 def _check_pressures(vehicle: DerivedValues) -> None:
-    """Tires of Magic Formula 5.2 do not depend on the pressure."""
+    """Tires of Magic Formula 5.2, and those without nominal pressure, do not depend on it."""
     for axle, tire in vehicle.axle_tires.items():
         pressure = vehicle.at_axle(axle, "tire_pressure")
-        if pressure is not None and tire.version == VERSION_WITHOUT_PRESSURE:
+        if pressure is not None and of_file(tire, "NOMPRES") is None:
             name = f"{axle}_tire_pressure"
             name = name if name in vehicle.given else "tire_pressure"
             file = f" {tire.file}" if tire.file else ""
-            allowed = f"no pressure, since the tire file{file} is of version {tire.version}"
-            raise InputError(name, pressure, f"{allowed}, in which it has no effect")
+            reason = "has no NOMPRES"
+            if tire.version == VERSION_WITHOUT_PRESSURE:
+                reason = f"is of version {tire.version}, which does not depend on it"
+            raise InputError(name, pressure, f"no pressure, since the tire file{file} {reason}")
 
 
 def _check_taken_from_tires(vehicle: DerivedValues) -> None:

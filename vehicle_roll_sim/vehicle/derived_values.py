@@ -235,9 +235,16 @@ class DerivedValues:
     def tires(self, moments: bool = False) -> np.ndarray:
         """The tires of front and rear axle as input to the equations: TIRE records, shape (2,).
 
-        moments: whether their moments are computed.
+        moments: whether their moments are computed; with the radius of the vehicle if the tire file
+        has none.
         """
-        return on_axles(*(tire.record() for tire in self.axle_tires.values()))
+        records = []
+        for axle, tire in self.axle_tires.items():
+            record = tire.record(self.at_axle(axle, "tire_pressure"), moments)
+            if record["UNLOADED_RADIUS"] == 0.0:
+                record["UNLOADED_RADIUS"] = self._known_at_axle(axle, "tire_radius")
+            records.append(record)
+        return on_axles(*records)
 
     def _placement(self) -> dict:
         """Where and how the wheels stand, and gravity (m/s^2).

@@ -10,8 +10,8 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_in, number_of, unknown_name
 from vehicle_roll_sim.files.text_file import read_text
-from vehicle_roll_sim.model.records import LF, LR, RF, RR
 from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, RANGES, REQUIRED, SCALING, TIRE
+from vehicle_roll_sim.vehicle.tire_record import MIRRORED, tire_record
 
 FORMAT = "PROPERTY_FILE_FORMAT"
 FORMATS = ("MF_05", "PAC2002", "MF-TYRE")
@@ -40,8 +40,7 @@ UNBOUNDED = {name: -math.inf if name.endswith("MIN") else math.inf for name in R
 DEFAULTS = dict.fromkeys(SCALING, 1.0) | dict.fromkeys(OPTIONAL, 0.0) | UNBOUNDED
 USED = {*DEFAULTS, *REQUIRED, "TYRESIDE", FORMAT, "FITTYP"}
 """Keys of a file that are used, apart from its units."""
-SIDES = {"left": (RF, RR), "right": (LF, LR)}
-"""Wheels at which a tire measured on the given side is mirrored."""
+SIDES = tuple(MIRRORED)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -58,6 +57,8 @@ class Tire:
     side: str = "left"
     file: str = ""
     version: str = "5.2"
+    combined: bool = True
+    notes: tuple[str, ...] = ()
 
     def __post_init__(self):
         for name in self.coefficients:
@@ -68,14 +69,14 @@ class Tire:
         if self.side not in SIDES:
             raise InputError("side", self.side, " or ".join(SIDES))
 
-    def record(self) -> np.ndarray:
-        """The tire as input to the equations: an array of one TIRE record, shape (1,)."""
-        tire = np.zeros(1, TIRE)
-        for name, value in self.coefficients.items():
-            tire[name] = value
-        tire["side"] = 1.0
-        tire["side"][0, list(SIDES[self.side])] = -1.0
-        return tire
+    def record(self, pressure: float | None = None, moments: bool = False) -> np.ndarray:
+        """The tire as input to the equations: an array of one TIRE record, shape (1,).
+
+        pressure: inflation pressure (Pa); None: that of the file, else the nominal one. moments:
+        whether moments are computed.
+        """
+        given = (self.coefficients, self.version, self.side, pressure)
+        return tire_record(*given, combined=self.combined, moments=moments)
 
     def with_coefficients(self, **values: float) -> "Tire":
         """A copy with some coefficients replaced."""

@@ -104,12 +104,12 @@ def load_vehicle(path: str | Path) -> Vehicle:
     if missing := _missing(values):
         wanted = f"all are required; {TEMPLATE_HAS_ALL}"
         raise InputError(f"{path}: {', '.join(missing)}", None, wanted)
-    others = _others(path, values, where)
     numbers = {
         name: known[name].validate(value, where[name])
         for name, value in values.items()
         if name in known
     }
+    others = _others(path, values, where)
     try:
         return Vehicle(**numbers, **others)
     except InputError as error:  # inconsistent values

@@ -41,34 +41,36 @@ def travel_forces(state, command, options, outputs):
     The contact force acts along dP/dq, tire moments and the reaction of the drive torque, which
     comes from the body, turn with the carrier. The brake acts between wheel and carrier.
     """
+    terms = outputs.suspension_terms
     hold = command.speed_hold_gain * (command.speed_hold_target - state[at.U])
     for i in range(WHEEL_COUNT):
-        kx, ky = outputs.carrier_turn[0, i], outputs.carrier_turn[1, i]
-        kz = outputs.carrier_turn[2, i]
-        force = outputs.contact_x[i] * outputs.contact_path[0, i]
-        force += outputs.contact_y[i] * outputs.contact_path[1, i]
-        force += outputs.contact_z[i] * outputs.contact_path[2, i]
-        along = kx * outputs.spin_axis[0, i] + ky * outputs.spin_axis[1, i]
-        along += kz * outputs.spin_axis[2, i]
+        kx, ky = terms.carrier_turn[0, i], terms.carrier_turn[1, i]
+        kz = terms.carrier_turn[2, i]
+        force = outputs.contact_x[i] * terms.contact_path[0, i]
+        force += outputs.contact_y[i] * terms.contact_path[1, i]
+        force += outputs.contact_z[i] * terms.contact_path[2, i]
+        along = kx * terms.spin_axis[0, i] + ky * terms.spin_axis[1, i]
+        along += kz * terms.spin_axis[2, i]
         torque = command.wheel_torque[i] + (hold if i >= LR else 0.0)
         force += along * torque - outputs.strut_force[i]
         if options.contact_moments:
             force += kx * outputs.contact_moment_x[i] + ky * outputs.contact_moment_y[i]
             force += kz * outputs.contact_moment_z[i]
-        outputs.travel_force[i] = force
+        terms.travel_force[i] = force
 
 
 @kernel
 def parts_of_wheels(state, vehicle, outputs):
     """What every wheel adds to mass matrix and right-hand side, in the order of `system`."""
+    terms = outputs.suspension_terms
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
-    part = outputs.of_wheels
+    part = terms.of_wheels
     for i in range(WHEEL_COUNT):
-        outputs.resisting_mass[i] = vehicle.unsprung_mass[i]
+        terms.resisting_mass[i] = vehicle.unsprung_mass[i]
     for i in range(WHEEL_COUNT):
-        mu, rate = outputs.resisting_mass[i], outputs.suspension_rate[i]
-        x, y, z = outputs.wheel[0, i], outputs.wheel[1, i], outputs.wheel[2, i]
-        tx, ty = outputs.path[0, i], outputs.path[1, i]
+        mu, rate = terms.resisting_mass[i], outputs.suspension_rate[i]
+        x, y, z = terms.wheel[0, i], terms.wheel[1, i], terms.wheel[2, i]
+        tx, ty = terms.path[0, i], terms.path[1, i]
         rx, ry, rz = y - z * ty, z * tx - x, x * ty - y * tx  # moment of the path's direction
         inverse = 1.0 / (tx * tx + ty * ty + 1.0)
         share = mu * inverse
@@ -97,15 +99,15 @@ def parts_of_wheels(state, vehicle, outputs):
         spin_x, spin_y, spin_z = wy * z - wz * y, wz * x - wx * z, wx * y - wy * x
         square = rate * rate
         bx = wy * spin_z - wz * spin_y + 2 * rate * (wy - wz * ty)
-        bx += outputs.path_bend[0, i] * square
+        bx += terms.path_bend[0, i] * square
         by = wz * spin_x - wx * spin_z + 2 * rate * (wz * tx - wx)
-        by += outputs.path_bend[1, i] * square
+        by += terms.path_bend[1, i] * square
         bz = wx * spin_y - wy * spin_x + 2 * rate * (wx * ty - wy * tx)
-        pull = (mu * (tx * bx + ty * by + bz) - outputs.travel_force[i]) * inverse
-        outputs.pull[i] = pull
+        pull = (mu * (tx * bx + ty * by + bz) - terms.travel_force[i]) * inverse
+        terms.pull[i] = pull
         fx, fy, fz = outputs.contact_x[i], outputs.contact_y[i], outputs.contact_z[i]
         px, py, pz = fx - mu * bx + pull * tx, fy - mu * by + pull * ty, fz - mu * bz + pull
-        ax, ay, az = outputs.arm[0, i], outputs.arm[1, i], outputs.arm[2, i]
+        ax, ay, az = terms.arm[0, i], terms.arm[1, i], terms.arm[2, i]
         part[21, i], part[22, i], part[23, i] = px, py, pz
         part[24, i] = y * pz - z * py + ay * fz - az * fy
         part[25, i] = z * px - x * pz + az * fx - ax * fz
@@ -115,9 +117,10 @@ def parts_of_wheels(state, vehicle, outputs):
 @kernel
 def system(state, vehicle, options, outputs):
     """Mass matrix (lower triangle) and right-hand side, with the travels eliminated."""
+    terms = outputs.suspension_terms
     parts_of_wheels(state, vehicle, outputs)
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
-    a, f, part = outputs.mass_matrix, outputs.body_acceleration, outputs.of_wheels
+    a, f, part = outputs.mass_matrix, outputs.body_acceleration, terms.of_wheels
     k = 0
     for row in range(DEGREES_OF_ACCELERATION):
         for column in range(row + 1):
@@ -185,16 +188,17 @@ def complete_above(a, f, unknown):
 @kernel
 def wheel_accelerations(state, vehicle, outputs, rates):
     """Acceleration of every wheel centre along its travel, and that of wu (m/s^2)."""
+    terms = outputs.suspension_terms
     f = outputs.body_acceleration
     wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
     for i in range(WHEEL_COUNT):
-        x, y, z = outputs.wheel[0, i], outputs.wheel[1, i], outputs.wheel[2, i]
-        tx, ty = outputs.path[0, i], outputs.path[1, i]
+        x, y, z = terms.wheel[0, i], terms.wheel[1, i], terms.wheel[2, i]
+        tx, ty = terms.path[0, i], terms.path[1, i]
         rx, ry, rz = y - z * ty, z * tx - x, x * ty - y * tx
         carried = tx * f[DU] + ty * f[DV] + f[DW] + rx * f[DWX] + ry * f[DWY] + rz * f[DWZ]
         share = 1.0 / (tx * tx + ty * ty + 1.0)
-        acceleration = -outputs.pull[i] / vehicle.unsprung_mass[i] - carried * share
-        outputs.travel_acceleration[i] = acceleration
+        acceleration = -terms.pull[i] / vehicle.unsprung_mass[i] - carried * share
+        terms.travel_acceleration[i] = acceleration
         rate = outputs.suspension_rate[i]
         turning = f[DWX] * y - f[DWY] * x + (wx * ty - wy * tx) * rate
         rates[at.UNSPRUNG_VELOCITY][i] = acceleration + turning

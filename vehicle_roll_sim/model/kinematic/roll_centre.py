@@ -18,15 +18,16 @@ def roll_centres(state, attitude, outputs):
 
     nan where the two lines are parallel.
     """
+    terms = outputs.suspension_terms
     up_x, up_y, up_z = yawed_to_body(attitude, 0.0, 0.0, 1.0)
     for axle, left, right in ((FRONT, LF, RF), (REAR, LR, RR)):
-        ahead = outputs.wheel[0, left] + outputs.arm[0, left]
-        ahead = (ahead + outputs.wheel[0, right] + outputs.arm[0, right]) / 2
-        y0, z0 = outputs.wheel[1, left] + outputs.arm[1, left], outputs.wheel[2, left]
-        y1, z1 = outputs.wheel[1, right] + outputs.arm[1, right], outputs.wheel[2, right]
-        z0, z1 = z0 + outputs.arm[2, left], z1 + outputs.arm[2, right]
-        ty0, tz0 = outputs.contact_path[1, left], outputs.contact_path[2, left]
-        ty1, tz1 = outputs.contact_path[1, right], outputs.contact_path[2, right]
+        ahead = terms.wheel[0, left] + terms.arm[0, left]
+        ahead = (ahead + terms.wheel[0, right] + terms.arm[0, right]) / 2
+        y0, z0 = terms.wheel[1, left] + terms.arm[1, left], terms.wheel[2, left]
+        y1, z1 = terms.wheel[1, right] + terms.arm[1, right], terms.wheel[2, right]
+        z0, z1 = z0 + terms.arm[2, left], z1 + terms.arm[2, right]
+        ty0, tz0 = terms.contact_path[1, left], terms.contact_path[2, left]
+        ty1, tz1 = terms.contact_path[1, right], terms.contact_path[2, right]
         determinant = ty0 * tz1 - ty1 * tz0
         height, place = constants.nan, constants.nan
         if determinant != 0.0:

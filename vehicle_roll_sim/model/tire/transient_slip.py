@@ -16,7 +16,7 @@ with TAU = SIGMA / 15 m/s (longitudinally with less, where that would stop a lig
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.elementary import cosine, sine_of_twice_arctan
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
-from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT, vehicle_constants
+from vehicle_roll_sim.model.records import AXLE_COUNT, LR, WHEEL_COUNT, vehicle_constants
 from vehicle_roll_sim.model.tire.coefficients import tire_constants
 
 LOW_SPEED = 1.0
@@ -68,22 +68,23 @@ def transient_slip(state, vehicle, tires, outputs):
         outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
         outputs.unloaded_radius[i] = vehicle.tire_radius[i]
     vehicle = vehicle_constants(vehicle)
-    front, rear = tire_constants(tires[FRONT]), tire_constants(tires[REAR])
-    for i in range(WHEEL_COUNT):
-        outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
-            damped_slip(
-                outputs.patch_slip_ratio[i],
-                outputs.patch_slip_tangent[i],
-                outputs.rolling[i],
-                outputs.sliding[i],
-                outputs.tread[i],
-                outputs.normal_force[i],
-                outputs.unloaded_radius[i],
-                vehicle,
-                front if i < LR else rear,
+    for axle in range(AXLE_COUNT):
+        tire = tire_constants(tires[axle])
+        for i in range(axle * LR, axle * LR + LR):
+            outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
+                damped_slip(
+                    outputs.patch_slip_ratio[i],
+                    outputs.patch_slip_tangent[i],
+                    outputs.rolling[i],
+                    outputs.sliding[i],
+                    outputs.tread[i],
+                    outputs.normal_force[i],
+                    outputs.unloaded_radius[i],
+                    vehicle,
+                    tire,
+                )
             )
-        )
-        outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
+            outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
 
 
 @term

@@ -6,8 +6,7 @@ from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.ros.simulator.parameters import VEHICLE_PREFIX
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.tire_file import load_tire
-from vehicle_roll_sim.vehicle.vehicle_file import TIRES
+from vehicle_roll_sim.vehicle.vehicle_file import LONGITUDINAL, TIRES, tire_of
 
 
 def simulated_vehicle(ask: Callable[[Sequence[str]], list]) -> tuple[Vehicle, Options]:
@@ -24,8 +23,9 @@ def simulated_vehicle(ask: Callable[[Sequence[str]], list]) -> tuple[Vehicle, Op
     for name in known.keys() - values.keys():
         if found := ask([VEHICLE_PREFIX + name]):  # empty if it was not given
             values[name] = found[0]
+    (longitudinal,) = ask([VEHICLE_PREFIX + LONGITUDINAL])
     tires = {}
     for name in TIRES:
         if found := ask([VEHICLE_PREFIX + name]):
-            tires[name] = load_tire(found[0])
+            tires[name] = tire_of(found[0], longitudinal)
     return Vehicle.checked(values, prefix=VEHICLE_PREFIX, **tires), options

@@ -28,10 +28,17 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
-from vehicle_roll_sim.vehicle.vehicle_file import TIRES, load_vehicle, on_tires, preset
+from vehicle_roll_sim.vehicle.vehicle_file import (
+    LONGITUDINAL,
+    TIRES,
+    load_vehicle,
+    on_tires,
+    preset,
+)
 
 VEHICLE_PREFIX, IMU_PREFIX, ODOM_PREFIX = "vehicle.", "imu.", "odom."
 TIRE_PARAMETERS = tuple(VEHICLE_PREFIX + name for name in TIRES)
+OF_FILES = (*TIRES, LONGITUDINAL)
 SIM_TIME = "use_sim_time"
 """A parameter that every node has."""
 ROS_TYPES = {
@@ -50,6 +57,11 @@ class TireFile:
     tire: str = parameter("path of the tire file (.tir) of all wheels", default="")
     front_tire: str = parameter("path of the tire file (.tir) of the front wheels", default="")
     rear_tire: str = parameter("path of the tire file (.tir) of the rear wheels", default="")
+    longitudinal: str = parameter(
+        "from_lateral: a tire file without longitudinal coefficients gets those of its lateral "
+        "force",
+        default="",
+    )
 
 
 @dataclasses.dataclass(frozen=True)
@@ -90,6 +102,7 @@ def declare(node: Node) -> Declared:
 
 def _on_tires(node: Node, vehicle: Vehicle) -> Vehicle:
     """The vehicle on the tires given as parameters; declares those of its tires that it has."""
+    reading = _declare(node, VEHICLE_PREFIX + LONGITUDINAL, vehicle.longitudinal)
     given = {}
     for name, parameter_name in zip(TIRES, TIRE_PARAMETERS, strict=True):
         if parameter_name in node._parameter_overrides:
@@ -98,9 +111,9 @@ def _on_tires(node: Node, vehicle: Vehicle) -> Vehicle:
     own = {name: tire.file for name, tire in vehicle.own_tires.items()}
     if given != {name: file for name, file in own.items() if name in given}:
         try:
-            vehicle = on_tires(vehicle, given)
+            vehicle = on_tires(dataclasses.replace(vehicle, longitudinal=reading), given)
         except InputError as error:
-            field = VEHICLE_PREFIX + error.field if error.field in TIRES else error.field
+            field = VEHICLE_PREFIX + error.field if error.field in OF_FILES else error.field
             raise InputError(field, error.value, error.allowed, error.problem) from None
     for name, tire in vehicle.own_tires.items():
         _declare(node, VEHICLE_PREFIX + name, tire.file)
