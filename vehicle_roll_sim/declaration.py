@@ -150,11 +150,11 @@ class Parameter:
             return self._validate_number(value, field)
         try:
             points = self._points(value, field)
-        except (TypeError, ValueError):  # InputError is one
+        except (TypeError, ValueError, IndexError):  # InputError is a ValueError
             raise InputError(field, value, self.allowed) from None
         travels = [travel for travel, _ in points]
         gaps = [after - before for before, after in itertools.pairwise(travels)]
-        if max(map(abs, travels)) > LARGEST_TRAVEL or min(gaps) < CLOSEST_TRAVELS:
+        if not (max(map(abs, travels)) <= LARGEST_TRAVEL and min(gaps) >= CLOSEST_TRAVELS):
             raise InputError(field, value, self.allowed)
         return points
 

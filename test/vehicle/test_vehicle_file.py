@@ -56,6 +56,20 @@ ABSENT = {
     "rear_tire_pressure": 2.4e5,
     "front_tire_lateral_stiffness": 1.2e5,
     "rear_tire_lateral_stiffness": 1.3e5,
+    "front_anti_roll_bar_stiffness": 2e4,
+    "front_anti_roll_bar_rate": 9e3,
+    "rear_anti_roll_bar_stiffness": 1e4,
+    "rear_anti_roll_bar_rate": 5e3,
+    "front_half_track_change": 0.2,
+    "front_longitudinal_change": -0.05,
+    "front_camber_change": -0.4,
+    "front_toe_change": 0.1,
+    "front_carrier_pitch_change": 0.3,
+    "rear_half_track_change": 0.3,
+    "rear_longitudinal_change": 0.1,
+    "rear_camber_change": -0.5,
+    "rear_toe_change": 0.05,
+    "rear_carrier_pitch_change": -0.2,
 }
 """What the reference vehicle does not have."""
 WHOLE_YAML = REFERENCE_YAML + "".join(f"{name}: {value}\n" for name, value in OPTIONAL.items())

@@ -45,7 +45,7 @@ SPEEDS = slice(PLACES.stop, PLACES.stop + TWIST + WHEEL_COUNT)
 SPINS = slice(SPEEDS.stop, SPEEDS.stop + WHEEL_COUNT)
 """Parts of the integrated vector: the engine's positions and velocities, and the wheel spins
 (rad/s)."""
-OTHER_SIDE = (RF, LF, RR, LR)
+OTHER_SIDE = [RF, LF, RR, LR]
 """The wheel on the other side of each wheel's axle."""
 BODY, FIRST_WHEEL = 1, 2
 """Indices of the bodies in the engine."""

@@ -30,8 +30,8 @@ def check_consistency(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...
     _check_anti_roll_bars(vehicle)
     _check_fits_on_its_wheels(vehicle)
     _check_springs_carry_it(vehicle)
-    for axle in AXLES:
-        check_knots(vehicle.travel_curves(axle))
+    for curves in vehicle.travel_curves.values():
+        check_knots(curves)
 
 
 def _check_tires(vehicle: DerivedValues) -> None:

@@ -4,7 +4,6 @@ import functools
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import Curve
 from vehicle_roll_sim.model.equilibrium import (
     axle_load_share,
     static_strut_length,
@@ -37,10 +36,8 @@ TRAVEL_SIGNS = {
 displacements, or rotations of a left wheel about the axes, of frame 1."""
 
 
-def _times(given: Curve, sign: float) -> Curve:
-    """A curve, 0 if not given, times a sign."""
-    if given is None:
-        return 0.0
+def _times(given: float | tuple, sign: float) -> float | tuple:
+    """A curve times a sign."""
     if isinstance(given, tuple):
         return tuple((travel, sign * value) for travel, value in given)
     return sign * float(given)
@@ -174,21 +171,28 @@ class DerivedValues:
         """Height of each wheel centre above the road at rest, in model 2; shape (4,) (m)."""
         return self.static_loaded_radius * np.cos(self.per_wheel("camber"))
 
-    def travel_curves(self, axle: str) -> dict[str, TravelCurve]:
-        """What changes with the travel of an axle's left wheel: HALF_TRACK to CARRIER_PITCH.
+    @functools.cached_property
+    def travel_curves(self) -> dict[str, dict[str, TravelCurve]]:
+        """What changes with the travel of the left wheel of each axle: HALF_TRACK to CARRIER_PITCH.
 
         By the names of the parameters, but with the signs of rotations about the body's axes.
         Without a half-track change the contact point moves at right angles to the line from it to
         the roll centre.
         """
-        wheel = AXLES[axle]
-        curves = {}
-        for name, sign in TRAVEL_SIGNS.items():
-            given = getattr(self, f"{axle}_{name}")
-            if given is None and name == "half_track_change":
-                given = 2 * self.roll_centre_height[wheel] / getattr(self, f"{axle}_track")
-            curves[f"{axle}_{name}"] = TravelCurve(_times(given, sign))
-        return curves
+        return {
+            axle: {
+                f"{axle}_{name}": TravelCurve(_times(self._over_travel(axle, name), sign))
+                for name, sign in TRAVEL_SIGNS.items()
+            }
+            for axle in AXLES
+        }
+
+    def _over_travel(self, axle: str, name: str) -> float | tuple:
+        given = getattr(self, f"{axle}_{name}")
+        if given is not None:
+            return given
+        slope = 2 * self.roll_centre_height[AXLES[axle]] / getattr(self, f"{axle}_track")
+        return slope if name == "half_track_change" else 0.0
 
     def per_wheel(self, name: str) -> np.ndarray:
         """The values of NAME of the front and rear axle at lf, rf, lr, rr; shape (4,).
@@ -253,7 +257,7 @@ class DerivedValues:
         tire_lateral_compliance: 0, as for a contact patch that does not shift.
         """
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
-        of_axles = [tabulated([*self.travel_curves(axle).values()]) for axle in AXLES]
+        of_axles = [tabulated([*curves.values()]) for curves in self.travel_curves.values()]
         knots, origins, curves = zip(*of_axles, strict=True)
         return {
             "x": (front, front, rear, rear),

@@ -1,9 +1,11 @@
 """Curves over wheel travel: from the numbers of a vehicle file to the polynomials of the model.
 
 A table becomes a smooth curve through its points: straight outside them, with continuous first and
-second derivatives, and rising or falling wherever the points do. The natural cubic spline is such a
-curve unless it swings too far. Where it does, the slopes at its knots are limited and their second
-derivatives set to 0, which makes polynomials of fifth degree of the pieces that meet there.
+second derivatives, and rising or falling wherever the points do. Between two points it is the
+polynomial of fifth degree with given slopes and second derivatives at both. The slopes are those of
+a cubic spline through the points, the second derivatives those of a cubic spline through the
+slopes. Where such a curve would turn back between points that do not, its slopes are limited and
+its second derivatives set to 0.
 """
 
 from collections.abc import Sequence
@@ -11,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from vehicle_roll_sim.declaration import Curve, InputError
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.records import COEFFICIENTS, KNOTS
 
 STEEPEST = 2.0
@@ -29,7 +31,7 @@ class TravelCurve:
     given: a number, its change per metre of travel, or pairs of travel (m) and value.
     """
 
-    def __init__(self, given: Curve):
+    def __init__(self, given: float | tuple):
         points = [(0.0, 0.0), (1.0, given)] if isinstance(given, float) else given
         self.knots, values = np.array(points).T
         self._ends = _ends(self.knots, values)
@@ -59,9 +61,9 @@ def _ends(knots: np.ndarray, values: np.ndarray) -> np.ndarray:
     if len(knots) == 2:
         slope = (values[1] - values[0]) / (knots[1] - knots[0])
         return np.column_stack((values, [slope] * 2, [0.0] * 2))
-    spline = CubicSpline(knots, values, bc_type="natural")
-    ends = np.column_stack((values, spline(knots, 1), spline(knots, 2)))
-    ends[[0, -1], 2] = 0.0
+    slopes = CubicSpline(knots, values)(knots, 1)
+    ends = np.column_stack((values, slopes, CubicSpline(knots, slopes)(knots, 1)))
+    ends[[0, -1], 2] = 0.0  # straight outside
     chords = np.diff(values) / np.diff(knots)
     limited = np.zeros(len(knots), bool)
     while (turning := _turning_back(ends, knots, chords) & ~_both(limited)).any():
