@@ -1,9 +1,8 @@
-"""USE_MODE, FE_METHOD, TYRESIDE, and files without combined slip or without a longitudinal force."""
+"""USE_MODE, FE_METHOD, TYRESIDE, and files that lack combined slip or a longitudinal force."""
 
 import math
 
 import pytest
-from pytest import approx
 from tire_texts import BASE, BASE_6_1, changed
 from vehicle_files import line_of, refused
 
@@ -11,7 +10,7 @@ from vehicle_roll_sim.vehicle.tire import curves
 from vehicle_roll_sim.vehicle.tire.keys import COMBINED, LONGITUDINAL
 
 NO_COMBINED = dict.fromkeys(COMBINED, "")
-NO_FX = {name: "" for name in (*LONGITUDINAL, "PDX2", "PEX1", "PKX2", "PKX3")}
+NO_FX = dict.fromkeys((*LONGITUDINAL, "PDX2", "PEX1", "PKX2", "PKX3"), "")
 NO_FX |= {"RBX1": "", "RBX2": "", "RCX1": ""}
 
 
@@ -132,11 +131,13 @@ def test_the_stand_in_for_its_longitudinal_force_is_the_side_force(read, kind):
     c = tire.coefficients
     at = c["FNOMIN"]
     for slip in (0.01, 0.05, 0.2, 0.6):
-        assert curves.curve(c, "X", at, slip) == approx(-curves.curve(c, "Y", at, slip), rel=1e-12)
+        assert curves.curve(c, "X", at, slip) == pytest.approx(
+            -curves.curve(c, "Y", at, slip), rel=1e-12
+        )
     step = 1e-4 * at
     for load in (at - step, at, at + step):
         stiffness = curves.slip_stiffness(c, load)
-        assert stiffness == approx(-curves.cornering_stiffness(c, load), rel=1e-7)
+        assert stiffness == pytest.approx(-curves.cornering_stiffness(c, load), rel=1e-7)
     assert curves.slip_stiffness(c, 3 * at) > 0.0
     assert c["RBX1"] > 0.0
     assert (c["RBY1"], c["RCY1"]) == (7.5, 1.04)

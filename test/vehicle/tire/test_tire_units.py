@@ -3,7 +3,6 @@
 import math
 
 import pytest
-from pytest import approx
 from tire_texts import BASE, BASE_6_1, changed
 from vehicle_files import line_of, refused
 
@@ -19,9 +18,9 @@ FORCES |= {"kg_force": 9.80665, "kpound_force": 4448.2216152605, "dyne": 1e-5}
 def test_lengths_stiffnesses_and_speeds_follow_the_unit_of_length(read, unit):
     metres = LENGTHS[unit]
     c = read(changed({"LENGTH": f"LENGTH = '{unit}'"})).coefficients
-    assert c["UNLOADED_RADIUS"] == approx(0.3 * metres, rel=ROUNDING)
-    assert c["VERTICAL_STIFFNESS"] == approx(190_000 / metres, rel=ROUNDING)
-    assert c["LONGVL"] == approx(15 * metres, rel=ROUNDING)
+    assert c["UNLOADED_RADIUS"] == pytest.approx(0.3 * metres, rel=ROUNDING)
+    assert c["VERTICAL_STIFFNESS"] == pytest.approx(190_000 / metres, rel=ROUNDING)
+    assert c["LONGVL"] == pytest.approx(15 * metres, rel=ROUNDING)
     assert c["FNOMIN"] == 3800.0
 
 
@@ -29,9 +28,9 @@ def test_lengths_stiffnesses_and_speeds_follow_the_unit_of_length(read, unit):
 def test_loads_and_stiffnesses_follow_the_unit_of_force(read, unit):
     newtons = FORCES[unit]
     c = read(changed({"FORCE": f"FORCE = '{unit}'"})).coefficients
-    assert c["FNOMIN"] == approx(3800 * newtons, rel=ROUNDING)
-    assert (c["FZMIN"], c["FZMAX"]) == approx((200 * newtons, 9000 * newtons), rel=ROUNDING)
-    assert c["VERTICAL_STIFFNESS"] == approx(190_000 * newtons, rel=ROUNDING)
+    assert c["FNOMIN"] == pytest.approx(3800 * newtons, rel=ROUNDING)
+    assert (c["FZMIN"], c["FZMAX"]) == pytest.approx((200 * newtons, 9000 * newtons), rel=ROUNDING)
+    assert c["VERTICAL_STIFFNESS"] == pytest.approx(190_000 * newtons, rel=ROUNDING)
     assert (c["PKY1"], c["PDX1"]) == (-18.0, 1.05)  # without dimension
 
 
@@ -45,7 +44,9 @@ def test_of_angles_only_the_ranges_follow_the_unit(read, unit, value, largest):
     }
     c = read(changed(lines)).coefficients
     ranges = [c[name] for name in ("ALPMIN", "ALPMAX", "CAMMIN", "CAMMAX")]
-    assert ranges == approx([-largest * value, largest * value, -5 * value, 6 * value], rel=1e-15)
+    assert ranges == pytest.approx(
+        [-largest * value, largest * value, -5 * value, 6 * value], rel=1e-15
+    )
     assert (c["PHY1"], c["PKY1"]) == (0.002, -18.0)
 
 
@@ -56,10 +57,10 @@ PRESSURES = {"bar": 1e5, "kPa": 1e3, "psi": 6894.757293168361, "pascal": 1.0, "k
 def test_pressures_have_their_unit_or_that_of_force_and_length(read, unit):
     lines = {"TIME": f"TIME = 'sec'\nPRESSURE = '{unit}'", "INFLPRES": "INFLPRES = 2.2"}
     c = read(changed(lines, BASE_6_1)).coefficients
-    assert c["INFLPRES"] == approx(2.2 * PRESSURES[unit], rel=1e-12)
+    assert c["INFLPRES"] == pytest.approx(2.2 * PRESSURES[unit], rel=1e-12)
     lines = {"LENGTH": "LENGTH = 'mm'", "INFLPRES": "INFLPRES = 0.22", "NOMPRES": "NOMPRES = 0.2"}
     c = read(changed(lines, BASE_6_1)).coefficients
-    assert (c["INFLPRES"], c["NOMPRES"]) == approx((220_000, 200_000), rel=1e-12)
+    assert (c["INFLPRES"], c["NOMPRES"]) == pytest.approx((220_000, 200_000), rel=1e-12)
 
 
 def test_a_radius_that_no_tire_has_is_noted(read):

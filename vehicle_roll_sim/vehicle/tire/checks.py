@@ -77,18 +77,13 @@ def check_signs(c: dict[str, float], entries: dict[str, Entry]) -> None:
             raise _pushing_side_force(c, entries["PKY1"], load, stiffness)
         stiffness = curves.slip_stiffness(c, load)
         if not stiffness > 0.0:
-            _, entry = max((c[n] * s, entries[n]) for n, s in _blamed(c, load) if n in entries)
+            entry = entries["PKX1" if c["PKX1"] <= 0.0 or "PKX2" not in entries else "PKX2"]
             problem = f"{entry.text} makes the slip stiffness {stiffness:.0f} N at {load:.0f} N"
-            allowed = "a slip stiffness above 0: brake slip gives brake force" + _limit(entries)
+            allowed = "a slip stiffness above 0, so that brake slip gives brake force; or limit "
+            allowed += "FZMIN to FZMAX to the loads that were fitted"
             raise InputError(entry.where, entry.text, allowed, problem)
         for axis, sign in (("X", 1.0), ("Y", -1.0)):
             _check_curve(c, entries, axis, sign, load)
-
-
-def _blamed(c: dict[str, float], load: float) -> list[tuple[str, float]]:
-    """Terms of the slip stiffness and their signs, so that the most negative has the largest."""
-    dfz = load / curves.nominal_load(c) - 1.0
-    return [("PKX1", -1.0), ("PKX2", -dfz)]
 
 
 def _pushing_side_force(c, entry: Entry, load: float, stiffness: float) -> InputError:
@@ -100,11 +95,6 @@ def _pushing_side_force(c, entry: Entry, load: float, stiffness: float) -> Input
     if c["PKY1"] * c["PKY2"] < 0.0:
         allowed = "a stiffness below 0 at every load of the range; lower FZMAX, or correct PKY2"
     return InputError(entry.where, entry.text, allowed, problem)
-
-
-def _limit(entries: dict[str, Entry]) -> str:
-    """What else helps against a fit that fails at the ends of its range."""
-    return "; or limit FZMIN to FZMAX to loads that were fitted" if "PKX2" in entries else ""
 
 
 def _check_curve(c, entries: dict[str, Entry], axis: str, sign: float, load: float) -> None:

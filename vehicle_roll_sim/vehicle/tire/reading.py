@@ -52,7 +52,7 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
     entries = _known(text.entries)
     mode = mode_of(entries)
     numbers = {
-        name: entries[name].number() * units[KEYS[name].dimension]
+        name: entries[name].number(units[KEYS[name].dimension])
         for name in NUMERIC
         if name in entries
     }

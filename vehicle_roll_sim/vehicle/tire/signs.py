@@ -14,7 +14,7 @@ A tire that is symmetric has none of those that a mirror would turn.
 import re
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.vehicle.tire.curves import cornering_stiffness
+from vehicle_roll_sim.vehicle.tire.curves import cornering_stiffness, nominal_load
 from vehicle_roll_sim.vehicle.tire.text import Entry
 
 KEYS_OF_SIGNS = ("SIGN_CONVENTION", "COORDINATE_SYSTEM", "AXIS_SYSTEM")
@@ -69,7 +69,8 @@ def in_iso(
 ) -> tuple[dict[str, float], list[str]]:
     """The coefficients in ISO signs, and notes; raises InputError for an unknown convention.
 
-    A file that says nothing is taken as ISO.
+    A file that says nothing is taken as ISO. One whose cornering stiffness has the wrong sign in
+    every convention that it may mean is refused for that later.
     """
     name, said, where = _stated(entries, comments)
     if not said:
@@ -78,10 +79,12 @@ def in_iso(
     if meant is None:
         raise InputError(where, name, f"one of ISO, {', '.join(CONVENTIONS)}, ADAMS")
     turned = [(each, _turned(coefficients, CONVENTIONS[each])) for each in meant]
-    for convention, each in turned:
-        if cornering_stiffness(each, each["FNOMIN"] * each["LFZO"]) < 0.0:
-            return each, [f"{said}: converted from {convention} to ISO signs"]
-    return coefficients, [] if meant else [f"{said}: as the format has it"]
+    if not turned:
+        return coefficients, [f"{said}: as the format has it"]
+    at = nominal_load(coefficients)
+    right = [pair for pair in turned if cornering_stiffness(pair[1], at) < 0.0]
+    convention, converted = (right or turned)[0]
+    return converted, [f"{said}: converted from {convention} to ISO signs"]
 
 
 def _stated(entries: dict[str, Entry], comments: list[str]) -> tuple[str, str, str]:

@@ -20,6 +20,8 @@ BLOCK = re.compile(rf"\s*\(\s*(?P<name>\w+)\s*\)\s*({COMMENT}.*)?$")
 """The head of a sub-block of the TeimOrbit format, such as (COMMENTS)."""
 FORTRAN_EXPONENT = re.compile(r"(?<=[\d.])[dD](?=[-+]?\d)")
 UNITS = "UNITS"
+LARGEST = 1e15
+"""Smallest magnitude that is no coefficient in any unit."""
 
 
 class Entry(NamedTuple):
@@ -41,14 +43,15 @@ class Entry(NamedTuple):
         """Key, value and line, for notes."""
         return f"{self.key} = {self.text} (line {self.line})"
 
-    def number(self) -> float:
-        """The value as a finite number; raises InputError."""
+    def number(self, unit: float = 1.0) -> float:
+        """The value in SI units as a finite number; raises InputError."""
         try:
-            number = _number_in(self.text)
+            number = _number_in(self.text) * unit
         except ValueError:
             number = float("nan")
-        if not abs(number) < float("inf"):
-            raise InputError(self.where, self.text, "a finite number; $ or ! begins a comment")
+        if not abs(number) < LARGEST:
+            allowed = f"a finite number below {LARGEST:g}; $ or ! begins a comment"
+            raise InputError(self.where, self.text, allowed)
         return number
 
 
