@@ -13,6 +13,7 @@ from tire_texts import BASE, BASE_6_1, changed
 from vehicle_files import line_of, refused
 
 from vehicle_roll_sim import load_tire
+from vehicle_roll_sim.vehicle.tire import curves
 from vehicle_roll_sim.vehicle.tire.signs import ASYMMETRIC, CONVENTIONS
 
 DATA = Path(magic_formula.__file__).parents[1] / "tire" / "data"
@@ -92,24 +93,43 @@ def test_two_negative_factors_of_the_cornering_stiffness_make_a_right_one(read):
     assert tire.coefficients["PKY2"] == -1.8
 
 
-@pytest.mark.parametrize(
-    ("lines", "key"),
-    [
-        ({"PKX1": "PKX1 = -21"}, "PKX1"),
-        ({"PKX1": "PKX1 = 0"}, "PKX1"),
-        ({"PKX2": "PKX2 = 30"}, "PKX2"),
-        ({"PKX2": "PKX2 = -20"}, "PKX2"),
-    ],
-)
-def test_a_brake_force_that_pushes_with_the_slip_is_refused(read, lines, key):
-    text = changed(lines)
-    with refused(line_of(text, key), key, "slip stiffness", "FZMIN to FZMAX"):
+@pytest.mark.parametrize("value", [-21, 0])
+def test_a_brake_force_that_pushes_with_the_slip_is_refused(read, value):
+    text = changed({"PKX1": f"PKX1 = {value}"})
+    with refused(line_of(text, "PKX1"), "PKX1", "slip stiffness", "brake slip"):
         read(text)
 
 
-def test_a_fit_that_fails_beyond_its_range_is_none_of_our_business(read):
-    text = changed({"PKX2": "PKX2 = -20", "FZMAX": "FZMAX = 7000"})
-    assert read(text).coefficients["PKX2"] == -20.0
+@pytest.mark.parametrize(
+    ("start", "lines", "low", "high"),
+    [
+        (BASE, {"PKX2": "PKX2 = -20"}, 200, 7750),  # (1 + 21 / 20) FNOMIN = 7790
+        (BASE, {"PKX2": "PKX2 = 30"}, 1150, 9000),  # (1 - 21 / 30) FNOMIN = 1140
+        (BASE, {"LFZO": "LFZO = 0.37", "PKX2": "PKX2 = -5"}, 200, 7300),  # 5.2 LFZO FNOMIN = 7311
+        (BASE_6_1, {"PKX2": "PKX2 = -20", "FZMAX": ""}, 380, 7750),
+    ],
+)
+def test_a_fit_that_fails_at_the_ends_of_its_range_is_read_for_the_rest(
+    read, start, lines, low, high
+):
+    """With a warning; a load beyond the range is reported when it occurs."""
+    tire = read(changed(lines, start))
+    c = tire.coefficients
+    step = (9000 if "FZMAX" not in lines else 3 * 3800) / 40
+    assert (max(c["FZMIN"], low), c["FZMAX"]) == pytest.approx((low, high), abs=step)
+    for load in (max(c["FZMIN"], low), c["FZMAX"]):
+        assert curves.slip_stiffness(c, load) > 0.0
+    assert any("warning: FZM" in note and "PKX2" in note for note in tire.notes)
+
+
+def test_a_fit_that_fails_beyond_its_range_is_read_as_it_is(read):
+    tire = read(changed({"PKX2": "PKX2 = -20", "FZMAX": "FZMAX = 7000"}))
+    assert tire.coefficients["FZMAX"] == 7000.0
+    assert not any("warning" in note for note in tire.notes)
+
+
+def test_a_nominal_load_beyond_the_range_is_no_fault(read):
+    assert read(changed({"FZMAX": "FZMAX = 2000"})).coefficients["FZMAX"] == 2000.0
 
 
 @pytest.mark.parametrize(("key", "value"), [("PCX1", 3.4), ("PCY1", 3.2), ("PCY1", -3.2)])

@@ -1,10 +1,9 @@
-"""What a tire must satisfy before it is used: it has forces, and they resist slip."""
-
-import math
+"""What a tire file must have, and warnings of what it seldom means."""
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.vehicle.tire import curves
 from vehicle_roll_sim.vehicle.tire.keys import COMBINED, RANGES, REQUIRED
+from vehicle_roll_sim.vehicle.tire.resistance import loads_of
 from vehicle_roll_sim.vehicle.tire.text import Entry
 from vehicle_roll_sim.vehicle.tire.version import FITTYP, FORMAT
 
@@ -18,10 +17,6 @@ NO_COMBINED = (
     "give the coefficients of combined slip; RBX1 = RCX1 = RBY1 = RCY1 = 0, or USE_MODE = 3 in "
     "[MODEL], switches it off"
 )
-LOWEST_LOAD, HIGHEST_LOAD, LOAD_COUNT = 0.1, 3.0, 7
-"""Loads at which a tire is asked: over the nominal load, where its range does not say."""
-SLIPS = (0.002, 0.02, 0.1, 0.3, 1.0, 1.5)
-"""Slip ratios, and slip angles in radians, of either sign, within the range of the file."""
 
 
 def check_complete(path, numbers: dict[str, float], optional: tuple, version) -> None:
@@ -54,63 +49,6 @@ def check_numbers(c: dict[str, float], entries: dict[str, Entry]) -> None:
         if not low < high:
             given = entries[lowest] if lowest in entries else entries[highest]
             raise InputError(given.where, f"{low:g} to {high:g}", f"{lowest} below {highest}")
-
-
-def loads_of(c: dict[str, float]) -> list[float]:
-    """Loads from the lowest to the highest of a file's range, and the nominal one (N)."""
-    nominal = curves.nominal_load(c)
-    low = max(c["FZMIN"], LOWEST_LOAD * nominal)
-    high = c["FZMAX"] if math.isfinite(c["FZMAX"]) else HIGHEST_LOAD * nominal
-    low = min(low, high)
-    steps = [low + (high - low) * i / (LOAD_COUNT - 1) for i in range(LOAD_COUNT)]
-    return [nominal, *(load for load in steps if load > 0.0)]
-
-
-def check_signs(c: dict[str, float], entries: dict[str, Entry]) -> None:
-    """Raise InputError for a side force or brake force that pushes with the slip.
-
-    Asked at no inclination, within the file's range of loads and slips.
-    """
-    for load in loads_of(c):
-        stiffness = curves.cornering_stiffness(c, load)
-        if not stiffness < 0.0:
-            raise _pushing_side_force(c, entries["PKY1"], load, stiffness)
-        stiffness = curves.slip_stiffness(c, load)
-        if not stiffness > 0.0:
-            entry = entries["PKX1" if c["PKX1"] <= 0.0 or "PKX2" not in entries else "PKX2"]
-            problem = f"{entry.text} makes the slip stiffness {stiffness:.0f} N at {load:.0f} N"
-            allowed = "a slip stiffness above 0, so that brake slip gives brake force; or limit "
-            allowed += "FZMIN to FZMAX to the loads that were fitted"
-            raise InputError(entry.where, entry.text, allowed, problem)
-        for axis, sign in (("X", 1.0), ("Y", -1.0)):
-            _check_curve(c, entries, axis, sign, load)
-
-
-def _pushing_side_force(c, entry: Entry, load: float, stiffness: float) -> InputError:
-    problem = f"{entry.text} makes the cornering stiffness {stiffness:.0f} N/rad at {load:.0f} N"
-    allowed = (
-        "a stiffness below 0, as ISO axes (TYDEX W) have it; for a fit in other axes write "
-        "SIGN_CONVENTION = 'ADAPTED_SAE' (or SAE, ADAPTED_ISO) in [MODEL], and it is converted"
-    )
-    if c["PKY1"] * c["PKY2"] < 0.0:
-        allowed = "a stiffness below 0 at every load of the range; lower FZMAX, or correct PKY2"
-    return InputError(entry.where, entry.text, allowed, problem)
-
-
-def _check_curve(c, entries: dict[str, Entry], axis: str, sign: float, load: float) -> None:
-    """Raise InputError if the curve of pure slip changes its sign within the range of slip."""
-    low, high = ("KPUMIN", "KPUMAX") if axis == "X" else ("ALPMIN", "ALPMAX")
-    for slip in (s * way for s in SLIPS for way in (-1.0, 1.0)):
-        if not c[low] <= slip <= c[high]:
-            continue
-        force = sign * curves.curve(c, axis, load, slip)
-        if force * slip < 0.0:
-            entry = entries.get(f"PC{axis}1", entries["PCY1"])
-            problem = (
-                f"{entry.text} reverses F{axis.lower()} at a slip of {slip:g} and {load:.0f} N"
-            )
-            allowed = "a shape factor of at most 2, with which the force resists slip"
-            raise InputError(entry.where, entry.text, allowed, problem)
 
 
 def warnings_of(c: dict[str, float], entries: dict[str, Entry], combined: bool) -> list[str]:

@@ -4,12 +4,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.vehicle.tire.checks import (
-    check_complete,
-    check_numbers,
-    check_signs,
-    warnings_of,
-)
+from vehicle_roll_sim.vehicle.tire.checks import check_complete, check_numbers, warnings_of
 from vehicle_roll_sim.vehicle.tire.idle_keys import TURN_SLIP
 from vehicle_roll_sim.vehicle.tire.keys import (
     COEFFICIENTS,
@@ -21,6 +16,7 @@ from vehicle_roll_sim.vehicle.tire.keys import (
 )
 from vehicle_roll_sim.vehicle.tire.lateral_only import FROM_LATERAL, WITH_Y, stand_in
 from vehicle_roll_sim.vehicle.tire.pac2002_pressure import without_pressure
+from vehicle_roll_sim.vehicle.tire.resistance import within_resistance
 from vehicle_roll_sim.vehicle.tire.signs import in_iso, made_symmetric
 from vehicle_roll_sim.vehicle.tire.text import UNITS, Entry, first_of_each, read
 from vehicle_roll_sim.vehicle.tire.units import factors
@@ -68,14 +64,14 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
         coefficients, replaced = stand_in(coefficients, mode.combined)
     side, about_side = side_of(entries, mode.mirrored)
     coefficients, converted = in_iso(coefficients, entries, text.comments)
-    check_signs(coefficients, entries)
+    coefficients, cut = within_resistance(coefficients, entries)
     if side == "symmetric":
         coefficients, symmetric = made_symmetric(coefficients)
         about_side = [*about_side, *symmetric]
     decided = [version.reason, *dropped, *converted, *about_side, *mode.notes, *replaced]
     warned = warnings_of(coefficients, entries, mode.combined)
-    notes = (*decided, *_turn_slip(entries), *notes, *warned)
-    return TireData(coefficients, side, version.name, mode.combined, notes)
+    told = (*decided, *_turn_slip(entries), *notes, *cut, *warned)
+    return TireData(coefficients, side, version.name, mode.combined, told)
 
 
 def _known(entries: list[Entry]) -> dict[str, Entry]:
