@@ -39,9 +39,9 @@ def slalom_start(options: Options, step: float = 1e-3) -> Simulation:
 @kernel
 def evaluate(states, commands, plant, outputs, rates):
     """Evaluate the derivatives at each state with its command; `rates` keeps those of the last."""
-    vehicle, tire, options = plant[0][0], plant[1][0], plant[2][0]
+    vehicle, tires, options = plant[0][0], plant[1], plant[2][0]
     for k in range(len(states)):
-        derivatives(states[k], commands[k], vehicle, tire, options, outputs[0], rates)
+        derivatives(states[k], commands[k], vehicle, tires, options, outputs[0], rates)
 
 
 def repeated(call, repetitions: int, prepare=lambda: None) -> np.ndarray:

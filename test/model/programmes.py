@@ -78,7 +78,7 @@ class Evaluation:
 
     def __init__(self, vehicle: Vehicle, options: Options = SOURCE, road: Road = LEVEL):
         plant = Plant.of(vehicle, options, road)
-        self._plant = tuple(record for (record,) in plant.arguments())
+        self._plant = plant.parts()
         self._outputs = np.zeros(1, OUTPUTS)
         self.outputs = self._outputs[0]
 

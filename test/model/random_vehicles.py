@@ -10,7 +10,7 @@ from programmes import SHIFTS, with_tire
 from vehicle_roll_sim import InputError, Options, Tire, Vehicle, preset
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.model.records import COMMAND
-from vehicle_roll_sim.model.tire.magic_formula import RANGES
+from vehicle_roll_sim.model.tire.coefficients import RANGES
 from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS, SYMMETRIC
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import GRAVITY

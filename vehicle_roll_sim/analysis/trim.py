@@ -100,7 +100,7 @@ class LevelRoadModel:
         self.vehicle, self.options = vehicle, options
         plant = Plant.of(vehicle, options)
         self.record = plant.vehicle
-        self._plant = tuple(record for (record,) in plant.arguments())
+        self._plant = plant.parts()
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))

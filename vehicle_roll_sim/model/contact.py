@@ -3,7 +3,7 @@
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.frames import yawed_to_body
-from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
+from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.model.tire.transient_slip import transient_slip
 from vehicle_roll_sim.model.tire.upright import upright_contact
@@ -40,15 +40,16 @@ def steer(command, outputs):
 
 
 @kernel
-def wheel_motion(state, tire, outputs):
+def wheel_motion(state, tires, outputs):
     """Velocity of every contact point along and across its wheel, and of the tread (m/s)."""
     spin = state[at.WHEEL_SPEED]
     for i in range(WHEEL_COUNT):
         ug, vg = outputs.contact_u[i], outputs.contact_v[i]
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         outputs.rolling[i], outputs.sliding[i] = ug * c + vg * s, vg * c - ug * s
-        outputs.tread[i] = outputs.loaded_radius[i] * spin[i]
-        outputs.side[i] = tire.side[i]
+        outputs.inclination[i], outputs.rolling_radius[i] = 0.0, outputs.loaded_radius[i]
+        outputs.tread[i] = outputs.rolling_radius[i] * spin[i]
+        outputs.side[i] = tires[FRONT if i < LR else REAR].side[i]
 
 
 @kernel
@@ -105,14 +106,14 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 
 
 @kernel
-def contact_forces(state, vehicle, tire, options, outputs):
+def contact_forces(state, vehicle, tires, options, outputs):
     """Transient or steady-state slip, and contact forces in frame 2 (N; eqs 3-6)."""
-    wheel_motion(state, tire, outputs)
+    wheel_motion(state, tires, outputs)
     if options.steady_state_slip:
         steady_state_slip(outputs)
     else:
-        transient_slip(state, vehicle, tire, outputs)
-    tire_forces(tire, outputs)
+        transient_slip(state, vehicle, tires, outputs)
+    tire_forces(tires, outputs)
     for i in range(WHEEL_COUNT):
         fx, fy = outputs.tire_longitudinal[i], outputs.tire_lateral[i]
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]

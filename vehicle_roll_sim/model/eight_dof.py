@@ -31,13 +31,13 @@ AGREEMENT = 1e-12
 
 
 @kernel
-def eight_dof_derivatives(state, command, vehicle, tire, options, outputs, rates):
+def eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rates):
     """Rates of the states of this model, and all intermediate quantities; see `derivatives`."""
     heading = heading_of(state[at.YAW])
     steer(command, outputs)
     contact_velocities(state, vehicle, outputs)
     slope_gravity_on_yawed_axes(heading, vehicle, outputs)
-    accelerate(state, command, vehicle, tire, options, outputs)
+    accelerate(state, command, vehicle, tires, options, outputs)
     rates[at.X], rates[at.Y] = yawed_to_ground(heading, state[at.U], state[at.V])
     rates[at.YAW], rates[at.ROLL] = state[at.YAW_RATE], state[at.ROLL_RATE]
     q = outputs.body_acceleration
@@ -57,7 +57,7 @@ def contact_velocities(state, vehicle, outputs):
 
 
 @kernel
-def accelerate(state, command, vehicle, tire, options, outputs):
+def accelerate(state, command, vehicle, tires, options, outputs):
     """Solve for consistent normal loads, tire forces and accelerations (eqs 77-87).
 
     Broyden's method in ax and ay; its first step is a fixed-point iteration. On a grade or bank, ax
@@ -70,7 +70,7 @@ def accelerate(state, command, vehicle, tire, options, outputs):
     slopes = (-1.0, 0.0, 0.0, -1.0)
     for _ in range(MOST_ITERATIONS):
         tire_loads(state, command, ax, ay, vehicle, options, outputs)
-        contact_forces(state, vehicle, tire, options, outputs)
+        contact_forces(state, vehicle, tires, options, outputs)
         x_gap = longitudinal_acceleration(state, vehicle, outputs) - ax
         y_gap = lateral_acceleration(state, command, vehicle, options, outputs) - ay
         if abs(x_gap) + abs(y_gap) <= AGREEMENT * (1.0 + abs(ax) + abs(ay)):

@@ -32,7 +32,7 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 
 
 @kernel
-def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, rates):
+def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, rates):
     """Rates of all states, and all intermediate quantities; see `derivatives`."""
     roll, pitch = state[at.ROLL], state[at.PITCH]
     heading, exact = heading_of(state[at.YAW]), attitude_of(roll, pitch)
@@ -42,7 +42,7 @@ def fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, ra
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
-    contact_forces(state, vehicle, tire, options, outputs)
+    contact_forces(state, vehicle, tires, options, outputs)
     contact_forces_on_body_axes(options, attitude, outputs)
     strut_forces(state, command, vehicle, outputs)
     applied_link_forces(state, vehicle, options, attitude, outputs)

@@ -12,6 +12,9 @@ from vehicle_roll_sim.model.compiled.jit import constants
 WHEELS = ("lf", "rf", "lr", "rr")
 WHEEL_COUNT = len(WHEELS)
 LF, RF, LR, RR = range(WHEEL_COUNT)
+AXLE_COUNT = 2
+FRONT, REAR = range(AXLE_COUNT)
+"""Indices of the axles."""
 DEGREES_OF_ACCELERATION = 6
 DU, DV, DW, DWX, DWY, DWZ = range(DEGREES_OF_ACCELERATION)
 """Indices of the derivatives of u, v, w and of the body rates among the accelerations."""
@@ -20,7 +23,7 @@ DU, DV, DW, DWX, DWY, DWZ = range(DEGREES_OF_ACCELERATION)
 def record_dtype(*fields) -> np.dtype:
     """A structured dtype of float64 fields, whose elements have their fields as attributes.
 
-    fields: names (scalars), or pairs (name, shape) or (name, type).
+    fields: names (scalars), or pairs (name, shape) or (name, type), which may be another dtype.
     """
     return np.dtype((np.record, [_field(field) for field in fields]))
 
@@ -29,7 +32,7 @@ def _field(field):
     if isinstance(field, str):
         return (field, np.float64)
     name, kind = field
-    return (name, kind) if isinstance(kind, type) else (name, np.float64, kind)
+    return (name, kind) if isinstance(kind, (type, np.dtype)) else (name, np.float64, kind)
 
 
 def per_wheel(*names: str) -> tuple:
@@ -149,18 +152,31 @@ OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 CURVES = (
     *("longitudinal", "lateral", "longitudinal_weight", "lateral_weight"),
     *("longitudinal_at_shift", "lateral_at_shift", "ply_steer"),
+    *("upright_lateral", "trail"),
 )
 """The curves of a tire: forces at pure slip and their weighting functions; the weighting functions
-at their shifts and the curve of slip-induced ply-steer are 0 for many tires."""
-CURVE_COUNT, MAIN_CURVES = len(CURVES), 4
+at their shifts and the curve of slip-induced ply-steer, which are 0 for many tires; and those of
+the aligning moment."""
+CURVE_COUNT, FORCE_CURVES, MAIN_CURVES = len(CURVES), 7, 4
 LONGITUDINAL, LATERAL, LONGITUDINAL_WEIGHT, LATERAL_WEIGHT = range(MAIN_CURVES)
-LONGITUDINAL_AT_SHIFT, LATERAL_AT_SHIFT, PLY_STEER = range(MAIN_CURVES, CURVE_COUNT)
+LONGITUDINAL_AT_SHIFT, LATERAL_AT_SHIFT, PLY_STEER = range(MAIN_CURVES, FORCE_CURVES)
+UPRIGHT_LATERAL, TRAIL = range(FORCE_CURVES, CURVE_COUNT)
 
 
 def per_curve(*names: str) -> tuple:
     """Fields with one value per curve and wheel; the wheels of a curve are adjacent."""
     return tuple((name, CURVE_COUNT * WHEEL_COUNT) for name in names)
 
+
+TIRE_TERMS = record_dtype(
+    *per_wheel("relative_load", "stiffening", "load_power"),
+    *per_wheel("longitudinal_peak", "lateral_peak", "longitudinal_shift", "lateral_shift"),
+    *per_wheel("slip_stiffness", "cornering_stiffness", "lateral_slip_shift", "ply_steer"),
+    *per_wheel("upright_peak", "upright_shift", "trail_peak", "residual"),
+    *per_curve("curve_slip", "curve_stiffness", "curve_shape", "curve_curvature"),
+    *per_curve("curve_bend", "curve_angle", "curve_sine"),
+)
+"""Work space of model/tire; explained where it is written."""
 
 OUTPUTS = record_dtype(
     *per_wheel("normal_force", "longitudinal_force", "lateral_force", "support"),
@@ -172,12 +188,11 @@ OUTPUTS = record_dtype(
     *per_wheel("strut_length", "loaded_radius", "unsprung_u", "unsprung_v"),
     *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
+    *per_wheel("overturning_moment", "rolling_resistance_moment", "aligning_moment"),
+    *per_wheel("inclination", "rolling_radius"),
     *per_wheel("steering_sine", "steering_cosine", "rolling", "sliding", "tread", "side"),
-    *per_wheel("patch_slip_ratio", "patch_slip_tangent", "slip_tangent", "stiffening"),
-    *per_wheel("longitudinal_peak", "lateral_peak", "longitudinal_shift", "lateral_shift"),
-    *per_wheel("ply_steer"),
-    *per_curve("curve_slip", "curve_stiffness", "curve_shape", "curve_curvature"),
-    *per_curve("curve_bend", "curve_angle", "curve_sine"),
+    *per_wheel("patch_slip_ratio", "patch_slip_tangent", "slip_tangent"),
+    ("tire_terms", TIRE_TERMS),
     *per_wheel("contact_x", "contact_y", "strut_force", "link_load_transfer"),
     *per_wheel("applied_x", "applied_y", "link_x", "link_y"),
     ("body_acceleration", DEGREES_OF_ACCELERATION),

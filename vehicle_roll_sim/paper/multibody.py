@@ -23,7 +23,7 @@ from vehicle_roll_sim.model.integration.events import (
     note_peaks,
     note_rollover,
 )
-from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
+from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.simulation.options import MULTIBODY
 from vehicle_roll_sim.simulation.simulation import (
@@ -79,8 +79,9 @@ class Multibody(Simulation):
         step: float = DEFAULT_STEP,
         rollover_angle: float = DEFAULT_ROLLOVER_ANGLE,
     ):
-        (car,), (self._tire,) = vehicle.record(), kernel_argument(vehicle.tire.record())
+        (car,), self._tires = vehicle.record(), kernel_argument(vehicle.tires())
         self._car = SimpleNamespace(**{name: car[name] for name in car.dtype.names})
+        self._side = np.concatenate((self._tires[FRONT].side[:LR], self._tires[REAR].side[LR:]))
         self._engine = engine_model(car)
         self._data = mujoco.MjData(self._engine)
         self._rotation = self._data.xmat[BODY].reshape(3, 3)
@@ -132,7 +133,7 @@ class Multibody(Simulation):
         (events,), limit = kernel_argument(self._events), self._limits[0]["rollover_angle"]
         note_lift_offs(start, step, self.outputs["support"], events)
         note_rollover(start, step, roll_before, self.state["roll"], limit, events)
-        note_peaks(self.time, self.state_vector, self._tire, self.outputs, events)
+        note_peaks(self.time, self.state_vector, self._tires, self.outputs, events)
         return slope
 
     def coordinates(self) -> np.ndarray:
@@ -215,9 +216,9 @@ class Multibody(Simulation):
         s, c = np.sin(outputs["steering"]), np.cos(outputs["steering"])
         ug, vg = velocities[:, 0], velocities[:, 1]
         outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
-        outputs["tread"], outputs["side"] = radius * spins, self._tire.side
+        outputs["tread"], outputs["side"] = radius * spins, self._side
         steady_state_slip(seen)
-        tire_forces(self._tire, seen)
+        tire_forces(self._tires, seen)
         along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
         outputs["longitudinal_force"] = ahead = along * c - across * s  # (3)
         outputs["lateral_force"] = left = across * c + along * s  # (4)

@@ -12,13 +12,14 @@ from vehicle_roll_sim.vehicle.plausibility import plausibility, warn
 
 
 class Plant(NamedTuple):
-    """The records of one simulated vehicle, each alone in an array of shape (1,).
+    """The records of one simulated vehicle, in arrays of shape (1,), tires (2,).
 
-    vehicle: VEHICLE, with the gravity of its road. tire: TIRE. options: OPTIONS.
+    vehicle: VEHICLE, with the gravity of its road. tires: TIRE, of front and rear axle. options:
+    OPTIONS.
     """
 
     vehicle: np.ndarray
-    tire: np.ndarray
+    tires: np.ndarray
     options: np.ndarray
 
     @classmethod
@@ -32,7 +33,12 @@ class Plant(NamedTuple):
         if road:
             gravity = road.gravity(GRAVITY)
             record["gravity"], record["gravity_along"], record["gravity_across"] = gravity
-        return cls(record, vehicle.tire.record(), options.record())
+        return cls(record, vehicle.tires(), options.record())
+
+    def parts(self) -> tuple:
+        """Vehicle, tires and options in the form in which `derivatives` takes them."""
+        (vehicle,), tires, (options,) = self.arguments()
+        return vehicle, tires, options
 
     def arguments(self, *others: np.ndarray) -> tuple:
         """The records, and `others` after them, in the form in which kernels take them."""

@@ -22,6 +22,7 @@ from vehicle_roll_sim.model.equilibrium import (
 )
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.model.records import LF, LR, VEHICLE
+from vehicle_roll_sim.model.tire.coefficients import on_axles
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 GRAVITY = 9.81
@@ -248,6 +249,10 @@ class Vehicle:
             else:
                 vehicle[name] = self.per_wheel(name)
         return vehicle
+
+    def tires(self) -> np.ndarray:
+        """The tires of front and rear axle as input to the equations: TIRE records, shape (2,)."""
+        return on_axles(self.tire.record(), self.tire.record())
 
     def _placement(self) -> dict:
         """Where the wheels are in the plane of the c.g. (m), and gravity (m/s^2)."""

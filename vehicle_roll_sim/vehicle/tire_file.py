@@ -6,13 +6,11 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_of, unknown_name
-from vehicle_roll_sim.model.records import LF, LR, RF, RR
-from vehicle_roll_sim.model.tire.magic_formula import TIRE
 from vehicle_roll_sim.vehicle.tire.keys import ALL, KEYS, SIMULATED, defaults, is_neutral
 from vehicle_roll_sim.vehicle.tire.reading import tire_data
+from vehicle_roll_sim.vehicle.tire_record import MIRRORED, tire_record
 
-SIDES = {"left": (RF, RR), "right": (LF, LR), "symmetric": ()}
-"""Wheels at which a tire measured on the given side is mirrored."""
+SIDES = tuple(MIRRORED)
 DEFAULTS = defaults()
 """Values of coefficients that a tire does not give, with which their terms vanish."""
 
@@ -53,15 +51,14 @@ class Tire:
                 raise InputError(name, value, allowed)
         object.__setattr__(self, "coefficients", DEFAULTS | numbers)
 
-    def record(self) -> np.ndarray:
-        """The tire as input to the equations: an array of one TIRE record, shape (1,)."""
-        tire = np.zeros(1, TIRE)
-        for name, value in self.coefficients.items():
-            if name in TIRE.names:
-                tire[name] = value
-        tire["side"] = 1.0
-        tire["side"][0, list(SIDES[self.side])] = -1.0
-        return tire
+    def record(self, pressure: float | None = None, moments: bool = False) -> np.ndarray:
+        """The tire as input to the equations: an array of one TIRE record, shape (1,).
+
+        pressure: inflation pressure (Pa); None: that of the file, else the nominal one. moments:
+        whether moments are computed.
+        """
+        given = (self.coefficients, self.version, self.side, pressure)
+        return tire_record(*given, combined=self.combined, moments=moments)
 
     def with_coefficients(self, **values: float) -> "Tire":
         """A copy with some coefficients replaced."""

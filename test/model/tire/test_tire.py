@@ -10,7 +10,8 @@ from programmes import SHIFTS, with_tire
 
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import LF, OUTPUTS
-from vehicle_roll_sim.model.tire.magic_formula import OPTIONAL, REQUIRED, SCALING, tire_forces
+from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, REQUIRED, SCALING, on_axles
+from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 
 LEFT, RIGHT = 1.0, -1.0
 LOADS = (500.0, 2000.0, 6000.0, 12_000.0)
@@ -25,7 +26,8 @@ def forces_of(tire, kappa: float, alpha: float, load: float, side: float = LEFT)
     outputs = np.zeros(1, OUTPUTS)
     outputs["slip_ratio"], outputs["slip_tangent"] = kappa, math.tan(alpha)
     outputs["normal_force"], outputs["side"] = load, side
-    tire_forces(kernel_argument(tire.record())[0], kernel_argument(outputs)[0])
+    tires = on_axles(tire.record(), tire.record())
+    tire_forces(kernel_argument(tires), kernel_argument(outputs)[0])
     return outputs[0]["tire_longitudinal"][LF], outputs[0]["tire_lateral"][LF]
 
 

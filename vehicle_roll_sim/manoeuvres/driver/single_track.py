@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
-from vehicle_roll_sim.model.records import LF, LR, OUTPUTS
+from vehicle_roll_sim.model.records import FRONT, LF, LR, OUTPUTS, REAR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -53,14 +53,15 @@ class SingleTrack:
 
 def cornering_stiffnesses(vehicle: Vehicle) -> np.ndarray:
     """Cornering stiffnesses (2,) of the front and rear axle, both tires, at static load (N/rad)."""
-    tire = vehicle.tire.record()
+    tires, side = vehicle.tires(), np.ones(WHEEL_COUNT)
+    side[:LR], side[LR:] = tires[FRONT]["side"][:LR], tires[REAR]["side"][LR:]
     loads = vehicle.static_tire_compression * vehicle.per_wheel("tire_stiffness")
     forces = []
     for slip in (-SMALL_SLIP, SMALL_SLIP):
         outputs = np.zeros(1, OUTPUTS)
-        outputs["side"], outputs["normal_force"] = tire["side"], loads
+        outputs["side"], outputs["normal_force"] = side, loads
         outputs["slip_tangent"] = slip
-        tire_forces(kernel_argument(tire)[0], kernel_argument(outputs)[0])
+        tire_forces(kernel_argument(tires), kernel_argument(outputs)[0])
         forces.append(outputs["tire_lateral"][0])
     slopes = (forces[0] - forces[1]) / (2 * SMALL_SLIP)
     return np.array([slopes[:LR].sum(), slopes[LR:].sum()])

@@ -94,6 +94,17 @@ def cosine(x):
 
 
 @term
+def squared_tangent(x):
+    """tan^2 x (x in rad), from the sine of half of what x is beyond a multiple of pi."""
+    half_turns = nearest(x * HALF_TURNS)
+    rest = (x - half_turns * PI) - half_turns * PI_REST
+    half = sine_within_half_turn(0.5 * rest)
+    square = half * half
+    cosine = 1.0 - 2.0 * square
+    return 4.0 * square * (1.0 - square) / (cosine * cosine)
+
+
+@term
 def cosine_of_arctan(x):
     """cos(atan x)."""
     return 1.0 / square_root(1.0 + x * x)

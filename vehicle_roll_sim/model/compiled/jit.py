@@ -133,20 +133,19 @@ def silently():
 
 
 def kernel_argument(records: np.ndarray):
-    """The form in which kernels take `records`, a one-element array of a structured dtype.
+    """The form in which kernels take `records`, an array of a structured dtype, shape (n,).
 
-    Compiled code takes the array itself. Plain Python gets an object with the same fields, which is
-    some twenty times faster to read than a numpy record. Its arrays share memory with `records`,
-    its scalars are copies; kernels therefore write to array fields only.
+    Compiled code takes the array itself. Plain Python gets a tuple of objects with the same fields,
+    which are some twenty times faster to read than numpy records. Their arrays share memory with
+    `records`, their scalars are copies; kernels therefore write to array fields only.
     """
-    if COMPILED:
-        return records
-    record = records[0]
-    fields = {name: record[name] for name in records.dtype.names}
-    return (SimpleNamespace(**{name: _plain(value) for name, value in fields.items()}),)
+    return records if COMPILED else tuple(_plain(record) for record in records)
 
 
 def _plain(value):
+    """A record with its fields as attributes, an array, or a number."""
+    if value.dtype.names:
+        return SimpleNamespace(**{name: _plain(value[name]) for name in value.dtype.names})
     return value if isinstance(value, np.ndarray) else value.item()
 
 

@@ -33,8 +33,8 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
 
     state: flat vector laid out as STATE, changed in place. commands: 2 * steps + 1 records, for the
     beginning, the middle and the end of each step, or a single one that is held. start_ns, step_ns:
-    simulated time and step (ns). plant: vehicle, tire, options, limits and a zero command; these,
-    outputs and events are one-element arrays of records. stages: work space.
+    simulated time and step (ns). plant: vehicle, the tires of both axles, options, limits and a
+    zero command, in arrays of records, as are outputs and events. stages: work space.
 
     If the initial state is implausible or has a non-finite rate, no step is taken; a step that
     leads to such a state is undone. The culprit is the index of the state concerned, else -1. An
@@ -42,10 +42,10 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     `stages`. At the end `outputs` correspond to the final state and the last command or, after
     divergence, which the command may have caused, to the zero command.
     """
-    vehicle, tire, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
+    vehicle, tires, options, limits = plant[0][0], plant[1], plant[2][0], plant[3][0]
     idle = plant[4][0]
     out, seen = outputs[0], events[0]
-    car = (vehicle, tire, options, out)
+    car = (vehicle, tires, options, out)
     stride = 0 if len(commands) == 1 else 1
     step = step_ns / NANOSECONDS
     taken, condition = 0, Condition.RUNNING
@@ -54,13 +54,13 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         copy(stages[KEPT], state)
         return taken, Condition.DIVERGED, culprit
     note_turning(state, out)
-    derivatives(state, commands[0], vehicle, tire, options, out, stages[K1])
+    derivatives(state, commands[0], vehicle, tires, options, out, stages[K1])
     culprit = without_rate(stages[K1], limits.largest)
     if culprit < 0:
         note_lift_offs(start_ns / NANOSECONDS, 0.0, out.support, seen)
     while taken < steps and culprit < 0 and condition == Condition.RUNNING:
         time = (start_ns + taken * step_ns) / NANOSECONDS
-        note_peaks(time, state, tire, out, seen)
+        note_peaks(time, state, tires, out, seen)
         copy(state, stages[BEFORE])
         row = 2 * taken * stride
         after = commands[row + 2 * stride]
@@ -69,7 +69,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         culprit = diverged(state, step, stages, limits)
         if culprit < 0:
             note_turning(state, out)
-            derivatives(state, after, vehicle, tire, options, out, stages[K1])
+            derivatives(state, after, vehicle, tires, options, out, stages[K1])
             culprit = without_rate(stages[K1], limits.largest)
         if culprit < 0:
             taken += 1
@@ -82,8 +82,8 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     if culprit >= 0:
         condition = Condition.DIVERGED
         note_turning(state, out)
-        derivatives(state, idle, vehicle, tire, options, out, stages[K1])
-    note_peaks((start_ns + taken * step_ns) / NANOSECONDS, state, tire, out, seen)
+        derivatives(state, idle, vehicle, tires, options, out, stages[K1])
+    note_peaks((start_ns + taken * step_ns) / NANOSECONDS, state, tires, out, seen)
     copy(state, stages[KEPT])
     return taken, condition, culprit
 

@@ -6,13 +6,14 @@ from vehicle_roll_sim.model.fourteen_dof import fourteen_dof_derivatives
 
 
 @kernel
-def derivatives(state, command, vehicle, tire, options, outputs, rates):
+def derivatives(state, command, vehicle, tires, options, outputs, rates):
     """Write the time derivative of `state` to `rates`, and intermediate quantities to `outputs`.
 
-    state, rates: flat vectors laid out as records.STATE; the other arguments are records. Rates and
-    outputs that the model does not have are left unchanged: nan from the start of a run.
+    state, rates: flat vectors laid out as records.STATE. tires: the TIRE records of front and rear
+    axle. The other arguments are records. Rates and outputs that the model does not have are left
+    unchanged: nan from the start of a run.
     """
     if options.eight_dof:
-        eight_dof_derivatives(state, command, vehicle, tire, options, outputs, rates)
+        eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rates)
     else:
-        fourteen_dof_derivatives(state, command, vehicle, tire, options, outputs, rates)
+        fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, rates)

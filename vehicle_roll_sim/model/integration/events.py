@@ -6,7 +6,16 @@ import numpy as np
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
-from vehicle_roll_sim.model.records import STATE, STATE_SIZE, WHEEL_COUNT, per_wheel, record_dtype
+from vehicle_roll_sim.model.records import (
+    FRONT,
+    LR,
+    REAR,
+    STATE,
+    STATE_SIZE,
+    WHEEL_COUNT,
+    per_wheel,
+    record_dtype,
+)
 
 MINIMUM_SPEED = 3.5
 """m/s: minimum forward speed with steady-state slip, since equation 5 divides by the speed."""
@@ -83,12 +92,15 @@ def crossing_time(time, step, before, after):
 
 
 @kernel
-def note_peaks(time, state, tire, outputs, events):
-    """Update the peaks of roll angle and lateral acceleration, and the tire range events."""
+def note_peaks(time, state, tires, outputs, events):
+    """Update the peaks of roll angle and lateral acceleration, and the tire range events.
+
+    tires: the TIRE records of front and rear axle.
+    """
     keep_peak(time, state[at.ROLL], events.peak_roll)
     keep_peak(time, outputs.acceleration[1], events.peak_lateral_acceleration)
     for i in range(WHEEL_COUNT):
-        fz = outputs.normal_force[i]
+        fz, tire = outputs.normal_force[i], tires[FRONT if i < LR else REAR]
         if fz > 0.0:
             kappa, alpha = outputs.slip_ratio[i], outputs.slip_angle[i]
             noted = events.out_of_range_time

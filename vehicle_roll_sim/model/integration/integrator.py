@@ -27,17 +27,17 @@ def along(state, slope, interval, result):
 def rk4_step(state, midway, after, step, car, stages):
     """Advance `state` in place by one step (s); stages[K1] must contain its first slope.
 
-    midway, after: commands at the middle and the end of the step. car: vehicle, tire, options and
+    midway, after: commands at the middle and the end of the step. car: vehicle, tires, options and
     outputs, as for `derivatives`.
     """
-    vehicle, tire, options, outputs = car
+    vehicle, tires, options, outputs = car
     trial = stages[TRIAL]
     along(state, stages[K1], step / 2, trial)
-    derivatives(trial, midway, vehicle, tire, options, outputs, stages[K2])
+    derivatives(trial, midway, vehicle, tires, options, outputs, stages[K2])
     along(state, stages[K2], step / 2, trial)
-    derivatives(trial, midway, vehicle, tire, options, outputs, stages[K3])
+    derivatives(trial, midway, vehicle, tires, options, outputs, stages[K3])
     along(state, stages[K3], step, trial)
-    derivatives(trial, after, vehicle, tire, options, outputs, stages[K4])
+    derivatives(trial, after, vehicle, tires, options, outputs, stages[K4])
     for i in range(len(state)):
         inner = stages[K2, i] + stages[K3, i]
         state[i] += step / 6 * (stages[K1, i] + 2 * inner + stages[K4, i])

@@ -1,183 +1,140 @@
-"""Magic Formula 5.2 with combined slip (Pacejka, Tire and Vehicle Dynamics, 2002, section 4.3).
+"""The Magic Formula 5.2, 6.1 and 6.2 with combined slip (Pacejka, 2012, section 4.3.2).
 
-Steady-state slip, no inclination, no turn slip. Coefficients and scaling factors have the names of
-the .tir file. ISO axes of the contact patch: positive lateral slip gives a negative lateral force.
-Shifts are multiplied by their scaling factors and vanish if these are 0; RHX1, RHY1 and RHY2 have
-no scaling factor and always apply.
+Steady-state slip, no turn slip. One set of equations, those of 6.2: what a version does not have is
+neutral. Coefficients and scaling factors have the names of the .tir file; a number such as E19 is
+that of equation 4.E19. ISO axes of the contact patch: positive lateral slip gives a negative
+lateral force. Angles are those of the tire, mirrored where it is.
 
-Everything is built from one curve, sin[C atan{B x - E (B x - atan B x)}]: the forces at pure slip,
-their weighting functions (cosines, as 1 - 2 sin^2 of half the angle), and the lateral force induced
-by longitudinal slip. Therefore x, B, C and E of all curves of all wheels are computed first, then
-all sines in vectorized loops, and then the forces.
+Almost everything is built from one curve, sin[C atan{B x - E (B x - atan B x)}]: the forces at pure
+slip, their weighting functions and the trail (cosines, as 1 - 2 sin^2 of half the angle), and the
+lateral force induced by longitudinal slip. Therefore x, B, C and E of all curves of all wheels are
+computed first, then all sines in vectorized loops, and then the forces and moments.
 """
 
-from collections import namedtuple
-
-from vehicle_roll_sim.model.compiled.elementary import (
-    arctan,
-    cosine_of_arctan,
-    sine,
-    sine_of_twice_arctan,
-)
-from vehicle_roll_sim.model.compiled.jit import constants, kernel, math, term
+from vehicle_roll_sim.model.compiled.elementary import arctan, cosine_of_arctan, sine
+from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import (
     CURVE_COUNT,
+    FORCE_CURVES,
+    FRONT,
     LATERAL,
     LATERAL_AT_SHIFT,
     LATERAL_WEIGHT,
     LONGITUDINAL,
     LONGITUDINAL_AT_SHIFT,
     LONGITUDINAL_WEIGHT,
+    LR,
     MAIN_CURVES,
     PLY_STEER,
+    REAR,
+    TRAIL,
+    UPRIGHT_LATERAL,
     WHEEL_COUNT,
-    per_wheel,
-    record_dtype,
 )
-
-SCALING = (
-    *("LFZO", "LCX", "LMUX", "LEX", "LKX", "LHX", "LVX", "LXAL"),
-    *("LCY", "LMUY", "LEY", "LKY", "LHY", "LVY", "LYKA", "LVYKA"),
-    *("LSGKP", "LSGAL"),
+from vehicle_roll_sim.model.tire import moments, pure_slip
+from vehicle_roll_sim.model.tire.coefficients import all_tire_constants, tire_constants
+from vehicle_roll_sim.model.tire.combined_slip import (
+    lateral_weight_curve,
+    longitudinal_weight_curve,
+    slip_ply_steer,
+    weight,
 )
-REQUIRED = (
-    *("FNOMIN", "PCX1", "PDX1", "PKX1", "RBX1", "RCX1"),
-    *("PCY1", "PDY1", "PKY1", "PKY2", "RBY1", "RCY1"),
-)
-OPTIONAL = (
-    *("PDX2", "PEX1", "PEX2", "PEX3", "PEX4", "PKX2", "PKX3", "PHX1", "PHX2", "PVX1", "PVX2"),
-    *("RBX2", "REX1", "REX2", "RHX1"),
-    *("PDY2", "PEY1", "PEY2", "PEY3", "PHY1", "PHY2", "PVY1", "PVY2"),
-    *("RBY2", "RBY3", "REY1", "REY2", "RHY1", "RHY2"),
-    *("RVY1", "RVY2", "RVY4", "RVY5", "RVY6"),
-    *("PTX1", "PTX2", "PTX3", "PTY1", "PTY2"),
-)
-RANGES = ("KPUMIN", "KPUMAX", "ALPMIN", "ALPMAX", "FZMIN", "FZMAX")
-
-TIRE = record_dtype(*SCALING, *REQUIRED, *OPTIONAL, *RANGES, *per_wheel("side"))
-"""Coefficients of the tire; side is -1 at the wheels where the tire is mirrored, else +1."""
-
-TireConstants = namedtuple("TireConstants", (*SCALING, *REQUIRED, *OPTIONAL))
-tire_constants = constants(TireConstants)
-"""Copies the coefficients of a TIRE record."""
+from vehicle_roll_sim.model.tire.pure_slip import camber_shift, relative_load
 
 
 @term
-def sign(value):
-    return math.copysign(1.0, value) if value != 0.0 else 0.0
-
-
-@term
-def relative_load(fz, tire):
-    """dfz: normal load (N) above the nominal load, relative to the nominal load (-)."""
-    nominal = tire.LFZO * tire.FNOMIN
-    return (fz - nominal) / nominal
-
-
-@term
-def friction(coefficient, load_slope, dfz):
-    """Friction coefficient at a load; clipped at 0, so that it keeps the sign of the file's."""
-    value = coefficient + load_slope * dfz
-    return value if value * coefficient > 0 else 0.0
-
-
-@term
-def stiffness_factor(slope, shape, peak):
-    """B of a curve from its slope at zero slip; 0 if the peak is 0."""
-    return slope / (shape * peak) if peak != 0.0 else 0.0
-
-
-@term
-def longitudinal_curve(kappa, fz, dfz, stiffening, peak, tire):
-    """x, B, C and E of Fx0, the force at pure longitudinal slip. stiffening: exp(PKX3 dfz)."""
-    slip = kappa + (tire.PHX1 + tire.PHX2 * dfz) * tire.LHX
-    shape = tire.PCX1 * tire.LCX
-    slope = fz * (tire.PKX1 + tire.PKX2 * dfz) * stiffening * tire.LKX
-    curvature = (tire.PEX1 + tire.PEX2 * dfz + tire.PEX3 * dfz * dfz) * tire.LEX
-    curvature = min(curvature * (1 - tire.PEX4 * sign(slip)), 1.0)
-    return slip, stiffness_factor(slope, shape, peak), shape, curvature
-
-
-@term
-def lateral_curve(alpha, fz, dfz, peak, tire):
-    """x, B, C and E of Fy0, the force at pure lateral slip."""
-    nominal = tire.LFZO * tire.FNOMIN
-    slip = alpha + (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
-    shape = tire.PCY1 * tire.LCY
-    slope = tire.PKY1 * nominal * tire.LKY * sine_of_twice_arctan(fz / (tire.PKY2 * nominal))
-    curvature = (tire.PEY1 + tire.PEY2 * dfz) * tire.LEY
-    curvature = min(curvature * (1 - tire.PEY3 * sign(slip)), 1.0)
-    return slip, stiffness_factor(slope, shape, peak), shape, curvature
-
-
-@term
-def longitudinal_weight_curve(alpha, kappa, dfz, tire):
-    """x, B, half of C, and E of Gx alpha, the weighting function of the longitudinal force."""
-    stiffness = tire.RBX1 * cosine_of_arctan(tire.RBX2 * kappa) * tire.LXAL
-    curvature = min(tire.REX1 + tire.REX2 * dfz, 1.0)
-    return alpha + tire.RHX1, stiffness, tire.RCX1 / 2, curvature
-
-
-@term
-def lateral_weight_curve(alpha, kappa, dfz, tire):
-    """x, B, half of C, and E of Gy kappa, the weighting function of the lateral force."""
-    stiffness = tire.RBY1 * cosine_of_arctan(tire.RBY2 * (alpha - tire.RBY3)) * tire.LYKA
-    curvature = min(tire.REY1 + tire.REY2 * dfz, 1.0)
-    return kappa + (tire.RHY1 + tire.RHY2 * dfz), stiffness, tire.RCY1 / 2, curvature
-
-
-@term
-def slip_ply_steer(alpha, dfz, peak, tire):
-    """DVy kappa: peak of the lateral force induced by longitudinal slip (N)."""
-    reach = peak * (tire.RVY1 + tire.RVY2 * dfz) * cosine_of_arctan(tire.RVY4 * alpha)
-    return reach * tire.LVYKA
-
-
-@term
-def keep_curve(curve, i, parts, outputs):
-    """Store x, B, C and E of a curve of wheel i in `outputs`."""
+def keep_curve(curve, i, parts, terms):
+    """Store x, B, C and E of a curve of wheel i."""
     slip, stiffness, shape, curvature = parts
     place = curve * WHEEL_COUNT + i
-    outputs.curve_slip[place], outputs.curve_stiffness[place] = slip, stiffness
-    outputs.curve_shape[place], outputs.curve_curvature[place] = shape, curvature
+    terms.curve_slip[place], terms.curve_stiffness[place] = slip, stiffness
+    terms.curve_shape[place], terms.curve_curvature[place] = shape, curvature
 
 
 @kernel
-def peaks_and_shifts(tire, outputs):
-    """Peaks and vertical shifts of the forces at pure slip (N), and other functions of load."""
+def peaks_and_shifts(tire, form, outputs):
+    """Peaks and vertical shifts of the forces at pure slip (N; E12, E18, E22, E29).
+
+    Also exp(PKX3 dfz). form: None for the plain form, without inclination and pressure.
+    """
+    terms = outputs.tire_terms
     for i in range(WHEEL_COUNT):
+        gamma = None if form is None else outputs.side[i] * outputs.inclination[i]
         fz = outputs.normal_force[i]
         dfz = relative_load(fz, tire)
-        outputs.stiffening[i] = math.exp(tire.PKX3 * dfz)
-        outputs.longitudinal_peak[i] = friction(tire.PDX1, tire.PDX2, dfz) * tire.LMUX * fz
-        outputs.lateral_peak[i] = friction(tire.PDY1, tire.PDY2, dfz) * tire.LMUY * fz
+        terms.stiffening[i] = math.exp(tire.PKX3 * dfz)
+        mu = pure_slip.longitudinal_friction(gamma, dfz, tire)
+        terms.longitudinal_peak[i] = mu * tire.LMUX * fz
+        mu = pure_slip.lateral_friction(gamma, dfz, tire)
+        terms.lateral_peak[i] = mu * tire.LMUY * fz
         shift = fz * (tire.PVX1 + tire.PVX2 * dfz) * tire.LVX
-        outputs.longitudinal_shift[i] = shift * tire.LMUX
+        terms.longitudinal_shift[i] = shift * tire.LMUX
         shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY
-        outputs.lateral_shift[i] = shift * tire.LMUY
+        terms.lateral_shift[i] = shift * tire.LMUY
+        if gamma is not None:
+            terms.relative_load[i], terms.upright_shift[i] = dfz, terms.lateral_shift[i]
+            terms.lateral_shift[i] += camber_shift(gamma, fz, dfz, tire)
 
 
 @kernel
-def curves(tire, outputs):
-    """x, B, C and E of every curve of every wheel, and slip angles (rad) from their tangents."""
-    tire = tire_constants(tire)
+def curves_of_forces(tire, form, outputs):
+    """x, B, C and E of every curve of the forces, and slip angles (rad) from their tangents."""
+    terms = outputs.tire_terms
+    tire = tire_constants(tire) if form is None else all_tire_constants(tire)
     for i in range(WHEEL_COUNT):
+        gamma = None if form is None else outputs.side[i] * outputs.inclination[i]
         outputs.slip_angle[i] = arctan(outputs.slip_tangent[i])
         kappa, alpha = outputs.slip_ratio[i], outputs.side[i] * outputs.slip_angle[i]
         fz, dfz = outputs.normal_force[i], relative_load(outputs.normal_force[i], tire)
-        x_peak, y_peak = outputs.longitudinal_peak[i], outputs.lateral_peak[i]
-        fx = longitudinal_curve(kappa, fz, dfz, outputs.stiffening[i], x_peak, tire)
-        gx = longitudinal_weight_curve(alpha, kappa, dfz, tire)
-        gy = lateral_weight_curve(alpha, kappa, dfz, tire)
-        y_shift = tire.RHY1 + tire.RHY2 * dfz
-        keep_curve(LONGITUDINAL, i, fx, outputs)
-        keep_curve(LATERAL, i, lateral_curve(alpha, fz, dfz, y_peak, tire), outputs)
-        keep_curve(LONGITUDINAL_WEIGHT, i, gx, outputs)
-        keep_curve(LATERAL_WEIGHT, i, gy, outputs)
-        keep_curve(LONGITUDINAL_AT_SHIFT, i, (tire.RHX1, gx[1], gx[2], gx[3]), outputs)
-        keep_curve(LATERAL_AT_SHIFT, i, (y_shift, gy[1], gy[2], gy[3]), outputs)
-        keep_curve(PLY_STEER, i, (kappa, tire.RVY6, tire.RVY5, 0.0), outputs)
-        outputs.ply_steer[i] = slip_ply_steer(alpha, dfz, y_peak, tire)
+        x_peak, y_peak = terms.longitudinal_peak[i], terms.lateral_peak[i]
+        kx = pure_slip.slip_stiffness(gamma, fz, dfz, terms.stiffening[i], tire)
+        ky = pure_slip.cornering_stiffness(gamma, fz, tire)
+        y_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, ky, tire)
+        terms.slip_stiffness[i], terms.cornering_stiffness[i] = kx, ky
+        terms.lateral_slip_shift[i] = y_shift
+        fx = pure_slip.longitudinal_curve(kappa, fz, dfz, kx, x_peak, tire)
+        fy = pure_slip.lateral_curve(alpha, gamma, dfz, y_shift, ky, y_peak, tire)
+        gx = longitudinal_weight_curve(alpha, kappa, gamma, dfz, tire)
+        gy = lateral_weight_curve(alpha, kappa, gamma, dfz, tire)
+        keep_curve(LONGITUDINAL, i, fx, terms)
+        keep_curve(LATERAL, i, fy, terms)
+        keep_curve(LONGITUDINAL_WEIGHT, i, gx, terms)
+        keep_curve(LATERAL_WEIGHT, i, gy, terms)
+        keep_curve(LONGITUDINAL_AT_SHIFT, i, (tire.RHX1, gx[1], gx[2], gx[3]), terms)
+        shift = tire.RHY1 + tire.RHY2 * dfz
+        keep_curve(LATERAL_AT_SHIFT, i, (shift, gy[1], gy[2], gy[3]), terms)
+        keep_curve(PLY_STEER, i, (kappa, tire.RVY6, tire.RVY5, 0.0), terms)
+        terms.ply_steer[i] = slip_ply_steer(alpha, gamma, dfz, y_peak, tire)
+
+
+@kernel
+def curves_of_moments(tire, outputs):
+    """Curves and other terms of the aligning moment; see `moments`."""
+    terms = outputs.tire_terms
+    tire = all_tire_constants(tire)
+    for i in range(WHEEL_COUNT):
+        side = outputs.side[i]
+        alpha, gamma = side * outputs.slip_angle[i], side * outputs.inclination[i]
+        fz, dfz = outputs.normal_force[i], terms.relative_load[i]
+        ky = terms.cornering_stiffness[i]
+        per_stiffness = 1.0 / ky if ky != 0.0 else 0.0
+        mu = pure_slip.lateral_friction(0.0, dfz, tire)
+        terms.upright_peak[i] = mu * tire.LMUY * fz
+        upright = pure_slip.cornering_stiffness(0.0, fz, tire)
+        shift = pure_slip.lateral_slip_shift(0.0, fz, dfz, upright, tire)
+        fy = pure_slip.lateral_curve(alpha, 0.0, dfz, shift, upright, terms.upright_peak[i], tire)
+        keep_curve(UPRIGHT_LATERAL, i, fy, terms)
+        induced = terms.slip_stiffness[i] * outputs.slip_ratio[i] * tire.combined * per_stiffness
+        keep_curve(TRAIL, i, moments.trail_curve(alpha, induced, gamma, dfz, tire), terms)
+        forward = moments.direction(outputs.rolling[i]) * cosine_of_arctan(outputs.slip_tangent[i])
+        terms.trail_peak[i] = moments.trail_peak(gamma, fz, dfz, forward, tire)
+        angle = alpha + terms.lateral_slip_shift[i] + terms.lateral_shift[i] * per_stiffness
+        peak = terms.lateral_peak[i]
+        terms.residual[i] = moments.residual_moment(
+            angle, induced, gamma, fz, dfz, ky, peak, forward, tire
+        )
+    for i in range(WHEEL_COUNT):
+        terms.load_power[i] = moments.load_power(outputs.normal_force[i], tire)
 
 
 @kernel
@@ -188,54 +145,126 @@ def has_main_curves_only(tire):
 
 
 @term
-def sines_of_curves(count, outputs):
+def sines_of_curves(count, terms):
     """sin[C atan{B x - E (B x - atan B x)}] of the first `count` elements; the others are 0."""
     for k in range(count):
-        stretched = outputs.curve_stiffness[k] * outputs.curve_slip[k]
+        stretched = terms.curve_stiffness[k] * terms.curve_slip[k]
         excess = stretched - arctan(stretched)
-        outputs.curve_bend[k] = stretched - outputs.curve_curvature[k] * excess
+        terms.curve_bend[k] = stretched - terms.curve_curvature[k] * excess
     for k in range(count):
-        outputs.curve_angle[k] = outputs.curve_shape[k] * arctan(outputs.curve_bend[k])
+        terms.curve_angle[k] = terms.curve_shape[k] * arctan(terms.curve_bend[k])
     for k in range(count):
-        outputs.curve_sine[k] = sine(outputs.curve_angle[k])
+        terms.curve_sine[k] = sine(terms.curve_angle[k])
     for k in range(count, CURVE_COUNT * WHEEL_COUNT):
-        outputs.curve_sine[k] = 0.0
+        terms.curve_sine[k] = 0.0
 
 
 @term
-def weight(half, half_at_shift):
-    """G, a ratio of cosines, from the sines of half the angles; 1 if the other slip is 0."""
-    return (1 - 2 * half * half) / (1 - 2 * half_at_shift * half_at_shift)
-
-
-@term
-def sine_of(curve, i, outputs):
+def sine_of(curve, i, terms):
     """The sine of a curve of wheel i."""
-    return outputs.curve_sine[curve * WHEEL_COUNT + i]
+    return terms.curve_sine[curve * WHEEL_COUNT + i]
+
+
+@term
+def weight_of(curve, curve_at_shift, i, lowest, terms):
+    """The weight of a force of wheel i, from both curves of its weighting function."""
+    return weight(sine_of(curve, i, terms), sine_of(curve_at_shift, i, terms), lowest)
 
 
 @kernel
-def tire_forces(tire, outputs):
-    """Longitudinal and lateral force of every tire (N), along and across its wheel.
+def tire_forces(tires, outputs):
+    """Longitudinal and lateral force of every tire (N), along and across its wheel, and moments.
 
-    From normal load, slip ratio and tangent of the slip angle in `outputs`; 0 without load.
+    tires: the TIRE records of front and rear axle. From normal load, slip ratio, tangent of the
+    slip angle and inclination in `outputs`, for the moments also from the speeds of rolling and of
+    the tread; 0 without load. The moments (N m) are 0 if they are not wanted.
     """
-    peaks_and_shifts(tire, outputs)
-    curves(tire, outputs)
-    if has_main_curves_only(tire):
-        sines_of_curves(MAIN_CURVES * WHEEL_COUNT, outputs)
+    if tires[FRONT].shared != 0.0:
+        forces_of_tire(tires[FRONT], 0, WHEEL_COUNT, outputs)
     else:
-        sines_of_curves(CURVE_COUNT * WHEEL_COUNT, outputs)
+        forces_of_tire(tires[FRONT], 0, LR, outputs)
+        forces_of_tire(tires[REAR], LR, WHEEL_COUNT, outputs)
+
+
+@kernel
+def forces_of_tire(tire, first, end, outputs):
+    """Forces and moments of one kind of tire, at the wheels from `first` to before `end`.
+
+    Most loops are over all wheels nevertheless, so that they are vectorized.
+    """
+    terms = outputs.tire_terms
+    if tire.plain != 0.0:
+        plain_curves(tire, outputs)
+    else:
+        complete_curves(tire, outputs)
+    lowest = tire.lowest_weight
     for i in range(WHEEL_COUNT):
-        x_peak, x_shift = outputs.longitudinal_peak[i], outputs.longitudinal_shift[i]
-        y_peak, y_shift = outputs.lateral_peak[i], outputs.lateral_shift[i]
-        gx = weight(
-            sine_of(LONGITUDINAL_WEIGHT, i, outputs), sine_of(LONGITUDINAL_AT_SHIFT, i, outputs)
+        x_peak, x_shift = terms.longitudinal_peak[i], terms.longitudinal_shift[i]
+        y_peak, y_shift = terms.lateral_peak[i], terms.lateral_shift[i]
+        gx = weight_of(LONGITUDINAL_WEIGHT, LONGITUDINAL_AT_SHIFT, i, lowest, terms)
+        gy = weight_of(LATERAL_WEIGHT, LATERAL_AT_SHIFT, i, lowest, terms)
+        fx = gx * (x_peak * sine_of(LONGITUDINAL, i, terms) + x_shift)  # (E9, E50)
+        fy = gy * (y_peak * sine_of(LATERAL, i, terms) + y_shift)  # (E19, E58)
+        fy += terms.ply_steer[i] * sine_of(PLY_STEER, i, terms)  # (E66)
+        loaded, mine = outputs.normal_force[i] > 0.0, first <= i < end
+        fx, fy = fx if loaded else 0.0, outputs.side[i] * fy if loaded else 0.0
+        outputs.tire_longitudinal[i] = fx if mine else outputs.tire_longitudinal[i]
+        outputs.tire_lateral[i] = fy if mine else outputs.tire_lateral[i]
+    moments_of_tire(tire, first, end, outputs)
+
+
+@kernel
+def plain_curves(tire, outputs):
+    """All curves without inclination, pressure and moments."""
+    peaks_and_shifts(tire, None, outputs)
+    curves_of_forces(tire, None, outputs)
+    if has_main_curves_only(tire):
+        sines_of_curves(MAIN_CURVES * WHEEL_COUNT, outputs.tire_terms)
+    else:
+        sines_of_curves(FORCE_CURVES * WHEEL_COUNT, outputs.tire_terms)
+
+
+@kernel
+def complete_curves(tire, outputs):
+    """All curves."""
+    peaks_and_shifts(tire, True, outputs)
+    curves_of_forces(tire, True, outputs)
+    if tire.moments != 0.0:
+        curves_of_moments(tire, outputs)
+        sines_of_curves(CURVE_COUNT * WHEEL_COUNT, outputs.tire_terms)
+    else:
+        sines_of_curves(FORCE_CURVES * WHEEL_COUNT, outputs.tire_terms)
+
+
+@kernel
+def moments_of_tire(tire, first, end, outputs):
+    """Overturning, rolling resistance and aligning moment, at wheels `first` to before `end`."""
+    if tire.moments == 0.0:
+        for i in range(first, end):
+            outputs.overturning_moment[i] = outputs.rolling_resistance_moment[i] = 0.0
+            outputs.aligning_moment[i] = 0.0
+        return
+    terms, tire = outputs.tire_terms, all_tire_constants(tire)
+    for i in range(WHEEL_COUNT):
+        side = outputs.side[i]
+        gamma = side * outputs.inclination[i]
+        fz, fx, fy = outputs.normal_force[i], outputs.tire_longitudinal[i], outputs.tire_lateral[i]
+        dfz, fy = terms.relative_load[i], side * fy
+        gy = weight_of(LATERAL_WEIGHT, LATERAL_AT_SHIFT, i, tire.lowest_weight, terms)
+        upright = terms.upright_peak[i] * sine_of(UPRIGHT_LATERAL, i, terms)
+        inclined = terms.lateral_peak[i] * sine_of(LATERAL, i, terms) + terms.lateral_shift[i]
+        pure = upright + terms.upright_shift[i] if tire.version > 6.0 else inclined  # (E74)
+        half = sine_of(TRAIL, i, terms)
+        trail = terms.trail_peak[i] * (1 - 2 * half * half)  # (E73)
+        mz = terms.residual[i] - trail * gy * pure  # (E71, E72)
+        mz += moments.longitudinal_arm(gamma, dfz, fy, tire) * fx * tire.combined
+        mx = moments.overturning_moment(gamma, fz, fy, tire)
+        my = moments.direction(outputs.tread[i]) * moments.rolling_resistance_moment(
+            gamma, fz, fx, outputs.rolling[i], terms.load_power[i], tire
         )
-        gy = weight(sine_of(LATERAL_WEIGHT, i, outputs), sine_of(LATERAL_AT_SHIFT, i, outputs))
-        fx = gx * (x_peak * sine_of(LONGITUDINAL, i, outputs) + x_shift)
-        fy = gy * (y_peak * sine_of(LATERAL, i, outputs) + y_shift)
-        fy += outputs.ply_steer[i] * sine_of(PLY_STEER, i, outputs)
-        loaded = outputs.normal_force[i] > 0.0
-        outputs.tire_longitudinal[i] = fx if loaded else 0.0
-        outputs.tire_lateral[i] = outputs.side[i] * fy if loaded else 0.0
+        loaded, mine = fz > 0.0, first <= i < end
+        mx, mz = side * mx if loaded else 0.0, side * mz if loaded else 0.0
+        my = my if loaded else 0.0
+        outputs.overturning_moment[i] = mx if mine else outputs.overturning_moment[i]
+        outputs.rolling_resistance_moment[i] = my if mine else outputs.rolling_resistance_moment[i]
+        outputs.aligning_moment[i] = mz if mine else outputs.aligning_moment[i]

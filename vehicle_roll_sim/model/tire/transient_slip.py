@@ -16,8 +16,8 @@ with TAU = SIGMA / 15 m/s (longitudinally with less, where that would stop a lig
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.elementary import cosine, sine_of_twice_arctan
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
-from vehicle_roll_sim.model.records import WHEEL_COUNT, vehicle_constants
-from vehicle_roll_sim.model.tire.magic_formula import tire_constants
+from vehicle_roll_sim.model.records import AXLE_COUNT, LR, WHEEL_COUNT, vehicle_constants
+from vehicle_roll_sim.model.tire.coefficients import tire_constants
 
 LOW_SPEED = 1.0
 """m/s: rolling speed below which the standstill terms (w) act."""
@@ -61,26 +61,28 @@ def slip_rate(slip, rolling, sliding, length, weight):
 
 
 @kernel
-def transient_slip(state, vehicle, tire, outputs):
+def transient_slip(state, vehicle, tires, outputs):
     """Slip ratio and tangent of the slip angle of every wheel, and the rates of its slip states."""
     along, across = state[at.LONGITUDINAL_SLIP], state[at.LATERAL_SLIP]
     for i in range(WHEEL_COUNT):
         outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
-    vehicle, tire = vehicle_constants(vehicle), tire_constants(tire)
-    for i in range(WHEEL_COUNT):
-        outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
-            damped_slip(
-                outputs.patch_slip_ratio[i],
-                outputs.patch_slip_tangent[i],
-                outputs.rolling[i],
-                outputs.sliding[i],
-                outputs.tread[i],
-                outputs.normal_force[i],
-                vehicle,
-                tire,
+    vehicle = vehicle_constants(vehicle)
+    for axle in range(AXLE_COUNT):
+        tire = tire_constants(tires[axle])
+        for i in range(axle * LR, axle * LR + LR):
+            outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
+                damped_slip(
+                    outputs.patch_slip_ratio[i],
+                    outputs.patch_slip_tangent[i],
+                    outputs.rolling[i],
+                    outputs.sliding[i],
+                    outputs.tread[i],
+                    outputs.normal_force[i],
+                    vehicle,
+                    tire,
+                )
             )
-        )
-        outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
+            outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
 
 
 @term

@@ -1,0 +1,129 @@
+"""Moments of the contact patch: terms of one wheel (Pacejka, 2012, section 4.3.2).
+
+Axes of the contact patch (ISO-W): overturning moment Mx about the x axis (4.E69), rolling
+resistance My about the y axis (4.E70), aligning moment Mz about the z axis (4.E31-E49, E71-E78).
+gamma: inclination as the tire sees it (rad).
+"""
+
+from vehicle_roll_sim.model.compiled.elementary import (
+    arctan,
+    cosine,
+    cosine_of_arctan,
+    sine,
+    square_root,
+    squared_tangent,
+)
+from vehicle_roll_sim.model.compiled.jit import math, term
+
+LOW_SPEED = 1.0
+"""m/s: below this speed the moments that reverse with the direction of rolling fade out."""
+
+
+@term
+def direction(speed):
+    """1 forwards, -1 backwards, and a smooth passage through 0 below LOW_SPEED (speed: m/s)."""
+    share = max(-1.0, min(1.0, speed / LOW_SPEED))
+    return share * (1.5 - 0.5 * share * share)
+
+
+@term
+def equivalent_slip(angle, induced):
+    """Slip angle (rad) that with no slip ratio has the size of the combined slip (E77, E78).
+
+    angle: slip angle with its shift (rad). induced: Kx kappa / Ky, the tangent that corresponds to
+    the slip ratio.
+    """
+    size = arctan(square_root(squared_tangent(angle) + induced * induced))
+    return math.copysign(size, angle)
+
+
+@term
+def stiffness_over_friction(tire):
+    """LKY / LMUY, a factor of the stiffness of trail and residual moment; 0 without friction."""
+    return tire.LKY / tire.LMUY if tire.LMUY != 0.0 else 0.0
+
+
+@term
+def trail_peak(gamma, fz, dfz, forward, tire):
+    """Dt cos alpha' LFZO: pneumatic trail at no slip (m; E33, E42, E43)."""
+    inclined = tire.LGAZ * gamma
+    peak = fz * (tire.UNLOADED_RADIUS / (tire.LFZO * tire.FNOMIN))
+    peak *= tire.QDZ1 + tire.QDZ2 * dfz
+    peak *= 1 - tire.PPZ1 * tire.pressure_change
+    peak *= (1 + tire.QDZ3 * inclined + tire.QDZ4 * inclined * inclined) * tire.LTR
+    return peak * forward * tire.LFZO
+
+
+@term
+def trail_curve(alpha, induced, gamma, dfz, tire):
+    """x, B, half of C, and E of the trail over the equivalent slip angle (E34, E35, E40-E44)."""
+    inclined = tire.LGAZ * gamma
+    angle = alpha + tire.QHZ1 + tire.QHZ2 * dfz + (tire.QHZ3 + tire.QHZ4 * dfz) * inclined
+    stiffness = (tire.QBZ1 + (tire.QBZ2 + tire.QBZ3 * dfz) * dfz) * stiffness_over_friction(tire)
+    stiffness *= 1 + tire.QBZ4 * inclined + tire.QBZ5 * abs(inclined)
+    curvature = tire.QEZ1 + (tire.QEZ2 + tire.QEZ3 * dfz) * dfz
+    side = (tire.QEZ4 + tire.QEZ5 * inclined) * arctan(stiffness * tire.QCZ1 * angle)
+    curvature = min(curvature * (1 + 2 / math.pi * side), 1.0)
+    return equivalent_slip(angle, induced), stiffness, tire.QCZ1 / 2, curvature
+
+
+@term
+def residual_moment(angle, induced, gamma, fz, dfz, slope, peak, forward, tire):
+    """Mzr: aligning moment that is left where the trail is 0 (N m; E36-E38, E45-E47).
+
+    angle: slip angle with the shift at which the lateral force is 0 (rad). slope, peak: Ky and Dy.
+    """
+    inclined = tire.LGAZ * gamma
+    stiffness = tire.QBZ9 * stiffness_over_friction(tire)
+    stiffness += tire.QBZ10 * slope / peak if peak != 0.0 else 0.0
+    camber = (tire.QDZ8 + tire.QDZ9 * dfz) * (1 + tire.PPZ2 * tire.pressure_change)
+    camber += (tire.QDZ10 + tire.QDZ11 * dfz) * abs(inclined)
+    moment = (tire.QDZ6 + tire.QDZ7 * dfz) * tire.LRES + camber * inclined * tire.LKZC
+    moment *= fz * tire.UNLOADED_RADIUS * tire.LMUY * forward
+    return moment * cosine_of_arctan(stiffness * equivalent_slip(angle, induced))
+
+
+@term
+def longitudinal_arm(gamma, dfz, fy, tire):
+    """s: arm of the longitudinal force about the z axis (m; E76)."""
+    arm = tire.SSZ1 + tire.SSZ2 / tire.FNOMIN * fy
+    arm += (tire.SSZ3 + tire.SSZ4 * dfz) * tire.LGAZ * gamma
+    return tire.UNLOADED_RADIUS * arm * tire.LS
+
+
+@term
+def overturning_moment(gamma, fz, fy, tire):
+    """Mx (N m; E69). QSX1-QSX11 and QSX12-QSX14 are alternatives; a file gives one of them."""
+    per_load = 1.0 / tire.FNOMIN
+    load, force = fz * per_load, fy * per_load
+    part = tire.QSX1 * tire.LVMX - tire.QSX2 * gamma * (1 + tire.PPMX1 * tire.pressure_change)
+    part += tire.QSX3 * force - tire.QSX12 * gamma * abs(gamma)
+    stretched = tire.QSX6 * load
+    wave = cosine(tire.QSX5 * arctan(stretched * stretched))
+    wave *= sine(tire.QSX7 * gamma + tire.QSX8 * arctan(tire.QSX9 * force))
+    part += tire.QSX4 * wave + tire.QSX10 * arctan(tire.QSX11 * load) * gamma
+    moment = fz * part + fy * (tire.QSX13 + tire.QSX14 * abs(gamma))
+    return tire.UNLOADED_RADIUS * tire.LMX * moment
+
+
+@term
+def load_power(fz, tire):
+    """(Fz / Fz0)^QSY7 of E70."""
+    load = fz / tire.FNOMIN
+    if tire.QSY7 == 1.0 or load <= 0.0:
+        return load
+    return math.exp(tire.QSY7 * math.log(load))
+
+
+@term
+def rolling_resistance_moment(gamma, fz, fx, speed, load_power, tire):
+    """My, which brakes a wheel that rolls forward (N m; E70).
+
+    speed: of rolling (m/s). load_power: (Fz / Fz0)^QSY7.
+    """
+    ratio = speed * (1.0 / tire.LONGVL)
+    part = tire.QSY1 + tire.QSY2 / tire.FNOMIN * fx + tire.QSY3 * abs(ratio)
+    part += tire.QSY4 * (ratio * ratio) * (ratio * ratio)
+    part += (tire.QSY5 + tire.QSY6 / tire.FNOMIN * fz) * gamma * gamma
+    moment = -tire.UNLOADED_RADIUS * tire.FNOMIN * part * tire.LMY
+    return moment * load_power * tire.pressure_effect

@@ -1,0 +1,136 @@
+"""Forces at pure slip: terms of one wheel (Pacejka, 2012, section 4.3.2, equations 4.E1-4.E30).
+
+`gamma` is the inclination as the tire sees it (rad), or None: then the terms that depend on
+inclination and inflation pressure are left out, at compile time. Coefficients that a version of the
+Magic Formula does not have are neutral (`coefficients.NEUTRAL`); other differences between
+versions are stated where they occur.
+"""
+
+from vehicle_roll_sim.model.compiled.elementary import arctan, sine, sine_of_twice_arctan
+from vehicle_roll_sim.model.compiled.jit import math, term
+
+
+@term
+def sign(value):
+    return math.copysign(1.0, value) if value != 0.0 else 0.0
+
+
+@term
+def above_zero(factor):
+    """A factor that must not turn the sign of a force, however far outside its range it is."""
+    return factor if factor > 0.0 else 0.0
+
+
+@term
+def relative_load(fz, tire):
+    """dfz: normal load (N) above the nominal load, relative to the nominal load (-) (E1, E2)."""
+    nominal = tire.LFZO * tire.FNOMIN
+    return (fz - nominal) / nominal
+
+
+@term
+def friction(coefficient, load_slope, dfz):
+    """Friction coefficient at a load; clipped at 0, so that it keeps the sign of the file's."""
+    value = coefficient + load_slope * dfz
+    return value if value * coefficient > 0 else 0.0
+
+
+@term
+def longitudinal_friction(gamma, dfz, tire):
+    """mux without its scaling factor (E13)."""
+    mu = friction(tire.PDX1, tire.PDX2, dfz)
+    if gamma is not None:
+        dp, inclined = tire.pressure_change, tire.LGAX * gamma
+        mu *= above_zero(1 + tire.PPX3 * dp + tire.PPX4 * dp * dp)
+        mu *= above_zero(1 - tire.PDX3 * inclined * inclined)
+    return mu
+
+
+@term
+def lateral_friction(gamma, dfz, tire):
+    """muy without its scaling factor (E23)."""
+    mu = friction(tire.PDY1, tire.PDY2, dfz)
+    if gamma is not None:
+        dp, inclined = tire.pressure_change, tire.LGAY * gamma
+        mu *= above_zero(1 + tire.PPY3 * dp + tire.PPY4 * dp * dp)
+        mu *= above_zero(1 - tire.PDY3 * inclined * inclined)
+    return mu
+
+
+@term
+def camber_shift(gamma, fz, dfz, tire):
+    """SVyg: vertical shift of the lateral force by inclination (N; E28)."""
+    slope = fz * (tire.PVY3 + tire.PVY4 * dfz) * tire.LKYC * tire.LMUY
+    return slope * tire.LGAY * gamma
+
+
+@term
+def stiffness_factor(slope, shape, peak):
+    """B of a curve from its slope at zero slip; 0 if the peak is 0 (E16, E26)."""
+    return slope / (shape * peak) if peak != 0.0 else 0.0
+
+
+@term
+def slip_stiffness(gamma, fz, dfz, stiffening, tire):
+    """Kx kappa: slope of Fx0 at zero slip (N; E15). stiffening: exp(PKX3 dfz)."""
+    slope = fz * (tire.PKX1 + tire.PKX2 * dfz) * stiffening * tire.LKX
+    if gamma is not None:
+        dp = tire.pressure_change
+        slope *= above_zero(1 + tire.PPX1 * dp + tire.PPX2 * dp * dp)
+    return slope
+
+
+@term
+def cornering_stiffness(gamma, fz, tire):
+    """Ky alpha: slope of Fy0 at zero slip (N/rad; E25)."""
+    nominal = tire.LFZO * tire.FNOMIN
+    if gamma is None:
+        return tire.PKY1 * nominal * tire.LKY * sine_of_twice_arctan(fz / (tire.PKY2 * nominal))
+    dp, inclined = tire.pressure_change, tire.LGAY * gamma
+    load = (tire.PKY2 + tire.PKY5 * inclined * inclined) * (1 + tire.PPY2 * dp) * nominal
+    wave = sine(tire.PKY4 * arctan(fz / load))
+    wave = wave if wave * tire.PKY2 > 0.0 else 0.0
+    wave *= above_zero(1 + tire.PPY1 * dp) * above_zero(1 - tire.PKY3 * abs(inclined))
+    return tire.PKY1 * nominal * tire.LKY * wave
+
+
+@term
+def longitudinal_curve(kappa, fz, dfz, slope, peak, tire):
+    """x, B, C and E of Fx0, the force at pure longitudinal slip (E10, E11, E14, E17)."""
+    slip = kappa + (tire.PHX1 + tire.PHX2 * dfz) * tire.LHX
+    shape = tire.PCX1 * tire.LCX
+    curvature = (tire.PEX1 + tire.PEX2 * dfz + tire.PEX3 * dfz * dfz) * tire.LEX
+    curvature = min(curvature * (1 - tire.PEX4 * sign(slip)), 1.0)
+    return slip, stiffness_factor(slope, shape, peak), shape, curvature
+
+
+@term
+def lateral_slip_shift(gamma, fz, dfz, slope, tire):
+    """SHy: horizontal shift of the lateral force (rad; E27, E30).
+
+    From version 6.1 on inclination gives a force, Kyg0 gamma, and the shift is what its slope
+    needs; in 5.2 it gives the shift itself, PHY3 gamma.
+    """
+    shift = (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
+    if gamma is not None:
+        inclined = tire.LGAY * gamma
+        force = fz * (tire.PKY6 + tire.PKY7 * dfz) * (1 + tire.PPY5 * tire.pressure_change)
+        force = force * tire.LKYC * inclined - camber_shift(gamma, fz, dfz, tire)
+        by_force = force / slope if slope != 0.0 else 0.0
+        shift += tire.PHY3 * inclined if tire.version < 6.0 else by_force
+    return shift
+
+
+@term
+def lateral_curve(alpha, gamma, dfz, shift, slope, peak, tire):
+    """x, B, C and E of Fy0, the force at pure lateral slip (E20, E21, E24)."""
+    slip = alpha + shift
+    shape = tire.PCY1 * tire.LCY
+    curvature = (tire.PEY1 + tire.PEY2 * dfz) * tire.LEY
+    if gamma is None:
+        curvature = min(curvature * (1 - tire.PEY3 * sign(slip)), 1.0)
+    else:
+        inclined = tire.LGAY * gamma
+        side = (tire.PEY3 + tire.PEY4 * inclined) * sign(slip)
+        curvature = min(curvature * (1 + tire.PEY5 * inclined * inclined - side), 1.0)
+    return slip, stiffness_factor(slope, shape, peak), shape, curvature
