@@ -11,6 +11,7 @@ from vehicle_roll_sim import LF, LR, InputError, Options, Tire, Vehicle, load_ve
 from vehicle_roll_sim.manoeuvres.driver.single_track import cornering_stiffnesses
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.vehicle.axle_tires import cornering_stiffness
+from vehicle_roll_sim.vehicle.tire.keys import COEFFICIENTS
 from vehicle_roll_sim.vehicle.vehicle_file import on_tires
 
 LATERAL = {"front_tire_lateral_stiffness": 1e5, "rear_tire_lateral_stiffness": 2.5e5}
@@ -34,7 +35,8 @@ def tire() -> Tire:
 @pytest.fixture
 def pressed(tire) -> Tire:
     """That tire as one of version 6.1, with effects of pressure."""
-    return dataclasses.replace(tire, version="6.1").with_coefficients(**OF_VERSION_6)
+    kept = {n: value for n, value in tire.coefficients.items() if n in COEFFICIENTS["6.1"]}
+    return dataclasses.replace(tire, coefficients=kept | OF_VERSION_6, version="6.1")
 
 
 @pytest.fixture
