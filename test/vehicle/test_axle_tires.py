@@ -191,7 +191,7 @@ def test_the_lateral_stiffness_is_that_given_or_of_the_file_or_from_relaxation(p
     assert "cornering stiffness over relaxation length" in taken.source
     other = dataclasses.replace(preset(), tire=pressed.with_coefficients(LATERAL_STIFFNESS=1.4e5))
     for found in other.lateral_stiffness_from_tires.values():
-        assert found == (1.4e5, "LATERAL_STIFFNESS of the tire file")
+        assert found == (1.4e5, "LATERAL_STIFFNESS of the tire file at static load")
     no_lag = dataclasses.replace(preset(), tire=preset().tire.with_coefficients(PTY1=0.0))
     found = no_lag.lateral_stiffness_from_tires["front_tire_lateral_stiffness"]
     assert found.value == pytest.approx(-slope / 0.285, rel=1e-12)
