@@ -42,8 +42,11 @@ ALIGNING = {
 OVERTURNING = {"QSX1": 0.012, "QSX2": 0.64, "QSX3": 0.032}
 """Made-up coefficients of the size of a car tire's: of inclination and of the three moments."""
 OWN_RADIUS = {
-    **{"UNLOADED_RADIUS": 0.3, "VERTICAL_STIFFNESS": 2e5},
-    **{"BREFF": 8.0, "DREFF": 0.27, "FREFF": 0.07},
+    "UNLOADED_RADIUS": 0.3,
+    "VERTICAL_STIFFNESS": 2e5,
+    "BREFF": 8.0,
+    "DREFF": 0.27,
+    "FREFF": 0.07,
 }
 """With these a tire rolls on a radius between the loaded and the free one."""
 
