@@ -47,7 +47,7 @@ def wheel_motion(state, tires, outputs):
         ug, vg = outputs.contact_u[i], outputs.contact_v[i]
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         outputs.rolling[i], outputs.sliding[i] = ug * c + vg * s, vg * c - ug * s
-        outputs.inclination[i], outputs.rolling_radius[i] = 0.0, outputs.loaded_radius[i]
+        outputs.rolling_radius[i] = outputs.loaded_radius[i]
         outputs.tread[i] = outputs.rolling_radius[i] * spin[i]
         outputs.side[i] = tires[FRONT if i < LR else REAR].side[i]
 
@@ -96,7 +96,7 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
             upright_contact(i, state, vehicle, attitude, outputs)
             continue
         uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]
-        r = loaded_radius(xt[i], vehicle.tire_radius, attitude)
+        r = loaded_radius(xt[i], vehicle.tire_radius[i], attitude)
         outputs.loaded_radius[i] = r
         if options.small_angles:
             ug, vg = small_angle_contact_velocity(i, wx, wy, vehicle, options, outputs)

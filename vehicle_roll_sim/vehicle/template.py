@@ -8,17 +8,33 @@ from vehicle_roll_sim.vehicle.tire.general_keys import UNITS as UNIT_KEYS
 from vehicle_roll_sim.vehicle.tire.keys import COEFFICIENTS, KEYS, REQUIRED
 from vehicle_roll_sim.vehicle.tire.text import HEADER, KEY, UNITS
 from vehicle_roll_sim.vehicle.tire.version import FORMAT
-from vehicle_roll_sim.vehicle.vehicle_file import PRESETS, SHIPPED_TIRE, preset
+from vehicle_roll_sim.vehicle.vehicle_file import (
+    FROM_LATERAL,
+    LONGITUDINAL,
+    PRESETS,
+    SHIPPED_TIRE,
+    SWITCHES,
+    preset,
+)
 
 ABOUT_THE_VEHICLE = """\
 # Vehicle file for vehicle_roll_sim, with the values of the reference vehicle. Edit them as needed.
 # Format: NAME: VALUE  # unit, allowed range: description (symbol in Shim and Ghike, 2007)
 # `vehicle_roll_sim parameters --vehicle FILE` lists the parameters of a vehicle file.
 """
-ABOUT_OPTIONAL = "# These are optional; the values shown are the defaults.\n"
+ABOUT_OPTIONAL = """\
+# These are optional. The values shown are the defaults, but for tire radius and stiffnesses, whose
+# defaults are those of the tire file.
+"""
+ABOUT_SWITCHES = """\
+# Whether the moments of the tires act, and whether contact patches shift sideways under lateral
+# force (true or false; true if left out, but the vehicle of the paper has neither).
+"""
 ABOUT_THE_TIRE = f"""\
 # Path of a tire file (.tir) relative to this file, or `{SHIPPED_TIRE}` for the tire that comes with
-# the package. `vehicle_roll_sim template --tire` writes a tire file to start from.
+# the package. `vehicle_roll_sim template --tire` writes a tire file to start from. front_tire and
+# rear_tire in place of tire give each axle its own. `{LONGITUDINAL}: {FROM_LATERAL}` gives a tire
+# file that has no longitudinal coefficients those of its lateral force.
 tire: {SHIPPED_TIRE}
 """
 ABOUT_COEFFICIENTS = """\
@@ -37,9 +53,11 @@ def vehicle_template() -> str:
     for name, parameter in parameters_of(Vehicle).items():
         value = getattr(vehicle, name)
         line = f"{name}: {value!r}" if value is not None else f"# {name}:"
-        is_optional = parameter.default not in (MISSING, None)
+        is_optional = parameter.default is not MISSING and not parameter.alternative
         (optional if is_optional else lines).append(f"{line:{COMMENT_AT}}# {_about(parameter)}\n")
-    return "".join([ABOUT_THE_VEHICLE, *lines, ABOUT_OPTIONAL, *optional, ABOUT_THE_TIRE])
+    switches = (f"{name}: {str(getattr(vehicle, name)).lower()}\n" for name in SWITCHES)
+    optional = [ABOUT_OPTIONAL, *optional, ABOUT_SWITCHES, *switches]
+    return "".join([ABOUT_THE_VEHICLE, *lines, *optional, ABOUT_THE_TIRE])
 
 
 def _about(parameter: Parameter) -> str:

@@ -32,11 +32,11 @@ RELEASE_TIME = 0.02
 
 
 @term
-def relaxation_lengths(fz, vehicle, tire):
+def relaxation_lengths(fz, radius, vehicle, tire):
     """Longitudinal and lateral relaxation length at load fz (m; Magic Formula 5.2)."""
     nominal = tire.LFZO * tire.FNOMIN
     dfz = (fz - nominal) / nominal
-    radius, floor = vehicle.tire_radius, vehicle.minimum_relaxation_length
+    floor = vehicle.minimum_relaxation_length
     along = fz * (tire.PTX1 + tire.PTX2 * dfz) * math.exp(-tire.PTX3 * dfz)
     along *= radius / tire.FNOMIN * tire.LSGKP
     across = 0.0
@@ -66,6 +66,7 @@ def transient_slip(state, vehicle, tires, outputs):
     along, across = state[at.LONGITUDINAL_SLIP], state[at.LATERAL_SLIP]
     for i in range(WHEEL_COUNT):
         outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
+        outputs.unloaded_radius[i] = vehicle.tire_radius[i]
     vehicle = vehicle_constants(vehicle)
     for axle in range(AXLE_COUNT):
         tire = tire_constants(tires[axle])
@@ -78,6 +79,7 @@ def transient_slip(state, vehicle, tires, outputs):
                     outputs.sliding[i],
                     outputs.tread[i],
                     outputs.normal_force[i],
+                    outputs.unloaded_radius[i],
                     vehicle,
                     tire,
                 )
@@ -86,7 +88,7 @@ def transient_slip(state, vehicle, tires, outputs):
 
 
 @term
-def damped_slip(along, across, rolling, sliding, tread, fz, vehicle, tire):
+def damped_slip(along, across, rolling, sliding, tread, fz, radius, vehicle, tire):
     """Rates of the longitudinal and lateral slip (1/s), and the slips for the Magic Formula.
 
     rolling, sliding: velocity of the contact point along and across the wheel (m/s). tread: spin
@@ -94,11 +96,11 @@ def damped_slip(along, across, rolling, sliding, tread, fz, vehicle, tire):
     """
     if fz <= 0.0:
         return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across
-    long, lateral = relaxation_lengths(fz, vehicle, tire)
+    long, lateral = relaxation_lengths(fz, radius, vehicle, tire)
     weight = standstill(rolling)
     along_rate = slip_rate(along, rolling, tread - rolling, long, weight)
     across_rate = slip_rate(across, rolling, sliding, lateral, weight)
-    slope = fz * tire.PKX1 * tire.LKX * vehicle.tire_radius**2  # about Kx r^2
+    slope = fz * tire.PKX1 * tire.LKX * radius**2  # about Kx r^2
     firm = max(DAMPING_SPEED, slope / (vehicle.wheel_inertia * QUICKEST_DAMPING))
     along += long / firm * weight * along_rate
     across += lateral / DAMPING_SPEED * weight * across_rate
