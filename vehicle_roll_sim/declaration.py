@@ -14,6 +14,8 @@ import types
 import typing
 from collections.abc import Iterable, Mapping
 
+AUTO, ON, OFF = SWITCH = ("auto", "on", "off")
+"""Choices of a parameter that says whether something counts."""
 LONGEST_SHOWN = 60
 """Maximum number of characters of an invalid value shown in an error message."""
 
@@ -105,6 +107,8 @@ class Parameter:
         if self.kind is tuple:
             check = self._validate_numbers if self.size else self._validate_names
             return check(value, field)
+        if isinstance(value, bool) and ON in self.choices:
+            return ON if value else OFF  # YAML reads `on` and `off` as true and false
         if self.choices and str(value) in self.choices:
             return str(value)  # ROS parses `1` as an integer
         if not isinstance(value, self.kind):
@@ -163,7 +167,8 @@ def parameter(
 ):
     """Declare a parameter as a dataclass field; it is required if it has no `default`.
 
-    A field with an `alternative` is keyword-only and None if the alternative is given.
+    A field with an `alternative` is keyword-only and None if the alternative is given; one whose
+    `default` is None is keyword-only, too, and may be absent.
     """
     about = {
         "description": description,
@@ -176,7 +181,7 @@ def parameter(
         "size": size,
         "alternative": alternative,
     }
-    if alternative:
+    if alternative or default is None:
         return dataclasses.field(default=None, metadata=about, kw_only=True)
     return dataclasses.field(default=default, metadata=about)
 

@@ -10,11 +10,18 @@ OPTIONAL = {
     "minimum_relaxation_length": 0.1,
     "rolling_resistance_coefficient": 0.0,
     "drag_area": 0.0,
+    "front_camber": 0.0,
+    "rear_camber": 0.0,
 }
 """What the file leaves out."""
 HEIGHTS = {"front_roll_centre_height": 0.1, "rear_roll_centre_height": 0.15}
 """What the depths of the file come to."""
-NUMBERS = {name: value for name, value in REFERENCE.items() if name != "tire"} | OPTIONAL | HEIGHTS
+RADII = {"front_tire_radius": 0.285, "rear_tire_radius": 0.285}
+"""What the one radius comes to."""
+NOT_NUMBERS = ("tire", "tire_moments", "contact_patch_shift")
+NUMBERS = {n: v for n, v in REFERENCE.items() if n not in NOT_NUMBERS} | OPTIONAL | HEIGHTS | RADII
+FROM_TIRE = ("front_tire_lateral_stiffness", "rear_tire_lateral_stiffness")
+PRESSURES = ("tire_pressure", "front_tire_pressure", "rear_tire_pressure")
 NAME, SYMBOL, VALUE, UNIT, ALLOWED, MEANING = range(6)
 
 
@@ -33,7 +40,9 @@ def table(command):
 
 
 def values(cells: list[list[str]]) -> dict[str, float]:
-    return {row[NAME].strip("`"): float(row[VALUE]) for row in cells[2:]}
+    """The values but for pressures, which a vehicle need not have, and what its tires give."""
+    shown = {row[NAME].strip("`"): row[VALUE] for row in cells[2:]}
+    return {n: float(v) for n, v in shown.items() if n not in (*PRESSURES, *FROM_TIRE)}
 
 
 def test_it_is_a_markdown_table_of_equally_wide_rows(table):
@@ -50,8 +59,25 @@ def test_it_has_every_parameter_of_the_vehicle_with_its_value(table):
 def test_every_row_says_what_is_allowed_and_what_it_means(table):
     for row in table()[2:]:
         low, high = map(float, row[ALLOWED].split(" … "))
-        assert low <= float(row[VALUE]) <= high
+        assert row[VALUE] == "–" or low <= float(row[VALUE]) <= high
         assert row[MEANING]
+
+
+def test_what_the_tire_file_gives_says_so_and_what_nobody_gives_has_no_value(table, folder):
+    rows = {row[NAME].strip("`"): row for row in table()[2:]}
+    for name in FROM_TIRE:
+        assert float(rows[name][VALUE]) == pytest.approx(92.5e3, rel=0.01)
+        assert "(here: cornering stiffness over relaxation length" in rows[name][MEANING]
+    assert {rows[name][VALUE] for name in PRESSURES} == {"–"}
+    bare = {n: v for n, v in REFERENCE.items() if n not in ("tire_radius", "rear_tire_stiffness")}
+    (folder / "bare.yaml").write_text(yaml.safe_dump(bare | {"tire": "reference"}))
+    rows = {row[NAME].strip("`"): row for row in table("--vehicle", "bare.yaml")[2:]}
+    for name, key in (
+        ("front_tire_radius", "UNLOADED_RADIUS"),
+        ("rear_tire_stiffness", "VERTICAL"),
+    ):
+        assert float(rows[name][VALUE]) == NUMBERS[name]
+        assert f"(here: {key}" in rows[name][MEANING]
 
 
 def test_units_are_those_of_si(table):

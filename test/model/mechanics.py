@@ -54,6 +54,28 @@ def external(vehicle, state, outputs) -> tuple[np.ndarray, np.ndarray]:
     return np.vstack([tires, weights, of_body]), np.vstack([contacts, centres, body])
 
 
+def couples(state, outputs) -> np.ndarray:
+    """Moments of the road on the wheels, beside those of the forces, over the ground (N m)."""
+    names = ("overturning_moment", "rolling_resistance_moment", "aligning_moment")
+    along_wheels = np.column_stack([outputs[name] for name in names])
+    turned = [attitude(0.0, 0.0, state["yaw"] + angle) for angle in outputs["steering"]]
+    return np.array([axes @ one for axes, one in zip(turned, along_wheels, strict=True)])
+
+
+def spin_axes(vehicle, state, outputs) -> np.ndarray:
+    """Upward slope of the axes that the wheels spin about: sine of their inclination to the road.
+
+    From the axis itself, turned by steering about the body's z axis, and by the static camber.
+    """
+    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+    angle = outputs["steering"]
+    left = np.column_stack([-np.sin(angle), np.cos(angle), 0.0 * angle])
+    camber = np.zeros(4)
+    camber[:2] = -vehicle.front_camber, vehicle.front_camber
+    camber[2:] = -vehicle.rear_camber, vehicle.rear_camber
+    return np.sin(np.arcsin((left @ rotation.T)[:, 2]) + camber)
+
+
 def drag(vehicle, state) -> float:
     """Force of the air at the c.g., backwards along the body's x axis (N)."""
     u = state["u"]
@@ -96,7 +118,8 @@ def powers(vehicle, state, outputs, command) -> dict[str, float]:
     slip: of the tire's force along the road at the contact point, less what goes into the spin.
     lever: of the load there, less what goes into the tire's spring; the source has that point on
     the body's z axis, beside the wheel centre in roll. brakes: with the rolling resistance. links:
-    of the roll centre, whose load transfer is a force along the struts.
+    of the roll centre, whose load transfer is a force along the struts. contact moments: of the
+    road on the turning body and on the spinning wheels.
     """
     rotation = attitude(state["roll"], state["pitch"], state["yaw"])
     yawed = attitude(0.0, 0.0, state["yaw"])
@@ -108,6 +131,11 @@ def powers(vehicle, state, outputs, command) -> dict[str, float]:
     lever = (turning @ rotation.T)[:, 2]
     load, struts = outputs["normal_force"], outputs["suspension_rate"]
     slip = outputs["longitudinal_force"] @ contact[:, 0] + outputs["lateral_force"] @ contact[:, 1]
+    moments = couples(state, outputs)
+    turned = rotation @ [state["roll_rate"], state["pitch_rate"], state["yaw_rate"]]
+    rise = spin_axes(vehicle, state, outputs)
+    about_axes = outputs["rolling_resistance_moment"] * np.sqrt(1.0 - rise**2)
+    about_axes += outputs["aligning_moment"] * rise
     friction = command["brake_torque"] + vehicle.rolling_resistance_coefficient * load * radius
     return {
         "dampers": -vehicle.per_wheel("damping") @ struts**2,
@@ -117,5 +145,6 @@ def powers(vehicle, state, outputs, command) -> dict[str, float]:
         "drag": -drag(vehicle, state) * state["u"],
         "torques": command["wheel_torque"] @ spin,
         "active": -command["normal_force"] @ struts,
+        "contact moments": moments.sum(axis=0) @ turned + about_axes @ spin,
         "links": -outputs["link_load_transfer"] @ struts,
     }

@@ -13,7 +13,7 @@ from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.model.tire.coefficients import RANGES
 from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS, SYMMETRIC
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.vehicle.parameters import GRAVITY
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 
 REFERENCE = preset()
 LARGEST_FACTOR = 1.6

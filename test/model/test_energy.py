@@ -4,6 +4,8 @@ In the model that is exact mechanics: no roll centre, Euler terms. Powers are in
 run by the trapezoidal rule.
 """
 
+import dataclasses
+
 import numpy as np
 import pytest
 from mechanics import energy, powers
@@ -18,9 +20,10 @@ from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 pytestmark = pytest.mark.slow
 
 EXACT = Options(no_roll_centre=True, euler_terms=True)
+MOMENTS = dataclasses.replace(EXACT, tire_moments="on", contact_patch_shift="on")
 STEP, END = 1e-3, 6.0
 """s"""
-NEARLY_OVER = 18.0
+NEARLY_OVER, NOT_OVER_WITH_MOMENTS = 18.0, 14.0
 """m/s"""
 SHARE = 1e-6
 """Of the kinetic energy at the start; seen 3e-8 in the stops, 1e-7 in the landings, where the slope
@@ -79,6 +82,15 @@ def test_energy_changes_by_the_work_of_dampers_slip_brakes_and_torques(vehicle, 
     assert work["torques"] > 0.0
     assert -work["brakes"] > 0.5 * kinetic(vehicle)
     assert abs(missing) < SHARE * kinetic(vehicle)
+
+
+def test_with_contact_moments_their_work_is_all_that_is_added(reference):
+    vehicle = reference.with_values({"front_camber": 0.02, "rear_camber": -0.01})
+    simulation = Simulation(vehicle, MOMENTS, step=STEP)
+    simulation.reset(NOT_OVER_WITH_MOMENTS)
+    _, missing, work = audit(simulation, vehicle, swerve)
+    assert abs(work["contact moments"]) > 100 * SHARE * kinetic(vehicle, NOT_OVER_WITH_MOMENTS)
+    assert abs(missing) < SHARE * kinetic(vehicle, NOT_OVER_WITH_MOMENTS)
 
 
 def test_what_is_unaccounted_for_is_the_error_of_the_rule(reference):

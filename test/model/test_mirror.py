@@ -19,7 +19,9 @@ OTHER_SIDE = [1, 0, 3, 2]
 """Wheels in the order lf, rf, lr, rr, exchanged across the vehicle."""
 REVERSED_STATES = {"y", "roll", "yaw", "v", "roll_rate", "yaw_rate", "lateral_slip"}
 SIGNALS = ("normal_force", "slip_ratio", "tire_longitudinal", "loaded_radius")
-REVERSED_SIGNALS = ("slip_angle", "lateral_force", "tire_lateral", "link_y")
+REVERSED_SIGNALS = ("slip_angle", "lateral_force", "tire_lateral", "link_y", "inclination")
+MOMENTS = {"overturning_moment": True, "rolling_resistance_moment": False, "aligning_moment": True}
+"""Those of the tires, and whether they are reversed; all 0 unless they count."""
 SHARE_OF_PEAK = 1e-9
 """Only the order of sums differs: 1e-15, grown by the fall to the side to 2e-13."""
 
@@ -42,7 +44,8 @@ def share_of_peak(values: np.ndarray, other: np.ndarray, reverse: bool) -> float
 )
 def tired(request, vehicle):
     side, coefficients = request.param
-    return with_tire(vehicle, side, **coefficients)
+    leaning = vehicle.with_values({"front_camber": -0.02, "rear_camber": 0.01})
+    return with_tire(leaning, side, **coefficients)
 
 
 @pytest.fixture(
@@ -50,6 +53,9 @@ def tired(request, vehicle):
         pytest.param(Options(), id="roll centre"),
         pytest.param(Options(no_roll_centre=True), id="no roll centre"),
         pytest.param(SOURCE, id="steady-state slip"),
+        pytest.param(
+            Options(tire_moments="on", contact_patch_shift="on"), id="moments of the tires"
+        ),
     ]
 )
 def options(request) -> Options:
@@ -89,6 +95,12 @@ def test_mirrored_commands_give_mirrored_motion_and_tire_forces(runs, options):
     for name in (*SIGNALS, *REVERSED_SIGNALS):
         reverse = name in REVERSED_SIGNALS
         shares[name] = share_of_peak(left.outputs[name], right.outputs[name], reverse)
+    if options.contact_patch_shift == "on":
+        for name, reverse in MOMENTS.items():
+            if left.outputs[name].any():
+                mine, other = left.outputs[name], right.outputs[name]
+                shares[name] = share_of_peak(mine, other, reverse)
+        assert "overturning_moment" in shares
     assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 

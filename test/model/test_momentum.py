@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from mechanics import GRAVITY, along, external, momenta, slope
+from mechanics import GRAVITY, along, couples, external, momenta, slope, spin_axes
 from programmes import Evaluation
 from random_states import attitude, random_command, random_state, wheel_centres
 
@@ -26,18 +26,38 @@ def steady_state_slip(request) -> bool:
     return request.param
 
 
-@pytest.fixture(params=[False, True], ids=["roll centre", "no roll centre"])
-def evaluation(request, vehicle, steady_state_slip):
-    options = Options(
-        no_roll_centre=request.param, euler_terms=True, steady_state_slip=steady_state_slip
+LINKS = {
+    "roll centre": {},
+    "each side's own link load transfer": {"link_load_transfer": "asymmetric"},
+    "no roll centre": {"no_roll_centre": True},
+}
+
+
+@pytest.fixture(params=LINKS)
+def links(request) -> dict:
+    return LINKS[request.param]
+
+
+@pytest.fixture
+def evaluation(vehicle, links, steady_state_slip):
+    return Evaluation(
+        vehicle, Options(euler_terms=True, steady_state_slip=steady_state_slip, **links)
     )
-    return Evaluation(vehicle, options)
+
+
+@pytest.fixture
+def with_moments(vehicle, links):
+    """With moments at the contact points, on wheels with camber."""
+    leaning = vehicle.with_values({"front_camber": -0.03, "rear_camber": 0.02})
+    options = Options(euler_terms=True, contact_patch_shift="on", tire_moments="on", **links)
+    return leaning, Evaluation(leaning, options)
 
 
 def random_cases(vehicle, evaluation, seed: int):
     rng = np.random.default_rng(seed)
     for _ in range(STATES):
         state, command = random_state(vehicle, rng), random_command(rng)
+        evaluation.torque = command["wheel_torque"]
         yield state, evaluation.rates(state, command), evaluation.outputs
 
 
@@ -53,6 +73,29 @@ def test_their_moments_are_all_that_changes_the_angular_momentum(vehicle, evalua
     for state, rates, outputs in random_cases(vehicle, evaluation, seed=2):
         _, angular = momenta(vehicle, along(state, rates))
         assert close(slope(angular), np.cross(*external(vehicle, state, outputs)[::-1])), state
+
+
+def test_with_contact_moments_they_and_the_forces_are_all_that_changes_the_momentum(with_moments):
+    vehicle, evaluation = with_moments
+    for state, rates, outputs in random_cases(vehicle, evaluation, seed=8):
+        linear, angular = momenta(vehicle, along(state, rates))
+        forces, points = external(vehicle, state, outputs)
+        moments = np.vstack([np.cross(points, forces), couples(state, outputs)])
+        assert close(slope(linear), forces), state
+        assert close(slope(angular), moments), state
+        assert (couples(state, outputs)[outputs["normal_force"] == 0.0] == 0.0).all()
+
+
+def test_the_contact_moments_about_its_axis_turn_a_wheel(with_moments):
+    vehicle, evaluation = with_moments
+    for state, rates, outputs in random_cases(vehicle, evaluation, seed=9):
+        rise = spin_axes(vehicle, state, outputs)
+        np.testing.assert_allclose(np.sin(outputs["inclination"]), rise, rtol=0, atol=1e-12)
+        about_axis = outputs["rolling_resistance_moment"] * np.sqrt(1.0 - rise**2)
+        about_axis += outputs["aligning_moment"] * rise
+        without = vehicle.wheel_inertia * rates["wheel_speed"] - about_axis
+        torque = without + outputs["loaded_radius"] * outputs["tire_longitudinal"]
+        np.testing.assert_allclose(torque, evaluation.torque, rtol=0, atol=RELATIVE * 1e4)
 
 
 def test_without_the_euler_terms_the_angular_momentum_lacks_just_them(vehicle, steady_state_slip):

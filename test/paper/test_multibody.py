@@ -52,7 +52,17 @@ def uneven() -> Vehicle:
     )
 
 
-VEHICLES = {"reference": preset("reference"), "uneven": uneven()}
+def with_moments() -> Vehicle:
+    """The uneven vehicle on leaning wheels, with moments at the contact points."""
+    leaning = uneven().with_values({"front_camber": -0.02, "rear_camber": 0.03})
+    return dataclasses.replace(leaning, tire_moments=True, contact_patch_shift=True)
+
+
+VEHICLES = {
+    "reference": preset("reference"),
+    "uneven": uneven(),
+    "with contact moments": with_moments(),
+}
 
 
 @pytest.fixture(params=VEHICLES)
@@ -123,7 +133,7 @@ def both(vehicle, programme, duration, speed=DEFAULT_SPEED, **settings) -> Runs:
     return Runs(simulation, model, engine, multibody.events)
 
 
-@pytest.fixture(scope="module", params=VEHICLES)
+@pytest.fixture(scope="module", params=["reference", "with contact moments"])
 def turn(request) -> Runs:
     """The J-turn to rollover."""
     return both(VEHICLES[request.param], j_turn(), 6.0)

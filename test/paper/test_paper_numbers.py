@@ -13,7 +13,7 @@ from vehicle_roll_sim.paper.report import (
     numbers_as_text,
 )
 from vehicle_roll_sim.paper.study import RUNS
-from vehicle_roll_sim.vehicle.parameters import GRAVITY
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 
 
 def test_a_rigid_vehicle_lifts_a_wheel_at_its_static_stability_factor(study):

@@ -7,7 +7,7 @@ import pytest
 
 from vehicle_roll_sim.paper import figures
 from vehicle_roll_sim.paper.report import lift_off_thresholds
-from vehicle_roll_sim.vehicle.parameters import GRAVITY
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 
 ROUNDING = 1e-12
 """Relative: a product of two numbers."""

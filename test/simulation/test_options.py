@@ -107,7 +107,7 @@ def test_every_defined_combination_runs(values):
     assert simulation.step(turn(4.0), 0.5) is Condition.RUNNING
     assert np.isfinite(simulation.model_state).all()
     assert simulation.state.roll > 0.01  # rad, to the outside of the turn
-    assert simulation.options == Options(**values)
+    assert simulation.options == Options(**values).for_vehicle(preset())
 
 
 def test_the_default_is_model_1_of_the_source_on_tires_with_transient_slip():
@@ -119,6 +119,8 @@ def test_the_default_is_model_1_of_the_source_on_tires_with_transient_slip():
         "link_load_transfer": "symmetric",
         "euler_terms": False,
         "steady_state_slip": False,
+        "tire_moments": "auto",
+        "contact_patch_shift": "auto",
     }
     assert flags(options) == set()
     named, unnamed = Simulation(preset(), options), Simulation(preset())

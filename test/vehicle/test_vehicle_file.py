@@ -40,19 +40,39 @@ OPTIONAL = {
     "minimum_relaxation_length": 0.1,
     "rolling_resistance_coefficient": 0.0,
     "drag_area": 0.0,
+    "front_camber": 0.0,
+    "rear_camber": 0.0,
 }
 """What a vehicle file may leave out, and what counts then: the source has none of them."""
 HEIGHTS = {"front_roll_centre_height": 0.1, "rear_roll_centre_height": 0.15}
 """What a vehicle file may have in place of the depths."""
+OF_TIRE_FILE = ("front_tire_stiffness", "rear_tire_stiffness", "tire_radius")
+"""What the reference file has, and would take from its tire file otherwise."""
+ABSENT = {
+    "front_tire_radius": 0.3,
+    "rear_tire_radius": 0.31,
+    "tire_pressure": 2.2e5,
+    "front_tire_pressure": 2.3e5,
+    "rear_tire_pressure": 2.4e5,
+    "front_tire_lateral_stiffness": 1.2e5,
+    "rear_tire_lateral_stiffness": 1.3e5,
+}
+"""What the reference vehicle does not have."""
 WHOLE_YAML = REFERENCE_YAML + "".join(f"{name}: {value}\n" for name, value in OPTIONAL.items())
 """A file that leaves nothing out."""
 
 
 def whole_with(name: str) -> str:
     """A file that leaves nothing out, with the parameter of that name."""
+    if name in ABSENT:
+        text = WHOLE_YAML + f"{name}: {ABSENT[name]}\n"
+        return edited(text, "tire_radius", "") if "_tire_radius" in name else text
     if name not in HEIGHTS:
         return WHOLE_YAML
     return edited(WHOLE_YAML, name.replace("height", "depth"), f"{name}: {HEIGHTS[name]}")
+
+
+REQUIRED = [*(n for n in PARAMETERS if n not in {*OPTIONAL, *ABSENT, *OF_TIRE_FILE}), "tire"]
 
 
 def beyond(limit: float, direction: float) -> float:
@@ -86,14 +106,12 @@ def path(tmp_path):
 def test_the_reference_vehicle_is_that_of_the_source():
     vehicle = preset("reference")
     assert {name: getattr(vehicle, name) for name in SOURCE} == SOURCE
-    assert {*PARAMETERS} - {*SOURCE} == {"steering_ratio", *OPTIONAL, *HEIGHTS}
+    assert {*PARAMETERS} - {*SOURCE} == {"steering_ratio", *OPTIONAL, *HEIGHTS, *ABSENT}
 
 
 def test_what_the_source_does_not_have_is_optional_and_nothing_else_is(vehicle_from):
     optional = {
-        name: p.default
-        for name, p in PARAMETERS.items()
-        if p.default is not MISSING and not p.alternative
+        name: p.default for name, p in PARAMETERS.items() if p.default not in (MISSING, None)
     }
     assert optional == OPTIONAL
     named, unnamed = vehicle_from(WHOLE_YAML), vehicle_from(REFERENCE_YAML)
@@ -102,9 +120,9 @@ def test_what_the_source_does_not_have_is_optional_and_nothing_else_is(vehicle_f
         assert getattr(named, name) == getattr(unnamed, name) == value
 
 
-@pytest.mark.parametrize("name", PARAMETERS)
+@pytest.mark.parametrize("name", [name for name in PARAMETERS if "pressure" not in name])
 def test_every_value_of_the_file_arrives_under_its_name(vehicle_from, name):
-    value = (preset("reference").given | HEIGHTS)[name] * 1.01 or 0.5
+    value = (preset("reference").given | HEIGHTS | ABSENT)[name] * 1.01 or 0.5
     loaded = vehicle_from(edited(whole_with(name), name, f"{name}: {value!r}"))
     assert getattr(loaded, name) == value
     assert type(getattr(loaded, name)) is float
@@ -120,17 +138,17 @@ def test_a_value_that_is_not_allowed_is_refused(vehicle_from, path, name, value)
 @pytest.mark.parametrize("name", [n for n, p in PARAMETERS.items() if p.minimum > 0])
 def test_zero_is_refused_where_nothing_is_not_allowed(vehicle_from, path, name):
     with refused(path, name):
-        vehicle_from(edited(WHOLE_YAML, name, f"{name}: 0"))
+        vehicle_from(edited(whole_with(name), name, f"{name}: 0"))
 
 
-@pytest.mark.parametrize("name", [*(n for n in preset().given if n not in OPTIONAL), "tire"])
+@pytest.mark.parametrize("name", [n for n in REQUIRED if not n.endswith("height")])
 def test_a_missing_key_is_named(vehicle_from, path, name):
     with refused(path, name):
         vehicle_from(edited(REFERENCE_YAML, name, ""))
 
 
 def test_all_that_is_missing_is_named_at_once(vehicle_from, path):
-    missing = [name for name in PARAMETERS if name not in {*OPTIONAL, "sprung_mass"}]
+    missing = [name for name in REQUIRED if name not in ("sprung_mass", "tire")]
     with refused(path, *missing, "tire: missing", "vehicle_roll_sim template"):
         vehicle_from("sprung_mass: 1440\n")
 
@@ -267,14 +285,14 @@ def test_a_field_of_the_equations_that_the_vehicle_does_not_have_is_no_silent_ze
 ):
     fields = [(name, VEHICLE[name]) for name in VEHICLE.names]
     longer = np.dtype([*fields, ("anti_roll_stiffness", float, shape)])
-    monkeypatch.setattr("vehicle_roll_sim.vehicle.parameters.VEHICLE", longer)
+    monkeypatch.setattr("vehicle_roll_sim.vehicle.derived_values.VEHICLE", longer)
     with pytest.raises(AttributeError, match="anti_roll_stiffness"):
         preset().record()
 
 
 def test_a_field_of_the_equations_comes_from_the_parameters_of_its_name(monkeypatch):
     longer = np.dtype([("drag_area", float), ("track", float, 4)])
-    monkeypatch.setattr("vehicle_roll_sim.vehicle.parameters.VEHICLE", longer)
+    monkeypatch.setattr("vehicle_roll_sim.vehicle.derived_values.VEHICLE", longer)
     vehicle = preset().with_values({"drag_area": 0.7, "front_track": 1.4, "rear_track": 1.6})
     (record,) = vehicle.record()
     assert record["drag_area"] == 0.7

@@ -97,8 +97,8 @@ class LevelRoadModel:
         if "rates_not_rotated" in MODELS[options.model]:
             allowed = "a model in which height and attitude determine the tire compression"
             raise InputError("model", options.model, allowed)
-        self.vehicle, self.options = vehicle, options
-        plant = Plant.of(vehicle, options)
+        self.vehicle, self.options = vehicle, options.for_vehicle(vehicle)
+        plant = Plant.of(vehicle, self.options)
         self.record = plant.vehicle
         self._plant = plant.parts()
         self._outputs = np.full(1, np.nan, OUTPUTS)

@@ -4,8 +4,11 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.vehicle.parameters import AXLES, Vehicle
+from vehicle_roll_sim.vehicle.derived_values import AXLES
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
+UNKNOWN = "–"
+"""Value of a parameter that is not given and has no default."""
 HEADER = ("name", "symbol", "value", "unit", "allowed", "meaning")
 
 
@@ -22,15 +25,27 @@ def parameter_table(vehicle: Vehicle) -> str:
     rows = [HEADER, ("---",) * len(HEADER)]
     for name, parameter in parameters_of(Vehicle).items():
         allowed = f"{parameter.minimum:g} … {parameter.maximum:g}"
-        value = f"{_value(vehicle, name):.10g}"
-        meaning = parameter.description
-        rows.append((f"`{name}`", parameter.symbol, value, parameter.unit, allowed, meaning))
+        value, source = _value(vehicle, name)
+        shown = UNKNOWN if value is None else f"{value:.10g}"
+        meaning = parameter.description + (f" (here: {source})" if source else "")
+        rows.append((f"`{name}`", parameter.symbol, shown, parameter.unit, allowed, meaning))
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 
 
-def _value(vehicle: Vehicle, name: str) -> float:
-    """The value of a parameter; a roll centre height also if its alternative was given."""
+def _value(vehicle: Vehicle, name: str) -> tuple[float | None, str]:
+    """The value of a parameter and, if it was not given, where it comes from; None without value.
+
+    A roll centre height has a value also if its alternative was given, and the tires of an axle
+    have what was given for all.
+    """
+    taken = vehicle.from_tires | vehicle.lateral_stiffness_from_tires
     if name in vehicle.given:
-        return vehicle.given[name]
+        return vehicle.given[name], ""
+    if name in taken:
+        return taken[name]
     axle, _, measure = name.partition("_")
-    return float(getattr(vehicle, measure)[AXLES[axle]])
+    if axle not in AXLES:
+        return None, ""
+    if "roll_centre" in measure:
+        return float(getattr(vehicle, measure)[AXLES[axle]]), ""
+    return vehicle.at_axle(axle, measure), ""

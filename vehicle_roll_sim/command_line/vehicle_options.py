@@ -20,8 +20,7 @@ from vehicle_roll_sim.simulation.simulation import (
 )
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
-from vehicle_roll_sim.vehicle.tire_file import load_tire
-from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
+from vehicle_roll_sim.vehicle.vehicle_file import TIRES, load_vehicle, on_tires, preset
 
 
 @dataclasses.dataclass(frozen=True)
@@ -70,9 +69,9 @@ def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--vehicle", metavar="FILE.yaml", help="vehicle file (default: the reference vehicle)"
     )
-    group.add_argument(
-        "--tire", metavar="FILE.tir", help="tire file to use instead of the vehicle's own"
-    )
+    for name, whose in zip(TIRES, ("the vehicle's own", *("that of this axle",) * 2), strict=True):
+        about = f"tire file to use instead of {whose}"
+        group.add_argument(_option(name), metavar="FILE.tir", help=about)
     group.add_argument(
         "--set",
         metavar="NAME=VALUE",
@@ -86,10 +85,12 @@ def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
 def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
     """The vehicle that the options of `add_vehicle_options` describe; raises InputError."""
     vehicle_file = named_file(arguments.vehicle, "--vehicle")
-    tire_file = named_file(arguments.tire, "--tire")
+    tires = {name: named_file(getattr(arguments, name), _option(name)) for name in TIRES}
     vehicle = load_vehicle(vehicle_file) if vehicle_file else preset()
-    if tire_file:
-        vehicle = dataclasses.replace(vehicle, tire=load_tire(tire_file))
+    try:
+        vehicle = on_tires(vehicle, {name: file for name, file in tires.items() if file})
+    except InputError as error:
+        raise as_option(error) if error.field in TIRES else error from None
     known = parameters_of(Vehicle)
     values = {}
     for assignment in arguments.set:
@@ -106,6 +107,10 @@ def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
     return vehicle
 
 
+def _option(name: str) -> str:
+    return "--" + name.replace("_", "-")
+
+
 def chosen_options(arguments: argparse.Namespace) -> Options:
     """The options of the model; raises InputError under the option's name for a bad combination."""
     values = declared_values(arguments, Options)
@@ -117,6 +122,4 @@ def chosen_options(arguments: argparse.Namespace) -> Options:
 
 def as_option(error: InputError) -> InputError:
     """The same error, reported for the command-line option of that name."""
-    return type(error)(
-        f"--{error.field.replace('_', '-')}", error.value, error.allowed, error.problem
-    )
+    return type(error)(_option(error.field), error.value, error.allowed, error.problem)

@@ -21,7 +21,8 @@ from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 LEVEL = 0.3
 """g: lateral acceleration at which the handwheel angle is determined."""

@@ -13,7 +13,8 @@ from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import roll_gradient, understeer_gradient
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 ENOUGH = 0.4 * GRAVITY
 """m/s^2: speed times yaw rate above which the speed stops rising; just above the 0.375 g needed."""

@@ -15,7 +15,7 @@ from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, History
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.vehicle.parameters import GRAVITY
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 
 STATE, COMMAND, IMU, LOADS = "state", "applied_command", "imu", "tire_normal_forces"
 COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS))

@@ -57,7 +57,7 @@ def urdf(vehicle: Vehicle, has_suspension: bool = True) -> str:
         strut = _joint(robot, f"{wheel}_suspension", motion, "base_link", at_rest, limit)
         knuckle = _joint(robot, f"{wheel}_steering", "revolute", strut, HERE, LOCK)
         _joint(robot, f"{wheel}_wheel", "continuous", knuckle, HERE)
-        _wheel(robot[-1], vehicle.tire_radius)
+        _wheel(robot[-1], record.tire_radius[i])
     ElementTree.indent(robot)
     return ElementTree.tostring(robot, encoding="unicode", xml_declaration=True)
 

@@ -48,7 +48,6 @@ def wheel_motion(state, tires, outputs):
         ug, vg = outputs.contact_u[i], outputs.contact_v[i]
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         outputs.rolling[i], outputs.sliding[i] = ug * c + vg * s, vg * c - ug * s
-        outputs.inclination[i] = 0.0
         outputs.tread[i] = outputs.rolling_radius[i] * spin[i]
         outputs.side[i] = tires[FRONT if i < LR else REAR].side[i]
 
@@ -97,7 +96,7 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
             upright_contact(i, state, vehicle, attitude, outputs)
             continue
         uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]
-        r = loaded_radius(xt[i], vehicle.tire_radius, attitude)
+        r = loaded_radius(xt[i], vehicle.tire_radius[i], attitude)
         outputs.loaded_radius[i] = r
         if options.small_angles:
             ug, vg = small_angle_contact_velocity(i, wx, wy, vehicle, options, outputs)
@@ -109,7 +108,7 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 @kernel
 def contact_forces(state, vehicle, tires, options, outputs):
     """Transient or steady-state slip, and contact forces in frame 2 (N; eqs 3-6)."""
-    rolling_radii(state, tires, outputs)
+    rolling_radii(state[at.WHEEL_SPEED], tires, outputs)
     wheel_motion(state, tires, outputs)
     if options.steady_state_slip:
         steady_state_slip(outputs)

@@ -11,7 +11,8 @@ they are iterated, starting from zero acceleration, until they agree.
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.contact import contact_forces, normal_force, steer
-from vehicle_roll_sim.model.frames import heading_of, yawed_to_ground
+from vehicle_roll_sim.model.frames import attitude_of, heading_of, yawed_to_ground
+from vehicle_roll_sim.model.inclination import inclinations
 from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import drag
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_yawed_axes
@@ -36,6 +37,7 @@ def eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rate
     heading = heading_of(state[at.YAW])
     steer(command, outputs)
     contact_velocities(state, vehicle, outputs)
+    inclinations(attitude_of(state[at.ROLL], 0.0), vehicle, options, outputs)
     slope_gravity_on_yawed_axes(heading, vehicle, outputs)
     accelerate(state, command, vehicle, tires, options, outputs)
     rates[at.X], rates[at.Y] = yawed_to_ground(heading, state[at.U], state[at.V])
@@ -122,7 +124,7 @@ def tire_loads(state, command, ax, ay, vehicle, options, outputs):
         load += -pitching if i < LR else pitching
         outputs.support[i] = load
         outputs.normal_force[i] = normal_force(load)
-        outputs.loaded_radius[i] = vehicle.tire_radius - outputs.normal_force[i] / stiffness
+        outputs.loaded_radius[i] = vehicle.tire_radius[i] - outputs.normal_force[i] / stiffness
 
 
 @kernel

@@ -11,6 +11,7 @@ from vehicle_roll_sim.model.contact import (
     contact_kinematics,
     steer,
 )
+from vehicle_roll_sim.model.contact_moments import contact_moments
 from vehicle_roll_sim.model.frames import (
     attitude_of,
     body_to_yawed,
@@ -19,6 +20,7 @@ from vehicle_roll_sim.model.frames import (
     small_angle_euler_rates,
     yawed_to_ground,
 )
+from vehicle_roll_sim.model.inclination import inclinations
 from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
@@ -42,7 +44,10 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
+    inclinations(attitude, vehicle, options, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
+    if options.contact_moments:
+        contact_moments(attitude, vehicle, outputs)
     contact_forces_on_body_axes(options, attitude, outputs)
     strut_forces(state, command, vehicle, outputs)
     applied_link_forces(state, vehicle, options, attitude, outputs)

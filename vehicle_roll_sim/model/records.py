@@ -111,13 +111,13 @@ added at each rear wheel (N m per m/s, m/s)."""
 
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
-    *("tire_radius", "wheel_inertia", "gravity", "gravity_along", "gravity_across"),
+    *("wheel_inertia", "gravity", "gravity_along", "gravity_across"),
     "minimum_relaxation_length",
     *("rolling_resistance_coefficient", "drag_area"),
     *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass", "axle_load_share"),
     *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
     *per_wheel("static_strut_length", "static_suspension_compression"),
-    *per_wheel("static_tire_compression"),
+    *per_wheel("static_tire_compression", "tire_radius", "camber", "tire_lateral_compliance"),
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel."""
 
@@ -145,6 +145,7 @@ OPTION_NAMES = (
     "eight_dof",
     "rigid_tires",
     "steady_state_slip",
+    "contact_moments",
 )
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 """Forms of terms in the equations; all off is model 1. Each is explained where it is used."""
@@ -189,7 +190,8 @@ OUTPUTS = record_dtype(
     *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
     *per_wheel("overturning_moment", "rolling_resistance_moment", "aligning_moment"),
-    *per_wheel("inclination", "rolling_radius"),
+    *per_wheel("inclination", "rolling_radius", "unloaded_radius"),
+    *per_wheel("contact_moment_x", "contact_moment_y", "contact_moment_z"),
     *per_wheel("steering_sine", "steering_cosine", "rolling", "sliding", "tread", "side"),
     *per_wheel("patch_slip_ratio", "patch_slip_tangent", "slip_tangent"),
     ("tire_terms", TIRE_TERMS),

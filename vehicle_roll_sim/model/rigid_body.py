@@ -11,7 +11,7 @@ from vehicle_roll_sim.model.records import (
     DWZ,
     WHEEL_COUNT,
 )
-from vehicle_roll_sim.model.suspension.links import carried_mass
+from vehicle_roll_sim.model.suspension.links import carried_mass, wheel_roll_moment
 
 AIR_DENSITY = 1.225
 """kg/m^3: standard atmosphere at sea level."""
@@ -109,8 +109,12 @@ def applied_forces(state, vehicle, options, attitude, outputs):
             f[DWZ] += outputs.longitudinal_force[i] * r * math.sin(lean)  # (73)
         else:
             f[DWY] -= x * fz + outputs.contact_x[i] * r + fx * ls  # (33), (27)
+        if options.contact_moments:
+            f[DWY] += outputs.contact_moment_y[i]
+            f[DWZ] += outputs.contact_moment_z[i]
         if options.asymmetric_link_load_transfer:
-            moment = outputs.rolling_force[i] * r + fy * (ls - vehicle.roll_centre_depth[i])
+            moment = wheel_roll_moment(i, options, outputs)
+            moment += fy * (ls - vehicle.roll_centre_depth[i])
             f[DW] -= moment / y  # (31) with the sum of Fdz
             f[DWY] += x * moment / y  # (33) with their moment
 
@@ -125,7 +129,7 @@ def drag(u, vehicle):
 def roll_moment(i, vehicle, options, outputs):
     """Roll moment of the lateral link force of corner i, with or without roll centre (25, 24)."""
     if options.no_roll_centre:
-        about_strut = outputs.rolling_force[i] * outputs.loaded_radius[i]
+        about_strut = wheel_roll_moment(i, options, outputs)
         return about_strut + outputs.applied_y[i] * outputs.strut_length[i]
     return outputs.applied_y[i] * vehicle.roll_centre_depth[i]
 

@@ -55,7 +55,7 @@ def roll_stiffness(vehicle, options):
 @kernel
 def wheel_centre_height(i, vehicle):
     """hu: height of wheel centre i above the ground at rest (m)."""
-    return vehicle.tire_radius - vehicle.static_tire_compression[i]
+    return vehicle.tire_radius[i] - vehicle.static_tire_compression[i]
 
 
 def motion_above_axis(state, depth: float) -> tuple[float, ...]:

@@ -7,6 +7,7 @@ reversed during the step stops instead.
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
+from vehicle_roll_sim.model.contact_moments import spin_moment
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 
 
@@ -40,7 +41,10 @@ def with_friction(torque, capacity, turning):
 
 @kernel
 def wheel_rates(state, command, vehicle, options, outputs, rates):
-    """Spin acceleration: Jw dw/dt = T - r Fxt minus friction; the speed hold acts at the rear."""
+    """Spin acceleration: Jw dw/dt = T - r Fxt minus friction; the speed hold acts at the rear.
+
+    With contact moments also their part about the spin axis.
+    """
     spin = state[at.WHEEL_SPEED]
     hold = command.speed_hold_gain * (command.speed_hold_target - state[at.U])
     for i in range(WHEEL_COUNT):
@@ -48,6 +52,8 @@ def wheel_rates(state, command, vehicle, options, outputs, rates):
         if i >= LR:
             torque += hold
         torque -= outputs.loaded_radius[i] * outputs.tire_longitudinal[i]
+        if options.contact_moments:
+            torque += spin_moment(i, outputs)
         capacity = friction_capacity(i, command, vehicle, outputs)
         if capacity > 0.0:
             torque = with_friction(torque, capacity, outputs.turning[i])

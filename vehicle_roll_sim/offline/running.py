@@ -14,6 +14,7 @@ from vehicle_roll_sim.offline.run_result import RunResult
 from vehicle_roll_sim.offline.tables import path_of
 from vehicle_roll_sim.runs import run as stepwise
 from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD, Observer
+from vehicle_roll_sim.runs.summary import choices
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import (
@@ -106,7 +107,7 @@ def drive(
         simulation.condition,
         simulation.time,
         simulation.implausible,
-        manoeuvre.report(history, driver),
+        choices(simulation.vehicle, simulation.options) | manoeuvre.report(history, driver),
     )
 
 

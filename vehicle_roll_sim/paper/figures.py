@@ -25,7 +25,7 @@ from vehicle_roll_sim.paper.study import (
     Study,
 )
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
-from vehicle_roll_sim.vehicle.parameters import GRAVITY
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 
 LOADS = tuple((f"normal_force_{wheel}", f"{wheel} load\n(kN)", 1 / KILO) for wheel in WHEELS)
 DATA = ("time", *(name for name, _, _ in (*PANELS, *LOADS)))

@@ -25,16 +25,18 @@ from vehicle_roll_sim.model.integration.events import (
 )
 from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.model.tire.radii import rolling_radii
+from vehicle_roll_sim.paper.engine_model import engine_model
 from vehicle_roll_sim.simulation.options import MULTIBODY
+from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
     DEFAULT_STEP,
     Simulation,
 )
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.plausibility import unwarned
 
-MASSLESS = 1e-9
-"""kg m^2: inertia of the point masses; the engine requires one, this is 1e-12 of the body's."""
 POSE = 7
 """Number of coordinates of the body: position, then quaternion; those of the slides follow."""
 TWIST = 6
@@ -46,23 +48,6 @@ SPINS = slice(SPEEDS.stop, SPEEDS.stop + WHEEL_COUNT)
 (rad/s)."""
 BODY, FIRST_WHEEL = 1, 2
 """Indices of the bodies in the engine."""
-
-BODIES = """
-<mujoco>
-  <option gravity="0 0 -{gravity}"/>
-  <worldbody>
-    <body>
-      <freejoint/>
-      <inertial pos="0 0 0" mass="{mass}" diaginertia="{inertia}"/>
-      {wheels}
-    </body>
-  </worldbody>
-</mujoco>"""
-WHEEL = """
-      <body pos="{x} {y} {z}">
-        <joint type="slide" axis="0 0 1"/>
-        <inertial pos="0 0 0" mass="{mass}" diaginertia="{inertia} {inertia} {inertia}"/>
-      </body>"""
 
 
 class Multibody(Simulation):
@@ -79,7 +64,9 @@ class Multibody(Simulation):
         step: float = DEFAULT_STEP,
         rollover_angle: float = DEFAULT_ROLLOVER_ANGLE,
     ):
-        (car,), self._tires = vehicle.record(), kernel_argument(vehicle.tires())
+        with unwarned():  # Simulation warns
+            plant = Plant.of(vehicle, MULTIBODY)
+        (car,), self._tires = plant.vehicle, kernel_argument(plant.tires)
         self._car = SimpleNamespace(**{name: car[name] for name in car.dtype.names})
         self._side = np.concatenate((self._tires[FRONT].side[:LR], self._tires[REAR].side[LR:]))
         self._engine = engine_model(car)
@@ -87,6 +74,7 @@ class Multibody(Simulation):
         self._rotation = self._data.xmat[BODY].reshape(3, 3)
         self._wheel_centres = self._data.xpos[FIRST_WHEEL:]
         self._jacobian = np.zeros((WHEEL_COUNT, 3, self._engine.nv))
+        self._turning = np.zeros((WHEEL_COUNT, 3, self._engine.nv))
         super().__init__(vehicle, MULTIBODY, step=step, rollover_angle=rollover_angle)
         self._built = set(vars(self))
 
@@ -200,12 +188,15 @@ class Multibody(Simulation):
         radius = car.tire_radius - np.maximum(compression, 0.0) / rotation[2, 2]  # (15, 16)
         for i, point in enumerate(self._wheel_centres - radius[:, None] * rotation[:, 2]):
             wheel = FIRST_WHEEL + i
-            mujoco.mj_jac(self._engine, data, self._jacobian[i], None, point, wheel)
+            jacobians = self._jacobian[i], self._turning[i]
+            mujoco.mj_jac(self._engine, data, *jacobians, point, wheel)
         velocities = self._jacobian @ data.qvel @ frame_2.T
         self.outputs["steering"] = np.repeat((command["steering"], command["rear_steering"]), 2)
         along, forces = self._tire_forces(velocities, spins, radius)
         data.qfrc_applied += (forces @ frame_2).ravel() @ self._jacobian.reshape(forces.size, -1)
-        torques = command["wheel_torque"] - radius * along
+        moments, about_axes = self._contact_moments()
+        data.qfrc_applied += (moments @ frame_2).ravel() @ self._turning.reshape(moments.size, -1)
+        torques = command["wheel_torque"] - radius * along + about_axes
         missing = command["speed_hold_target"] - rotation[:, 0] @ data.qvel[:3]
         torques[LR:] += command["speed_hold_gain"] * missing
         return torques / car.wheel_inertia
@@ -216,7 +207,10 @@ class Multibody(Simulation):
         s, c = np.sin(outputs["steering"]), np.cos(outputs["steering"])
         ug, vg = velocities[:, 0], velocities[:, 1]
         outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
-        outputs["tread"], outputs["side"] = radius * spins, self._side
+        outputs["loaded_radius"], outputs["side"] = radius, self._side
+        rolling_radii(spins, self._tires, seen)
+        outputs["tread"] = outputs["rolling_radius"] * spins
+        outputs["inclination"] = self._inclinations(s, c)
         steady_state_slip(seen)
         tire_forces(self._tires, seen)
         along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
@@ -224,21 +218,25 @@ class Multibody(Simulation):
         outputs["lateral_force"] = left = across * c + along * s  # (4)
         return along, np.column_stack((ahead, left, outputs["normal_force"]))
 
+    def _inclinations(self, s: np.ndarray, c: np.ndarray) -> np.ndarray:
+        """Inclination of the wheels to the road (rad), at sine and cosine of their steering."""
+        spin_axes = np.column_stack((-s, c, np.zeros(WHEEL_COUNT))) @ self._rotation.T
+        return np.arcsin(spin_axes[:, 2]) + self._car.camber
+
+    def _contact_moments(self) -> tuple[np.ndarray, np.ndarray]:
+        """Moments at the contact points in frame 2 (4, 3), and about the spin axes (4,) (N m)."""
+        outputs = self.outputs
+        shift = self._car.tire_lateral_compliance * outputs["tire_lateral"]
+        about_x = outputs["overturning_moment"] + shift * outputs["normal_force"]
+        about_y = outputs["rolling_resistance_moment"]
+        about_z = outputs["aligning_moment"] - shift * outputs["tire_longitudinal"]
+        s, c = np.sin(outputs["steering"]), np.cos(outputs["steering"])
+        moments = np.column_stack((about_x * c - about_y * s, about_y * c + about_x * s, about_z))
+        inclination = outputs["inclination"]
+        return moments, about_y * np.cos(inclination) + about_z * np.sin(inclination)
+
     def _frame_2(self) -> np.ndarray:
         """The axes of frame 2 (forward, left, up) in the ground frame as rows, shape (3, 3)."""
         yaw = math.atan2(self._rotation[1, 0], self._rotation[0, 0])
         s, c = math.sin(yaw), math.cos(yaw)
         return np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
-
-
-def engine_model(car: np.record) -> mujoco.MjModel:
-    """The engine's model of a VEHICLE record; the slides are at 0 at static strut length."""
-    wheels = "".join(
-        WHEEL.format(x=x, y=y, z=-length, mass=mass, inertia=MASSLESS)
-        for x, y, length, mass in zip(
-            car.x, car.y, car.static_strut_length, car.unsprung_mass, strict=True
-        )
-    )
-    inertia = f"{car.roll_inertia} {car.pitch_inertia} {car.yaw_inertia}"
-    text = BODIES.format(gravity=GRAVITY, mass=car.sprung_mass, inertia=inertia, wheels=wheels)
-    return mujoco.MjModel.from_xml_string(text)

@@ -10,7 +10,7 @@ from vehicle_roll_sim.paper.claim import FAILS, HOLDS, NOT_CHECKED, Finding
 from vehicle_roll_sim.paper.responses import HEADER as RESPONSES
 from vehicle_roll_sim.paper.responses import response_rows
 from vehicle_roll_sim.paper.study import Study
-from vehicle_roll_sim.vehicle.parameters import GRAVITY
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 
 CLAIMS = (*simplified_models.CLAIMS, *assumptions.CLAIMS)
 HEADER = ("#", "section, figures", "claim of the paper", "measured (criterion)", "")

@@ -10,7 +10,7 @@ from vehicle_roll_sim.paper.study import (
     Study,
 )
 from vehicle_roll_sim.runs import metrics
-from vehicle_roll_sim.vehicle.parameters import GRAVITY
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 
 HEADER = (
     *("model", "peak roll (deg)", "steady (deg)", "frequency (Hz)", "damping ratio"),

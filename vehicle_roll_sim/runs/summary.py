@@ -4,8 +4,12 @@ import math
 
 import numpy as np
 
+from vehicle_roll_sim.declaration import ON
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED, TIME, VALUE, Condition
 from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.simulation.options import SWITCHES, Options
+from vehicle_roll_sim.vehicle.derived_values import AXLES
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 RANGES = ("slip ratio", "slip angle", "tire load")
 LABEL_WIDTH = 28
@@ -26,6 +30,31 @@ def summary_lines(events: np.record, time: float, condition: Condition, note: st
         *_ranges_left(events),
         line("end", f"{time:.3f} s, {_ending(condition, note)}"),
     ]
+
+
+def choices(vehicle: Vehicle, options: Options) -> dict[str, str]:
+    """Whether tire moments and contact patch shift count, one line each.
+
+    options: those of the simulation. Nothing for a vehicle without both, as that of the paper is.
+    """
+    chosen = {name: getattr(options, name) for name in SWITCHES}
+    if ON not in chosen.values() and not any(getattr(vehicle, name) for name in SWITCHES):
+        return {}
+    return {name.replace("_", " "): _choice(name, vehicle, options) for name in SWITCHES}
+
+
+def _choice(name: str, vehicle: Vehicle, options: Options) -> str:
+    """The resolved value of one of SWITCHES, and what is to be known about it."""
+    if getattr(options, name) != ON:
+        return "off" if options.model == "1" else f"off: model {options.model} does not have it"
+    if name == "tire_moments":
+        return ON
+    compliance = vehicle.contact_patch_compliance(options.tire_moments == ON)
+    of_axles = [
+        f"{axle} {1e-3 / compliance[wheel]:.4g} kN/m" if compliance[wheel] else f"{axle} none"
+        for axle, wheel in AXLES.items()
+    ]
+    return f"on, lateral stiffness of a tire {', '.join(of_axles)}"
 
 
 def line(label: str, value) -> str:

@@ -5,17 +5,24 @@ import json
 import math
 import platform
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import OFF, ON, InputError
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
-from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, RANGES, REQUIRED, SCALING
+from vehicle_roll_sim.simulation.options import SWITCHES, Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import DEFAULTS, Tire
+from vehicle_roll_sim.vehicle.vehicle_file import TIRES
 from vehicle_roll_sim.version import __version__
 
 PACKAGE = "vehicle_roll_sim"
 FIELD = "simulation description"
+OFF_UNLESS_DESCRIBED = dict.fromkeys(SWITCHES, OFF)
+UPRIGHT = {"front_camber": 0.0, "rear_camber": 0.0}
+"""Neutral values of what older versions did not have."""
+UPRIGHT_TIRE = (*SCALING, *OPTIONAL, *RANGES, *REQUIRED)
+"""Coefficients of a tire that older versions had, in their order."""
 VERSION, MACHINE = __version__, f"{platform.system()} {platform.machine()}"
 """Version and machine, on which results depend to the last bit."""
 
@@ -39,18 +46,63 @@ def describe(simulation: Simulation, period_ns: int) -> str:
 
 
 def _parts(simulation: Simulation) -> dict:
-    """Everything that defines a simulation; infinite range limits of the tire are omitted."""
-    vehicle = simulation.vehicle
-    coefficients = vehicle.tire.coefficients.items()
-    return {
+    """Everything that defines a simulation.
+
+    What older versions did not have is omitted where it is neutral: a description that
+    lacks it describes the same simulation as ever.
+    """
+    vehicle, options = simulation.vehicle, dataclasses.asdict(simulation.options)
+    taken = vehicle.from_tires
+    if simulation.options.contact_patch_shift == ON:
+        taken = taken | vehicle.lateral_stiffness_from_tires
+    numbers = vehicle.with_depths().given | {name: found.value for name, found in taken.items()}
+    parts = {
         "step": simulation.step_ns / NANOSECONDS,
         "rollover_angle": simulation.rollover_angle,
-        "model": dataclasses.asdict(simulation.options),
+        "model": _without_neutral(options, OFF_UNLESS_DESCRIBED),
         "road": dataclasses.asdict(simulation.road),
-        "vehicle": vehicle.with_depths().given,
-        "tire": {name: value for name, value in coefficients if math.isfinite(value)},
-        "tire_side": vehicle.tire.side,
+        "vehicle": _without_neutral(numbers, UPRIGHT),
     }
+    for name, tire in vehicle.own_tires.items():
+        parts |= _tire_parts(name, tire, simulation.options.tire_moments == ON)
+    return parts
+
+
+def _without_neutral(values: dict, neutral: dict) -> dict:
+    return {name: v for name, v in values.items() if name not in neutral or v != neutral[name]}
+
+
+def _tire_parts(name: str, tire: Tire, moments: bool) -> dict:
+    """A tire under its name among TIRES; infinite range limits are omitted.
+
+    So is what has no effect on it, apart from the coefficients that older versions had, which come
+    first: all others, if it is upright, of version 5.2 and without moments.
+    """
+    record = tire.record(moments=moments)[0]
+    others = [n for n in tire.coefficients if n not in UPRIGHT_TIRE]
+    names = UPRIGHT_TIRE if _is_upright(record, tire) else (*UPRIGHT_TIRE, *others)
+    values = {n: tire.coefficients[n] for n in names}
+    kept = {n: v for n, v in values.items() if n in UPRIGHT_TIRE or v != DEFAULTS[n]}
+    parts = {
+        name: {key: value for key, value in kept.items() if math.isfinite(value)},
+        f"{name}_side": tire.side,
+        f"{name}_version": tire.version,
+        f"{name}_combined": tire.combined,
+    }
+    return _without_neutral(parts, {f"{name}_version": "5.2", f"{name}_combined": True})
+
+
+def _is_upright(record, tire: Tire) -> bool:
+    return bool(record["plain"] and not record["rolls_on_own_radius"] and tire.version == "5.2")
+
+
+def _described_tire(told: dict, name: str) -> Tire:
+    return Tire(
+        told[name],
+        told[f"{name}_side"],
+        version=told.get(f"{name}_version", "5.2"),
+        combined=told.get(f"{name}_combined", True),
+    )
 
 
 def described(text: str) -> Described:
@@ -60,10 +112,10 @@ def described(text: str) -> Described:
     """
     try:
         told = json.loads(text)
-        tire = Tire(DEFAULTS | told["tire"], told["tire_side"])
+        tires = {name: _described_tire(told, name) for name in TIRES if name in told}
         simulation = Simulation(
-            Vehicle.checked(told["vehicle"], tire),
-            Options(**told["model"]),
+            Vehicle.checked(told["vehicle"], **tires or {"tire": _described_tire(told, "tire")}),
+            Options(**OFF_UNLESS_DESCRIBED | told["model"]),
             step=told["step"],
             rollover_angle=told["rollover_angle"],
             road=Road(**told["road"]),

@@ -4,8 +4,17 @@ import dataclasses
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
+from vehicle_roll_sim.declaration import (
+    AUTO,
+    OFF,
+    ON,
+    SWITCH,
+    InputError,
+    keep_validated,
+    parameter,
+)
 from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, OPTIONS, SLIP_STATES
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 _1A = ("small_angles",)
 _1B = (*_1A, "no_link_inertia", "no_unsprung_turning")
@@ -31,6 +40,8 @@ section 5 (equation 58 omitted; unsprung mass lumped into equations 48 and 49). 
 model of section 8, with the tires in series with the springs, and with rigid tires, that is, with
 the roll stiffness of the springs alone.
 """
+SWITCHES = ("tire_moments", "contact_patch_shift")
+"""Options that a vehicle file decides unless they are given."""
 SYMMETRIC, ASYMMETRIC = "symmetric", "asymmetric"
 
 
@@ -65,11 +76,25 @@ class Options:
     euler_terms: bool = parameter(
         "include the gyroscopic terms that the paper omits from equations 32 to 34", default=False
     )
+    tire_moments: str = parameter(
+        "overturning, rolling resistance and aligning moment of the tires act on wheels and body; "
+        "auto: as the vehicle file says, which is on unless it says otherwise",
+        choices=SWITCH,
+        default=AUTO,
+    )
+    contact_patch_shift: str = parameter(
+        "contact patches shift sideways under lateral force, unless the moments of the tire file "
+        "count, which contain it; auto: as the vehicle file says, which is on unless it says "
+        "otherwise",
+        choices=SWITCH,
+        default=AUTO,
+    )
 
     def __post_init__(self):
         keep_validated(self)  # converts 1 to model "1"
         if self.model != "1":
             self._refuse("of model 1", "tire_normal_to_ground", "link_load_transfer", "euler_terms")
+            self._refuse("of model 1", *SWITCHES)
         if self.has_eight_dof:
             self._refuse("of the 14 DOF models", "no_roll_centre")
         if self.no_roll_centre and self.link_load_transfer == ASYMMETRIC:
@@ -79,7 +104,7 @@ class Options:
     def _refuse(self, of_which: str, *names: str) -> None:
         """Raise InputError for the first of these options that is not at its default."""
         for name in names:
-            if getattr(self, name) not in (False, SYMMETRIC):
+            if getattr(self, name) not in (False, SYMMETRIC, AUTO, OFF):
                 allowed = f"an option {of_which}; model {self.model} does not have it"
                 raise InputError(name, getattr(self, name), allowed)
 
@@ -100,7 +125,17 @@ class Options:
         for name in (*MODELS[self.model], *chosen):
             options[name] = True
         options["asymmetric_link_load_transfer"] = self.link_load_transfer == ASYMMETRIC
+        options["contact_moments"] = ON in (self.tire_moments, self.contact_patch_shift)
         return options
+
+    def for_vehicle(self, vehicle: Vehicle) -> "Options":
+        """The same options with on or off in place of auto, as a vehicle has it."""
+        chosen = {
+            name: ON if self.model == "1" and getattr(vehicle, name) else OFF
+            for name in SWITCHES
+            if getattr(self, name) == AUTO
+        }
+        return dataclasses.replace(self, **chosen)
 
 
 MULTIBODY = Options(no_roll_centre=True, euler_terms=True, steady_state_slip=True)

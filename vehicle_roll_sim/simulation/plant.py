@@ -4,10 +4,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vehicle_roll_sim.declaration import ON
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.consistency import check_one_rolling_resistance
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility, warn
 
 
@@ -26,14 +29,21 @@ class Plant(NamedTuple):
     def of(cls, vehicle: Vehicle, options: Options, road: Road | None = None) -> "Plant":
         """That of a vehicle, on a level road unless one is given.
 
-        Warns (PlausibilityWarning) of values that are not plausible.
+        Warns (PlausibilityWarning) of values that are not plausible. Raises InputError if tire file
+        and vehicle both have a rolling resistance.
         """
         warn(plausibility(vehicle))
+        options = options.for_vehicle(vehicle)
+        has_moments = options.tire_moments == ON
+        if has_moments:
+            check_one_rolling_resistance(vehicle)
         record = vehicle.record()
+        if options.contact_patch_shift == ON:
+            record["tire_lateral_compliance"] = vehicle.contact_patch_compliance(has_moments)
         if road:
             gravity = road.gravity(GRAVITY)
             record["gravity"], record["gravity_along"], record["gravity_across"] = gravity
-        return cls(record, vehicle.tires(), options.record())
+        return cls(record, vehicle.tires(has_moments), options.record())
 
     def parts(self) -> tuple:
         """Vehicle, tires and options in the form in which `derivatives` takes them."""

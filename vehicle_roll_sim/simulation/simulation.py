@@ -105,7 +105,7 @@ class Simulation(Restorable):
     ):
         before = set(vars(self))
         self.vehicle = given("vehicle", vehicle, Vehicle)
-        self.options = given("options", options or Options(), Options)
+        self.options = given("options", options or Options(), Options).for_vehicle(vehicle)
         self.road = given("road", road or Road(), Road)
         step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)

@@ -6,7 +6,8 @@ import numpy as np
 
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import Command
-from vehicle_roll_sim.vehicle.parameters import GRAVITY, Vehicle
+from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 PROPORTIONAL = 2.0
 """1/s: proportional gain, acceleration demand per speed error."""
@@ -38,7 +39,8 @@ class SpeedController:
         brake_limit: float = DEFAULT_BRAKE_LIMIT,
     ):
         self.drive_limit, self.brake_limit = drive_limit, brake_limit
-        radius = vehicle.tire_radius - float(np.mean(vehicle.static_tire_compression))
+        front, *_, rear = vehicle.per_wheel("tire_radius")
+        radius = float((front + rear) / 2 - np.mean(vehicle.static_tire_compression))
         mass = vehicle.sprung_mass + float(vehicle.per_wheel("unsprung_mass").sum())
         inertia = mass + WHEEL_COUNT * vehicle.wheel_inertia / radius**2
         self._torque_of_gravity = mass * radius / WHEEL_COUNT

@@ -6,7 +6,8 @@ import sys
 import warnings
 from collections.abc import Iterable, Iterator
 
-from vehicle_roll_sim.vehicle.parameters import AXLES, Vehicle
+from vehicle_roll_sim.vehicle.derived_values import AXLES
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 PACKAGE = __name__.partition(".")[0]
 LARGEST_STEERING = math.pi / 3
@@ -91,7 +92,7 @@ def _inertias(vehicle: Vehicle) -> Iterator[str]:
     lengths = {
         "track": (vehicle.front_track + vehicle.rear_track) / 2,
         "wheelbase": vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle,
-        "tire radius": vehicle.tire_radius,
+        "tire radius": float(vehicle.per_wheel("tire_radius").mean()),
     }
     unsprung = (vehicle.front_unsprung_mass + vehicle.rear_unsprung_mass) / 2
     checks = [(name, vehicle.sprung_mass, *of) for name, of in RADIUS_OF_GYRATION.items()]
@@ -108,13 +109,15 @@ def _inertias(vehicle: Vehicle) -> Iterator[str]:
 
 def _suspension(vehicle: Vehicle, axle: str, wheel: int) -> Iterator[str]:
     spring, tire, damper = f"{axle}_spring_stiffness", f"{axle}_tire_stiffness", f"{axle}_damping"
-    stiffness, tires, damping = (getattr(vehicle, name) for name in (spring, tire, damper))
+    names = ("spring_stiffness", "tire_stiffness", "damping")
+    stiffness, tires, damping = (float(vehicle.per_wheel(name)[wheel]) for name in names)
     mass = float(vehicle.sprung_mass * vehicle.axle_load_share[wheel])
     sag = float(vehicle.static_suspension_compression[wheel])
     if sag > LARGEST_SAG:
         figure = f"{stiffness:g} N/m gives a static deflection of {sag:.3g} m"
         yield f"{spring}: {figure}: typically at most {LARGEST_SAG:g} m"
-    flattening = float(vehicle.static_tire_compression[wheel]) / vehicle.tire_radius
+    flattening = float(vehicle.static_tire_compression[wheel])
+    flattening /= float(vehicle.per_wheel("tire_radius")[wheel])
     if flattening > LARGEST_FLATTENING:
         figure = f"a static compression of {flattening:.3g} times the tire radius"
         usual = f"typically at most {LARGEST_FLATTENING:g} times"
@@ -147,7 +150,8 @@ def _roll_centre(vehicle: Vehicle, axle: str, wheel: int) -> Iterator[str]:
 
 
 def _lowness(vehicle: Vehicle) -> Iterator[str]:
-    wheel_centre = vehicle.tire_radius - float(max(vehicle.static_tire_compression))
+    heights = vehicle.per_wheel("tire_radius") - vehicle.static_tire_compression
+    wheel_centre = float(heights.min())
     if vehicle.cg_height < LOWEST_CENTRE * wheel_centre:
         figure = f"{vehicle.cg_height:g} m with wheel centres at {wheel_centre:.3g} m"
         yield f"cg_height: {figure}: typically at least {LOWEST_CENTRE:g} times their height"

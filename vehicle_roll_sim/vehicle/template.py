@@ -3,21 +3,38 @@
 from dataclasses import MISSING
 
 from vehicle_roll_sim.declaration import Parameter, parameters_of
-from vehicle_roll_sim.model.tire.coefficients import REQUIRED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.tire_file import ENTRY, FORMAT, UNITS, USED
-from vehicle_roll_sim.vehicle.tire_meanings import MEANINGS
-from vehicle_roll_sim.vehicle.vehicle_file import PRESETS, SHIPPED_TIRE, preset
+from vehicle_roll_sim.vehicle.tire.general_keys import UNITS as UNIT_KEYS
+from vehicle_roll_sim.vehicle.tire.keys import COEFFICIENTS, KEYS, REQUIRED
+from vehicle_roll_sim.vehicle.tire.text import HEADER, KEY, UNITS
+from vehicle_roll_sim.vehicle.tire.version import FORMAT
+from vehicle_roll_sim.vehicle.vehicle_file import (
+    FROM_LATERAL,
+    LONGITUDINAL,
+    PRESETS,
+    SHIPPED_TIRE,
+    SWITCHES,
+    preset,
+)
 
 ABOUT_THE_VEHICLE = """\
 # Vehicle file for vehicle_roll_sim, with the values of the reference vehicle. Edit them as needed.
 # Format: NAME: VALUE  # unit, allowed range: description (symbol in Shim and Ghike, 2007)
 # `vehicle_roll_sim parameters --vehicle FILE` lists the parameters of a vehicle file.
 """
-ABOUT_OPTIONAL = "# These are optional; the values shown are the defaults.\n"
+ABOUT_OPTIONAL = """\
+# These are optional. The values shown are the defaults, but for tire radius and stiffnesses, whose
+# defaults are those of the tire file.
+"""
+ABOUT_SWITCHES = """\
+# Whether the moments of the tires act, and whether contact patches shift sideways under lateral
+# force (true or false; true if left out, but the vehicle of the paper has neither).
+"""
 ABOUT_THE_TIRE = f"""\
 # Path of a tire file (.tir) relative to this file, or `{SHIPPED_TIRE}` for the tire that comes with
-# the package. `vehicle_roll_sim template --tire` writes a tire file to start from.
+# the package. `vehicle_roll_sim template --tire` writes a tire file to start from. front_tire and
+# rear_tire in place of tire give each axle its own. `{LONGITUDINAL}: {FROM_LATERAL}` gives a tire
+# file that has no longitudinal coefficients those of its lateral force.
 tire: {SHIPPED_TIRE}
 """
 ABOUT_COEFFICIENTS = """\
@@ -36,9 +53,11 @@ def vehicle_template() -> str:
     for name, parameter in parameters_of(Vehicle).items():
         value = getattr(vehicle, name)
         line = f"{name}: {value!r}" if value is not None else f"# {name}:"
-        is_optional = parameter.default not in (MISSING, None)
+        is_optional = parameter.default is not MISSING and not parameter.alternative
         (optional if is_optional else lines).append(f"{line:{COMMENT_AT}}# {_about(parameter)}\n")
-    return "".join([ABOUT_THE_VEHICLE, *lines, ABOUT_OPTIONAL, *optional, ABOUT_THE_TIRE])
+    switches = (f"{name}: {str(getattr(vehicle, name)).lower()}\n" for name in SWITCHES)
+    optional = [ABOUT_OPTIONAL, *optional, ABOUT_SWITCHES, *switches]
+    return "".join([ABOUT_THE_VEHICLE, *lines, *optional, ABOUT_THE_TIRE])
 
 
 def _about(parameter: Parameter) -> str:
@@ -52,17 +71,24 @@ def _about(parameter: Parameter) -> str:
 def tire_template() -> str:
     """A commented tire file with the values of the reference tire."""
     text = (PRESETS / "reference.tir").read_text(encoding="utf-8")
-    return ABOUT_COEFFICIENTS + "".join(f"{_commented(line)}\n" for line in text.splitlines())
+    section, lines = "", []
+    for line in text.splitlines():
+        header = HEADER.match(line)
+        section = header["name"] if header else section
+        lines.append(_commented(line, section))
+    return ABOUT_COEFFICIENTS + "".join(f"{line}\n" for line in lines)
 
 
-def _commented(line: str) -> str:
+def _commented(line: str, section: str) -> str:
     """Append a comment on its key to a line of a tire file; lines without a key are unchanged."""
-    entry = ENTRY.match(line)
+    entry = KEY.match(line)
     if not entry:
         return line
-    key = entry["key"]
-    if key in (FORMAT, *REQUIRED):
+    name = entry["key"]
+    key = UNIT_KEYS[name] if section == UNITS else KEYS[name]
+    if name in (FORMAT, *REQUIRED):
         note = "; required"
     else:
-        note = "" if key in USED or key in UNITS else "; not used"
-    return f"{line:{COMMENT_AT}}$ {MEANINGS[key]}{note}"
+        is_used = section == UNITS or name in (*COEFFICIENTS["5.2"], "TYRESIDE")
+        note = "" if is_used else "; not used"
+    return f"{line:{COMMENT_AT}}$ {key.meaning}{note}"

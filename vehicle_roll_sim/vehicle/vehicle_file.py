@@ -1,5 +1,6 @@
 """Vehicle files (YAML with the parameters of `Vehicle`) and the presets of the package."""
 
+import dataclasses
 import errno
 import os
 import re
@@ -34,6 +35,12 @@ ODD_VALUE = (ValueError, LookupError, TypeError, ArithmeticError, AttributeError
 TEMPLATE_HAS_ALL = "`vehicle_roll_sim template` writes a complete file"
 SHIPPED_TIRE = "reference"
 """The name by which a vehicle file refers to the tire that comes with the package."""
+TIRES = ("tire", "front_tire", "rear_tire")
+"""Keys that name a tire file: one for all wheels, or one for each axle."""
+SWITCHES = ("tire_moments", "contact_patch_shift")
+"""Keys that say what the options of these names mean by `auto`."""
+LONGITUDINAL, FROM_LATERAL = "longitudinal", "from_lateral"
+"""Key and value by which a lateral-only tire file gets a stand-in for longitudinal forces."""
 PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 
 
@@ -85,29 +92,47 @@ _Loader.add_implicit_resolver(  # YAML 1.1 would read 35e3 and 3.5e4 as text
 
 
 def load_vehicle(path: str | Path) -> Vehicle:
-    """Read a vehicle file and its tire file; raises InputError naming file, line and key."""
+    """Read a vehicle file and its tire files; raises InputError naming file, line and key."""
     path = Path(path)
     values, lines = _mapping(path)
     where = {name: f"{path}: line {line}: {name}" for name, line in lines.items()}
     known = parameters_of(Vehicle)
-    expected = (*known, "tire")
+    expected = (*known, *TIRES, *SWITCHES, LONGITUDINAL)
     for name in values:
         if name not in expected:
             raise unknown_name(name, expected, f"{path}: line {lines[name]}: name")
     if missing := _missing(values):
         wanted = f"all are required; {TEMPLATE_HAS_ALL}"
         raise InputError(f"{path}: {', '.join(missing)}", None, wanted)
-    tire = values.pop("tire")
-    if not isinstance(tire, str) or not tire:
-        wanted = f"the name of a .tir file, or {SHIPPED_TIRE}"
-        raise InputError(where["tire"], tire, wanted)
-    numbers = {name: known[name].validate(value, where[name]) for name, value in values.items()}
-    tire = shipped_tire() if tire == SHIPPED_TIRE else _tire_beside(path, tire, where["tire"])
+    numbers = {
+        name: known[name].validate(value, where[name])
+        for name, value in values.items()
+        if name in known
+    }
+    others = _others(path, values, where)
     try:
-        return Vehicle(**numbers, tire=tire)
+        return Vehicle(**numbers, **others)
     except InputError as error:  # inconsistent values
         field = where.get(error.field, f"{path}: {error.field}")
         raise InputError(field, error.value, error.allowed, error.problem) from None
+
+
+def _others(path: Path, values: dict, where: dict[str, str]) -> dict:
+    """The values of the keys that are not numbers: tires, switches, how a tire file is read."""
+    others = {}
+    if LONGITUDINAL in values:
+        if values[LONGITUDINAL] != FROM_LATERAL:
+            raise InputError(where[LONGITUDINAL], values[LONGITUDINAL], FROM_LATERAL)
+        others[LONGITUDINAL] = FROM_LATERAL
+    for name in SWITCHES:
+        if name in values:
+            if not isinstance(values[name], bool):
+                raise InputError(where[name], values[name], "true or false")
+            others[name] = values[name]
+    for name in TIRES:
+        if name in values:
+            others[name] = _tire(path, values[name], where[name], others.get(LONGITUDINAL, ""))
+    return others
 
 
 def _missing(values: dict) -> list[str]:
@@ -120,19 +145,48 @@ def _missing(values: dict) -> list[str]:
             missing += [both] if f"{other} or {name}" not in missing else []
         elif declared.default is MISSING and name not in values:
             missing.append(name)
-    return missing if "tire" in values else [*missing, "tire"]
+    return missing if values.keys() & {*TIRES} else [*missing, "tire"]
 
 
-def _tire_beside(path: Path, name: str, where: str) -> Tire:
-    """Load the tire file named in the vehicle file at `path`."""
+def _tire(path: Path, name, where: str, longitudinal: str) -> Tire:
+    """The tire named in the vehicle file at `path`."""
+    if not isinstance(name, str) or not name:
+        raise InputError(where, name, f"the name of a .tir file, or {SHIPPED_TIRE}")
+    if name == SHIPPED_TIRE:
+        return shipped_tire()
     file = path.parent / name
     try:
-        return load_tire(file)
+        return tire_of(file, longitudinal)
     except InputError as error:
         if error.problem != os.strerror(errno.ENOENT):
             raise
     wanted = f"the path of a .tir file relative to the vehicle file, or {SHIPPED_TIRE}"
     raise InputError(where, name, wanted, f"{file} does not exist")
+
+
+def tire_of(file: str | Path, longitudinal: str) -> Tire:
+    """Read a tire file; longitudinal: `from_lateral` if the vehicle asks for it, else ''."""
+    return load_tire(file, longitudinal=longitudinal) if longitudinal else load_tire(file)
+
+
+def on_tires(vehicle: Vehicle, files: dict[str, str | Path]) -> Vehicle:
+    """The vehicle on other tires.
+
+    files: tire files by the names of TIRES; that of one axle leaves the other axle its tire. Raises
+    InputError.
+    """
+    if not files:
+        return vehicle
+    if "tire" in files and len(files) > 1:
+        other = next(name for name in files if name != "tire")
+        problem = f"{files['tire']} together with {other} {files[other]}"
+        allowed = "either one tire for all wheels, or tires of one or both axles"
+        raise InputError("tire", str(files["tire"]), allowed, problem)
+    loaded = {name: tire_of(file, vehicle.longitudinal) for name, file in files.items()}
+    if "tire" not in loaded:
+        of_axles = {f"{axle}_tire": tire for axle, tire in vehicle.axle_tires.items()}
+        loaded = of_axles | loaded
+    return dataclasses.replace(vehicle, **dict.fromkeys(TIRES) | loaded)
 
 
 def _mapping(path: Path) -> tuple[dict, dict[str, int]]:

@@ -55,11 +55,19 @@ def link_forces(vehicle, options, outputs):
 
 
 @kernel
-def link_moment(i, vehicle, outputs):
+def wheel_roll_moment(i, options, outputs):
+    """Roll moment of the road on wheel i about its centre (N m): Fygs r, and the contact moment."""
+    moment = outputs.rolling_force[i] * outputs.loaded_radius[i]
+    if options.contact_moments:
+        moment += outputs.contact_moment_x[i]
+    return moment
+
+
+@kernel
+def link_moment(i, vehicle, options, outputs):
     """Roll moment of the contact and link forces of corner i about the roll centre (N m)."""
-    about_strut = outputs.rolling_force[i] * outputs.loaded_radius[i]
     arm = outputs.strut_length[i] - vehicle.roll_centre_depth[i]
-    return about_strut + outputs.link_y[i] * arm
+    return wheel_roll_moment(i, options, outputs) + outputs.link_y[i] * arm
 
 
 @kernel
@@ -70,8 +78,8 @@ def link_load_transfer(vehicle, options, outputs):
     """
     for left, right in ((LF, RF), (LR, RR)):
         on_left, on_right = (
-            link_moment(left, vehicle, outputs),
-            link_moment(right, vehicle, outputs),
+            link_moment(left, vehicle, options, outputs),
+            link_moment(right, vehicle, options, outputs),
         )
         if options.no_roll_centre:
             on_left = on_right = 0.0

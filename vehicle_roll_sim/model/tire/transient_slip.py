@@ -32,7 +32,7 @@ RELEASE_TIME = 0.02
 
 
 @term
-def relaxation_lengths(fz, vehicle, tire):
+def relaxation_lengths(fz, radius, vehicle, tire):
     """Longitudinal and lateral relaxation length at load fz (m).
 
     Files of version 5.2 give them (PTX1-PTX3, PTY1, PTY2); those of 6.1 and 6.2 give the stiffness
@@ -40,7 +40,7 @@ def relaxation_lengths(fz, vehicle, tire):
     """
     nominal = tire.LFZO * tire.FNOMIN
     dfz = (fz - nominal) / nominal
-    radius, floor = vehicle.tire_radius, vehicle.minimum_relaxation_length
+    floor = vehicle.minimum_relaxation_length
     if tire.version > 6.0:
         along, across = lengths_by_stiffness(fz, dfz, tire)
         return max(along * tire.LSGKP, floor), max(across * tire.LSGAL, floor)
@@ -87,6 +87,7 @@ def transient_slip(state, vehicle, tires, outputs):
     along, across = state[at.LONGITUDINAL_SLIP], state[at.LATERAL_SLIP]
     for i in range(WHEEL_COUNT):
         outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
+        outputs.unloaded_radius[i] = vehicle.tire_radius[i]
     vehicle = vehicle_constants(vehicle)
     for axle in range(AXLE_COUNT):
         tire = all_tire_constants(tires[axle])
@@ -101,6 +102,7 @@ def transient_slip(state, vehicle, tires, outputs):
                     outputs.normal_force[i],
                     outputs.side[i] * outputs.inclination[i],
                     outputs.side[i],
+                    outputs.unloaded_radius[i],
                     vehicle,
                     tire,
                 )
@@ -109,7 +111,7 @@ def transient_slip(state, vehicle, tires, outputs):
 
 
 @term
-def damped_slip(along, across, rolling, sliding, tread, fz, gamma, side, vehicle, tire):
+def damped_slip(along, across, rolling, sliding, tread, fz, gamma, side, radius, vehicle, tire):
     """Rates of the longitudinal and lateral slip (1/s), and the slips for the Magic Formula.
 
     rolling, sliding: velocity of the contact point along and across the wheel (m/s). tread: spin
@@ -117,7 +119,7 @@ def damped_slip(along, across, rolling, sliding, tread, fz, gamma, side, vehicle
     """
     if fz <= 0.0:
         return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across
-    long, lateral = relaxation_lengths(fz, vehicle, tire)
+    long, lateral = relaxation_lengths(fz, radius, vehicle, tire)
     weight, along_released, across_released = standstill(rolling), 0.0, 0.0
     if weight > 0.0:
         along_held, across_held = held_slips(along, across, gamma, side, fz, tire)
@@ -125,7 +127,7 @@ def damped_slip(along, across, rolling, sliding, tread, fz, gamma, side, vehicle
         across_released = weight * (across - across_held)
     along_rate = slip_rate(along, rolling, tread - rolling, long, along_released)
     across_rate = slip_rate(across, rolling, sliding, lateral, across_released)
-    slope = fz * tire.PKX1 * tire.LKX * vehicle.tire_radius**2  # about Kx r^2
+    slope = fz * tire.PKX1 * tire.LKX * radius**2  # about Kx r^2
     firm = max(DAMPING_SPEED, slope / (vehicle.wheel_inertia * QUICKEST_DAMPING))
     along += long / firm * weight * along_rate
     across += lateral / DAMPING_SPEED * weight * across_rate

@@ -22,7 +22,7 @@ def upright_contact(i, state, vehicle, attitude, outputs):
     tilt = tire_tilt(left, right, xt, vehicle, c_roll)
     s_tilt, c_tilt = math.sin(tilt), math.cos(tilt)
     tilting = wx if tilt != 0.0 else 0.0  # (76)
-    r = vehicle.tire_radius
+    r = vehicle.tire_radius[i]
     if xt[i] > 0.0:
         r -= xt[i] / (c_pitch * c_tilt)  # (69)
     us, vs, ls = outputs.corner_u[i], outputs.corner_v[i], outputs.strut_length[i]

@@ -3,10 +3,10 @@
 from collections.abc import Callable, Sequence
 
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.ros.simulator.parameters import TIRE, VEHICLE_PREFIX
+from vehicle_roll_sim.ros.simulator.parameters import VEHICLE_PREFIX
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.tire_file import load_tire
+from vehicle_roll_sim.vehicle.vehicle_file import LONGITUDINAL, TIRES, tire_of
 
 
 def simulated_vehicle(ask: Callable[[Sequence[str]], list]) -> tuple[Vehicle, Options]:
@@ -16,11 +16,16 @@ def simulated_vehicle(ask: Callable[[Sequence[str]], list]) -> tuple[Vehicle, Op
     that the simulator has; raises InputError if it is not there.
     """
     known, of_model = parameters_of(Vehicle), list(parameters_of(Options))
-    of_vehicle = [name for name, declared in known.items() if not declared.alternative]
+    of_vehicle = [name for name, declared in known.items() if declared.default is not None]
     numbers = ask([VEHICLE_PREFIX + name for name in of_vehicle])
     options = Options(**dict(zip(of_model, ask(of_model), strict=True)))
     values = dict(zip(of_vehicle, numbers, strict=True))
     for name in known.keys() - values.keys():
-        if found := ask([VEHICLE_PREFIX + name]):  # empty if the alternative was given
+        if found := ask([VEHICLE_PREFIX + name]):  # empty if it was not given
             values[name] = found[0]
-    return Vehicle.checked(values, load_tire(*ask([TIRE])), VEHICLE_PREFIX), options
+    (longitudinal,) = ask([VEHICLE_PREFIX + LONGITUDINAL])
+    tires = {}
+    for name in TIRES:
+        if found := ask([VEHICLE_PREFIX + name]):
+            tires[name] = tire_of(found[0], longitudinal)
+    return Vehicle.checked(values, prefix=VEHICLE_PREFIX, **tires), options

@@ -1,5 +1,6 @@
 """A client for the parameters and services of a running simulator, which retries requests."""
 
+import functools
 import time
 from collections.abc import Callable, Sequence
 
@@ -33,10 +34,14 @@ class SimulatorClient:
         self._node, self._executor, self.name = node, executor, name
         self._compilations = Compilations(node, name)
 
+    @functools.cached_property
+    def _getting(self):
+        return self._node.create_client(GetParameters, f"{self.name}/get_parameters")
+
     def get(self, names: Sequence[str]) -> list:
         """The values of parameters, in order; an empty list if one of them does not exist."""
-        client = self._node.create_client(GetParameters, f"{self.name}/get_parameters")
-        answer = self._call(client, GetParameters.Request(names=names), f"its parameter {names[0]}")
+        request = GetParameters.Request(names=names)
+        answer = self._call(self._getting, request, f"its parameter {names[0]}")
         return [parameter_value_to_python(value) for value in answer.values]
 
     def set(self, name: str, value: float) -> None:

@@ -27,11 +27,17 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
-from vehicle_roll_sim.vehicle.tire_file import load_tire
-from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
+from vehicle_roll_sim.vehicle.vehicle_file import (
+    LONGITUDINAL,
+    TIRES,
+    load_vehicle,
+    on_tires,
+    preset,
+)
 
 VEHICLE_PREFIX, IMU_PREFIX, ODOM_PREFIX = "vehicle.", "imu.", "odom."
-TIRE = VEHICLE_PREFIX + "tire"
+TIRE_PARAMETERS = tuple(VEHICLE_PREFIX + name for name in TIRES)
+OF_FILES = (*TIRES, LONGITUDINAL)
 SIM_TIME = "use_sim_time"
 """A parameter that every node has."""
 ROS_TYPES = {
@@ -44,9 +50,16 @@ ROS_TYPES = {
 
 @dataclasses.dataclass(frozen=True)
 class TireFile:
-    """The one entry of a vehicle file that is not a number."""
+    """The tires, which a vehicle file names and which are no numbers."""
 
-    tire: str = parameter("path of the tire file (.tir)", default="")
+    tire: str = parameter("path of the tire file (.tir) of all wheels", default="")
+    front_tire: str = parameter("path of the tire file (.tir) of the front wheels", default="")
+    rear_tire: str = parameter("path of the tire file (.tir) of the rear wheels", default="")
+    longitudinal: str = parameter(
+        "from_lateral: a tire file without longitudinal coefficients gets those of its lateral "
+        "force",
+        default="",
+    )
 
 
 @dataclasses.dataclass(frozen=True)
@@ -67,21 +80,42 @@ def declare(node: Node) -> Declared:
     _check_makes_time(node.get_parameter(SIM_TIME).value)
     settings = Settings(**_declare_class(node, Settings))
     limits = CommandLimits(**_declare_class(node, CommandLimits))
-    options = Options(**_declare_class(node, Options))
+    options = Options(**_given_of(node, Options))
     settings.check()
     _check_speed(settings.initial_speed, options)
     road = Road(**_declare_class(node, Road))
     vehicle = load_vehicle(settings.vehicle_file) if settings.vehicle_file else preset()
-    tire = _declare(node, TIRE, vehicle.tire.file)
-    if tire != vehicle.tire.file:
-        vehicle = dataclasses.replace(vehicle, tire=load_tire(tire))
+    vehicle = _on_tires(node, vehicle)
     vehicle = vehicle.with_values(_given_of_vehicle(node), VEHICLE_PREFIX)
     for name, value in vehicle.given.items():  # a dump with both alternatives could not be loaded
         _declare(node, VEHICLE_PREFIX + name, value)
+    options = options.for_vehicle(vehicle)
+    for name, value in dataclasses.asdict(options).items():
+        _declare(node, name, value, is_resolved=True)
     _heed(plausibility(vehicle), node, settings.strict)
     imu = ImuCovariances(**_declare_class(node, ImuCovariances, IMU_PREFIX))
     odom = OdomCovariances(**_declare_class(node, OdomCovariances, ODOM_PREFIX))
     return Declared(settings, limits, options, road, vehicle, Covariances(imu, odom))
+
+
+def _on_tires(node: Node, vehicle: Vehicle) -> Vehicle:
+    """The vehicle on the tires given as parameters; declares those of its tires that it has."""
+    reading = _declare(node, VEHICLE_PREFIX + LONGITUDINAL, vehicle.longitudinal)
+    given = {}
+    for name, parameter_name in zip(TIRES, TIRE_PARAMETERS, strict=True):
+        if parameter_name in node._parameter_overrides:
+            path = node._parameter_overrides[parameter_name].value
+            given[name] = PARAMETERS[parameter_name].validate(path, parameter_name)
+    own = {name: tire.file for name, tire in vehicle.own_tires.items()}
+    if given != {name: file for name, file in own.items() if name in given}:
+        try:
+            vehicle = on_tires(dataclasses.replace(vehicle, longitudinal=reading), given)
+        except InputError as error:
+            field = VEHICLE_PREFIX + error.field if error.field in OF_FILES else error.field
+            raise InputError(field, error.value, error.allowed, error.problem) from None
+    for name, tire in vehicle.own_tires.items():
+        _declare(node, VEHICLE_PREFIX + name, tire.file)
+    return vehicle
 
 
 def _check_makes_time(use_sim_time) -> None:
@@ -172,10 +206,21 @@ def _declare_class(node: Node, declaring, prefix: str = "") -> dict:
     return {name: _declare(node, prefix + name, default) for name, default in defaults.items()}
 
 
-def _declare(node: Node, name: str, default):
-    """Declare a parameter and return its validated value, with integers converted to numbers."""
+def _given_of(node: Node, declaring) -> dict:
+    """The validated values of a class's parameters that are given, by name."""
+    overrides = node._parameter_overrides
+    given = {name: overrides[name].value for name in parameters_of(declaring) if name in overrides}
+    return {name: PARAMETERS[name].validate(value, name) for name, value in given.items()}
+
+
+def _declare(node: Node, name: str, default, is_resolved: bool = False):
+    """Declare a parameter and return its validated value, with integers converted to numbers.
+
+    is_resolved: `default` counts even if the parameter is given.
+    """
     declared, given = PARAMETERS[name], node._parameter_overrides.get(name)
-    value = declared.validate(default if given is None else given.value, name)
+    value = default if given is None or is_resolved else given.value
+    value = declared.validate(value, name)
     return node.declare_parameter(name, value, _descriptor(declared), ignore_override=True).value
 
 

@@ -1,0 +1,41 @@
+"""Moments at the contact point: those of the tire, and those of a contact patch that shifts.
+
+Tire moments are about the W axes of a wheel (x along it in the road plane, y to the left, z normal
+to the road), as are the forces of the tire. Under a lateral force the contact patch of a tire
+shifts sideways against its rim, by y = Fy / cy with the lateral stiffness cy. The forces then act
+beside the nominal contact point, with the moments y Fz about the x axis and -y Fx about the z axis.
+"""
+
+from vehicle_roll_sim.model.compiled.jit import kernel, math
+from vehicle_roll_sim.model.frames import yawed_to_body
+from vehicle_roll_sim.model.records import WHEEL_COUNT
+
+
+@kernel
+def contact_moments(attitude, vehicle, outputs):
+    """Add the moments of the shift to those of the tires (N m), and express them in frame 1.
+
+    Turned by the steering angle into frame 2, as the tire forces are (eqs 3, 4), and from there as
+    in equation 2.
+    """
+    for i in range(WHEEL_COUNT):
+        shift = vehicle.tire_lateral_compliance[i] * outputs.tire_lateral[i]
+        outputs.overturning_moment[i] += shift * outputs.normal_force[i]
+        outputs.aligning_moment[i] -= shift * outputs.tire_longitudinal[i]
+        x, y = outputs.overturning_moment[i], outputs.rolling_resistance_moment[i]
+        s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
+        ahead, left, up = x * c - y * s, y * c + x * s, outputs.aligning_moment[i]
+        about_x, about_y, about_z = yawed_to_body(attitude, ahead, left, up)
+        outputs.contact_moment_x[i] = about_x
+        outputs.contact_moment_y[i], outputs.contact_moment_z[i] = about_y, about_z
+
+
+@kernel
+def spin_moment(i, outputs):
+    """Part of the contact moment of wheel i that turns the wheel about its spin axis (N m).
+
+    The axis is that of the W axes' y, inclined by gamma.
+    """
+    inclination = outputs.inclination[i]
+    turning = outputs.rolling_resistance_moment[i] * math.cos(inclination)
+    return turning + outputs.aligning_moment[i] * math.sin(inclination)

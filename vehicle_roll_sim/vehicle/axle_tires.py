@@ -1,0 +1,103 @@
+"""What a tire file says of a vehicle's tires: radius, and vertical and lateral stiffness."""
+
+import math
+from typing import NamedTuple
+
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.vehicle.tire_file import Tire
+
+KEYS = {"tire_radius": "UNLOADED_RADIUS", "tire_stiffness": "VERTICAL_STIFFNESS"}
+"""Keys of a tire file that stand for parameters of a vehicle."""
+OVERTURNING = tuple(f"QSX{number}" for number in range(1, 15))
+ROLLING_RESISTANCE = tuple(f"QSY{number}" for number in range(1, 7))
+"""Coefficients of the overturning and of the rolling resistance moment."""
+SOFTEST, STIFFEST = 1e3, 1e8
+"""N/m: limits of a lateral stiffness that is computed."""
+
+
+class FromTire(NamedTuple):
+    """A value (SI), and in words where it comes from."""
+
+    value: float
+    source: str
+
+
+def from_tire(name: str, axle: str, tire: Tire, pressure: float | None) -> FromTire:
+    """A radius (m) or vertical stiffness (N/m) that the vehicle leaves to its tire.
+
+    name: a key of KEYS. pressure: inflation pressure (Pa), None for that of the file. Raises
+    InputError if the tire file does not have it.
+    """
+    key = KEYS[name]
+    value = of_file(tire, key)
+    if value is None:
+        field = name if name == "tire_radius" else f"{axle}_{name}"
+        file = f" {tire.file}" if tire.file else ""
+        raise InputError(field, None, f"required, since the tire file{file} has no {key}")
+    if name == "tire_stiffness":
+        value *= 1.0 + tire.coefficients.get("PFZ1", 0.0) * pressure_change(tire, pressure)
+    return FromTire(value, f"{key} of the tire file")
+
+
+def of_file(tire: Tire, key: str) -> float | None:
+    """A positive value of the tire file; None if it does not have one."""
+    value = tire.coefficients.get(key, 0.0)
+    return value if 0.0 < value < math.inf else None
+
+
+def pressure_change(tire: Tire, pressure: float | None) -> float:
+    """dp: relative deviation of the inflation pressure (Pa) from the nominal one (-)."""
+    return float(tire.record(pressure)["pressure_change"][0])
+
+
+def lateral_stiffness(
+    tire: Tire, pressure: float | None, load: float, radius: float, shortest: float
+) -> FromTire:
+    """Lateral stiffness of a tire (N/m) under its static load (N).
+
+    That of the file; otherwise the stiffness at which cornering stiffness and relaxation length of
+    the file agree, cy = Kya / sigma. radius: unloaded (m), which replaces a relaxation length that
+    the file does not have. shortest: lower limit of relaxation lengths (m).
+    """
+    given = of_file(tire, "LATERAL_STIFFNESS")
+    if given is not None:
+        return FromTire(given, "LATERAL_STIFFNESS of the tire file")
+    cornering = abs(cornering_stiffness(tire, pressure, load))
+    length = relaxation_length(tire, load, radius)
+    source = "cornering stiffness over relaxation length at static load"
+    if length <= 0.0:
+        length, source = radius, "cornering stiffness over tire radius at static load"
+    return FromTire(min(max(cornering / max(length, shortest), SOFTEST), STIFFEST), source)
+
+
+def cornering_stiffness(tire: Tire, pressure: float | None, load: float) -> float:
+    """Kya of an upright tire (N/rad) at a load (N); negative with coefficients in ISO signs."""
+    c, dp = tire.coefficients, pressure_change(tire, pressure)
+    nominal = c["LFZO"] * c["FNOMIN"]
+    flattening = c["PKY2"] * (1.0 + c.get("PPY2", 0.0) * dp)
+    curve = math.sin(c.get("PKY4", 2.0) * math.atan(load / (flattening * nominal)))
+    return c["PKY1"] * nominal * (1.0 + c.get("PPY1", 0.0) * dp) * curve * c["LKY"]
+
+
+def relaxation_length(tire: Tire, load: float, radius: float) -> float:
+    """Lateral relaxation length (m) of Magic Formula 5.2 at a load (N); 0 if the file has none."""
+    c = tire.coefficients
+    if c["PTY1"] == 0.0 or c["PTY2"] == 0.0:
+        return 0.0
+    ratio = load / (c["PTY2"] * c["LFZO"] * c["FNOMIN"])
+    return c["PTY1"] * math.sin(2.0 * math.atan(ratio)) * radius * c["LFZO"] * c["LSGAL"]
+
+
+def has_overturning_moment(tire: Tire) -> bool:
+    """Whether the file has an overturning moment, in which its contact patch shift is contained."""
+    return _has_any(tire, OVERTURNING, "LMX")
+
+
+def has_rolling_resistance(tire: Tire) -> bool:
+    """Whether the file has a rolling resistance moment."""
+    return _has_any(tire, ROLLING_RESISTANCE, "LMY")
+
+
+def _has_any(tire: Tire, names: tuple[str, ...], factor: str) -> bool:
+    values = tire.coefficients
+    return values.get(factor, 1.0) != 0.0 and any(values.get(name, 0.0) for name in names)

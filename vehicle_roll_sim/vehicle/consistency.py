@@ -1,0 +1,147 @@
+"""Checks of a vehicle's values against each other."""
+
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError, parameters_of
+from vehicle_roll_sim.model.integration.events import plausible_magnitudes
+from vehicle_roll_sim.vehicle.axle_tires import has_rolling_resistance, of_file
+from vehicle_roll_sim.vehicle.derived_values import AXLES, DerivedValues
+from vehicle_roll_sim.vehicle.tire_file import Tire
+
+ROLL_CENTRES = {"minimum": -5.0, "maximum": 50.0}
+"""m: allowed range of the depth, and of the height, of a roll centre."""
+VERSION_WITHOUT_PRESSURE = "5.2"
+
+
+def check_consistency(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...]]) -> None:
+    """Raise InputError for values that do not agree with each other.
+
+    per_axle: names of parameters of both axles, and those of one axle that may replace them.
+    """
+    _check_tires(vehicle)
+    _check_given_once(vehicle, per_axle)
+    _check_pressures(vehicle)
+    _check_taken_from_tires(vehicle)
+    _check_roll_centres(vehicle)
+    _check_inertias(vehicle)
+    _check_fits_on_its_wheels(vehicle)
+    _check_springs_carry_it(vehicle)
+
+
+def _check_tires(vehicle: DerivedValues) -> None:
+    """Either one tire for all wheels, or one for each axle."""
+    names = ("tire", "front_tire", "rear_tire")
+    given = {name: getattr(vehicle, name) for name in names if getattr(vehicle, name) is not None}
+    for name, tire in given.items():
+        if not isinstance(tire, Tire):
+            raise InputError(name, tire, "a Tire, as returned by load_tire")
+    if "tire" in given and len(given) > 1:
+        other = next(name for name in given if name != "tire")
+        problem = f"given together with {other}"
+        raise InputError("tire", "", "either tire, or front_tire and rear_tire", problem)
+    if not given:
+        raise InputError("tire", None, "a Tire, as returned by load_tire")
+    if len(given) == 1 and "tire" not in given:
+        missing = "rear_tire" if "front_tire" in given else "front_tire"
+        raise InputError(missing, None, f"both are required; {next(iter(given))} is given")
+    for name in ("tire_moments", "contact_patch_shift"):
+        if not isinstance(getattr(vehicle, name), bool):
+            raise InputError(name, getattr(vehicle, name), "true or false")
+    if vehicle.longitudinal not in ("", "from_lateral"):
+        raise InputError("longitudinal", vehicle.longitudinal, "from_lateral, or nothing")
+
+
+def _check_given_once(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...]]) -> None:
+    for both, single in per_axle.items():
+        for name in single:
+            if both in vehicle.given and name in vehicle.given:
+                value = vehicle.given[name]
+                problem = f"{value:g} together with {both} {vehicle.given[both]:g}"
+                allowed = f"either {both}, or {' and '.join(single)}"
+                raise InputError(name, value, allowed, problem)
+
+
+def _check_pressures(vehicle: DerivedValues) -> None:
+    """Tires of Magic Formula 5.2, and those without nominal pressure, do not depend on it."""
+    for axle, tire in vehicle.axle_tires.items():
+        pressure = vehicle.at_axle(axle, "tire_pressure")
+        if pressure is not None and of_file(tire, "NOMPRES") is None:
+            name = f"{axle}_tire_pressure"
+            name = name if name in vehicle.given else "tire_pressure"
+            file = f" {tire.file}" if tire.file else ""
+            reason = "has no NOMPRES"
+            if tire.version == VERSION_WITHOUT_PRESSURE:
+                reason = f"is of version {tire.version}, which does not depend on it"
+            raise InputError(name, pressure, f"no pressure, since the tire file{file} {reason}")
+
+
+def _check_taken_from_tires(vehicle: DerivedValues) -> None:
+    """What comes from a tire file must be within the range of the parameter it stands for."""
+    known = parameters_of(type(vehicle))
+    for name, found in vehicle.from_tires.items():
+        axle = name.partition("_")[0]
+        file = f" {vehicle.axle_tires[axle].file}" if vehicle.axle_tires[axle].file else ""
+        known[name].validate(found.value, f"{name}, from {found.source}{file}")
+
+
+def _check_roll_centres(vehicle: DerivedValues) -> None:
+    """The depth that follows from a given height must be within the allowed range of depths."""
+    for axle, wheel in AXLES.items():
+        name = f"{axle}_roll_centre_height"
+        depth = vehicle.roll_centre_depth[wheel]
+        lowest, highest = ROLL_CENTRES["minimum"], ROLL_CENTRES["maximum"]
+        if name in vehicle.given and not lowest <= depth <= highest:
+            least, most = vehicle.cg_height - highest, vehicle.cg_height - lowest
+            limit = f"from {least:g} to {most:g} m with the c.g. at {vehicle.cg_height:g} m"
+            raise InputError(name, vehicle.given[name], limit)
+
+
+def _check_inertias(vehicle: DerivedValues) -> None:
+    """No principal moment of inertia of a rigid body exceeds the sum of the other two."""
+    names = ("roll_inertia", "pitch_inertia", "yaw_inertia")
+    total = math.fsum(getattr(vehicle, name) for name in names)
+    for name in names:
+        value = getattr(vehicle, name)
+        if value > total - value:
+            most = total - value
+            limit = f"at most the sum of the other two moments of inertia, {most:g} kg m^2"
+            excess = f"{value - most:g} kg m^2 ({100 * (value - most) / most:.2g} %) more"
+            scope = "give the inertia of the sprung mass alone, not of the whole vehicle"
+            raise InputError(name, value, f"{limit}; it is {excess}: {scope}")
+
+
+def _check_fits_on_its_wheels(vehicle: DerivedValues) -> None:
+    """The static tire compression must be less than the tire radius."""
+    for axle, wheel in AXLES.items():
+        compression = float(vehicle.static_tire_compression[wheel])
+        radius = float(vehicle.per_wheel("tire_radius")[wheel])
+        if radius <= compression:
+            name = f"{axle}_tire_radius"
+            name = name if name in vehicle.given else "tire_radius"
+            limit = f"more than the static compression of the {axle} tires, {compression:g} m"
+            raise InputError(name, radius, limit)
+
+
+def _check_springs_carry_it(vehicle: DerivedValues) -> None:
+    """The static spring compression must be below the limit at which a run counts as diverged."""
+    most = float(np.min(plausible_magnitudes()["suspension_compression"]))
+    for axle, wheel in AXLES.items():
+        name = f"{axle}_spring_stiffness"
+        compression = float(vehicle.static_suspension_compression[wheel])
+        if compression > most:
+            stiffness = vehicle.given[name]
+            limit = f"at least {stiffness * compression / most:g} N/m to carry the sprung mass"
+            raise InputError(name, stiffness, limit)
+
+
+def check_one_rolling_resistance(vehicle: DerivedValues) -> None:
+    """Raise InputError if a rolling resistance would count twice once tire moments count."""
+    coefficient = vehicle.rolling_resistance_coefficient
+    for tire in vehicle.axle_tires.values():
+        if coefficient and has_rolling_resistance(tire):
+            file = f" {tire.file}" if tire.file else ""
+            own = f"the tire file{file} has a rolling resistance of its own (QSY1 ...)"
+            allowed = f"0 with tire_moments, since {own}; or tire_moments off"
+            raise InputError("rolling_resistance_coefficient", coefficient, allowed)

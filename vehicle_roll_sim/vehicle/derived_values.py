@@ -1,0 +1,202 @@
+"""What follows from a vehicle's parameters: static equilibrium, and the record for the model."""
+
+import functools
+
+import numpy as np
+
+from vehicle_roll_sim.model.equilibrium import (
+    axle_load_share,
+    static_strut_length,
+    static_suspension_compression,
+    static_tire_compression,
+)
+from vehicle_roll_sim.model.records import LF, LR, VEHICLE
+from vehicle_roll_sim.model.tire.coefficients import on_axles
+from vehicle_roll_sim.vehicle.axle_tires import (
+    FromTire,
+    from_tire,
+    has_overturning_moment,
+    lateral_stiffness,
+)
+from vehicle_roll_sim.vehicle.tire_file import Tire
+
+GRAVITY = 9.81
+"""m/s^2, the value used in the paper."""
+AXLES = {"front": LF, "rear": LR}
+"""The left wheel of each axle; both wheels of an axle have the same parameters."""
+
+
+class DerivedValues:
+    """Properties of a Vehicle, all derived from what was given."""
+
+    @property
+    def own_tires(self) -> dict[str, Tire]:
+        """The tires as they were given, by field: `tire`, or `front_tire` and `rear_tire`."""
+        names = ("tire",) if self.tire is not None else ("front_tire", "rear_tire")
+        return {name: getattr(self, name) for name in names}
+
+    @property
+    def axle_tires(self) -> dict[str, Tire]:
+        """The tire of each axle, by the axle's name."""
+        if self.tire is not None:
+            return dict.fromkeys(AXLES, self.tire)
+        return {"front": self.front_tire, "rear": self.rear_tire}
+
+    @functools.cached_property
+    def from_tires(self) -> dict[str, FromTire]:
+        """The values that come from the tire files because none is given, by parameter name.
+
+        Raises InputError for one that its tire file does not have.
+        """
+        found = {}
+        for axle, tire in self.axle_tires.items():
+            pressure = self.at_axle(axle, "tire_pressure")
+            for name in ("tire_radius", "tire_stiffness"):
+                if self.at_axle(axle, name) is None:
+                    found[f"{axle}_{name}"] = from_tire(name, axle, tire, pressure)
+        return found
+
+    @functools.cached_property
+    def lateral_stiffness_from_tires(self) -> dict[str, FromTire]:
+        """The lateral stiffnesses of the tires of each axle that are not given, by name (N/m)."""
+        loads = self.static_tire_compression * self.per_wheel("tire_stiffness")
+        return {
+            f"{axle}_tire_lateral_stiffness": lateral_stiffness(
+                tire,
+                self.at_axle(axle, "tire_pressure"),
+                float(loads[AXLES[axle]]),
+                float(self.per_wheel("tire_radius")[AXLES[axle]]),
+                self.minimum_relaxation_length,
+            )
+            for axle, tire in self.axle_tires.items()
+            if self.at_axle(axle, "tire_lateral_stiffness") is None
+        }
+
+    def at_axle(self, axle: str, name: str) -> float | None:
+        """The value given for an axle, alone or for both; None if there is none."""
+        value = getattr(self, f"{axle}_{name}")
+        return getattr(self, name, None) if value is None else value
+
+    @functools.cached_property
+    def roll_centre_depth(self) -> np.ndarray:
+        """Depth of the roll centre below the sprung c.g., at each wheel's axle; shape (4,) (m)."""
+        return self._roll_centre("depth", "height")
+
+    @functools.cached_property
+    def roll_centre_height(self) -> np.ndarray:
+        """Height of the roll centre above ground at rest, at each wheel's axle; shape (4,) (m)."""
+        return self._roll_centre("height", "depth")
+
+    def _roll_centre(self, wanted: str, other: str) -> np.ndarray:
+        """The requested measure at each wheel (m), derived from the other if not specified."""
+        values = []
+        for axle in AXLES:
+            value = getattr(self, f"{axle}_roll_centre_{wanted}")
+            if value is None:
+                value = self.cg_height - getattr(self, f"{axle}_roll_centre_{other}")
+            values += [value, value]
+        return np.array(values)
+
+    @functools.cached_property
+    def axle_load_share(self) -> np.ndarray:
+        """Share of the sprung weight that each wheel carries at rest; shape (4,)."""
+        return axle_load_share(self.cg_to_front_axle, self.cg_to_rear_axle)
+
+    @functools.cached_property
+    def static_tire_compression(self) -> np.ndarray:
+        """xti of each tire, eq. 20; shape (4,) (m)."""
+        return static_tire_compression(
+            self.sprung_mass,
+            self.axle_load_share,
+            self.per_wheel("unsprung_mass"),
+            self.per_wheel("tire_stiffness"),
+            GRAVITY,
+        )
+
+    @functools.cached_property
+    def static_suspension_compression(self) -> np.ndarray:
+        """xsi of each corner, eq. 19; shape (4,) (m)."""
+        return static_suspension_compression(
+            self.sprung_mass, self.axle_load_share, self.per_wheel("spring_stiffness"), GRAVITY
+        )
+
+    @functools.cached_property
+    def static_strut_length(self) -> np.ndarray:
+        """lsi of each corner, eq. 18; shape (4,) (m)."""
+        return static_strut_length(
+            self.cg_height, self.per_wheel("tire_radius"), self.static_tire_compression
+        )
+
+    def per_wheel(self, name: str) -> np.ndarray:
+        """The values of NAME of the front and rear axle at lf, rf, lr, rr; shape (4,).
+
+        Those that are not given are those of the tires.
+        """
+        front, rear = (self._known_at_axle(axle, name) for axle in AXLES)
+        return np.array([front, front, rear, rear])
+
+    def _known_at_axle(self, axle: str, name: str) -> float:
+        value = self.at_axle(axle, name)
+        return self.from_tires[f"{axle}_{name}"].value if value is None else value
+
+    def contact_patch_compliance(self, tire_moments: bool) -> np.ndarray:
+        """Shift of each contact patch per lateral force, shape (4,) (m/N).
+
+        With tire_moments it is 0 for tires whose file has an overturning moment, which contains it.
+        """
+        found = self.lateral_stiffness_from_tires
+        compliances = []
+        for axle, tire in self.axle_tires.items():
+            given = self.at_axle(axle, "tire_lateral_stiffness")
+            stiffness = found[f"{axle}_tire_lateral_stiffness"].value if given is None else given
+            is_contained = tire_moments and has_overturning_moment(tire)
+            compliances += [0.0 if is_contained else 1.0 / stiffness] * 2
+        return np.array(compliances)
+
+    def record(self) -> np.ndarray:
+        """The vehicle on a level road as input to the equations: one VEHICLE record, shape (1,).
+
+        Each field takes the attribute of its name, or the values front_NAME and rear_NAME, or comes
+        from `_placement`. Raises AttributeError for a field that has none of these.
+        """
+        placement, vehicle = self._placement(), np.zeros(1, VEHICLE)
+        for name in VEHICLE.names:
+            if name in placement:
+                vehicle[name] = placement[name]
+            elif hasattr(self, name):
+                vehicle[name] = getattr(self, name)
+            else:
+                vehicle[name] = self.per_wheel(name)
+        return vehicle
+
+    def tires(self, moments: bool = False) -> np.ndarray:
+        """The tires of front and rear axle as input to the equations: TIRE records, shape (2,).
+
+        moments: whether their moments are computed; with the radius of the vehicle if the tire file
+        has none.
+        """
+        records = []
+        for axle, tire in self.axle_tires.items():
+            record = tire.record(self.at_axle(axle, "tire_pressure"), moments)
+            if record["UNLOADED_RADIUS"] == 0.0:
+                record["UNLOADED_RADIUS"] = self._known_at_axle(axle, "tire_radius")
+            records.append(record)
+        return on_axles(*records)
+
+    def _placement(self) -> dict:
+        """Where and how the wheels stand, and gravity (m/s^2).
+
+        x, y: in the plane of the c.g. (m). camber: positive with the top towards the right (rad).
+        tire_lateral_compliance: 0, as for a contact patch that does not shift.
+        """
+        front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
+        return {
+            "x": (front, front, rear, rear),
+            "y": self.per_wheel("track") / 2 * (1, -1, 1, -1),
+            "camber": self.per_wheel("camber") * (-1, 1, -1, 1),
+            "tire_radius": self.per_wheel("tire_radius"),
+            "tire_lateral_compliance": 0.0,
+            "gravity": GRAVITY,
+            "gravity_along": 0.0,
+            "gravity_across": 0.0,
+        }
