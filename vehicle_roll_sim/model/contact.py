@@ -108,7 +108,7 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 @kernel
 def contact_forces(state, vehicle, tires, options, outputs):
     """Transient or steady-state slip, and contact forces in frame 2 (N; eqs 3-6)."""
-    rolling_radii(state, tires, outputs)
+    rolling_radii(state[at.WHEEL_SPEED], tires, outputs)
     wheel_motion(state, tires, outputs)
     if options.steady_state_slip:
         steady_state_slip(outputs)

@@ -25,7 +25,7 @@ from vehicle_roll_sim.model.integration.events import (
 )
 from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
-from vehicle_roll_sim.model.tire.radii import effective_rolling_radius
+from vehicle_roll_sim.model.tire.radii import rolling_radii
 from vehicle_roll_sim.paper.engine_model import engine_model
 from vehicle_roll_sim.simulation.options import MULTIBODY
 from vehicle_roll_sim.simulation.plant import Plant
@@ -209,8 +209,8 @@ class Multibody(Simulation):
         ug, vg = velocities[:, 0], velocities[:, 1]
         outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
         outputs["loaded_radius"], outputs["side"] = radius, self._side
-        outputs["rolling_radius"] = rolling = self._rolling_radii(spins)
-        outputs["tread"] = rolling * spins
+        rolling_radii(spins, self._seen_tires, seen)
+        outputs["tread"] = outputs["rolling_radius"] * spins
         outputs["inclination"] = self._inclinations(s, c)
         steady_state_slip(seen)
         tire_forces(self._seen_tires, seen)
@@ -218,15 +218,6 @@ class Multibody(Simulation):
         outputs["longitudinal_force"] = ahead = along * c - across * s  # (3)
         outputs["lateral_force"] = left = across * c + along * s  # (4)
         return along, np.column_stack((ahead, left, outputs["normal_force"]))
-
-    def _rolling_radii(self, spins: np.ndarray) -> np.ndarray:
-        """Effective rolling radii (m); the loaded radius where the tire file gives none."""
-        radii, loads = self.outputs["loaded_radius"].copy(), self.outputs["normal_force"]
-        for i in range(WHEEL_COUNT):
-            tire = self._seen_tires[FRONT if i < LR else REAR]
-            if tire.rolls_on_own_radius:
-                radii[i] = effective_rolling_radius(loads[i], spins[i], tire)
-        return radii
 
     def _inclinations(self, s: np.ndarray, c: np.ndarray) -> np.ndarray:
         """Inclination of the wheels to the road (rad), at sine and cosine of their steering."""

@@ -11,7 +11,6 @@ with q1 from the vertical stiffness. In version 6.1 r = R_OMEGA - RL and Y = Q_F
 both depend on the loaded radius RL and on inclination.
 """
 
-from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import AXLE_COUNT, LR
 
@@ -37,9 +36,11 @@ def effective_rolling_radius(fz, spin, tire):
 
 
 @kernel
-def rolling_radii(state, tires, outputs):
-    """Rolling radius of every wheel (m): the loaded radius if the file of its tire gives none."""
-    spin = state[at.WHEEL_SPEED]
+def rolling_radii(spin, tires, outputs):
+    """Rolling radius of every wheel (m): the loaded radius if the file of its tire gives none.
+
+    spin: of every wheel (rad/s).
+    """
     for axle in range(AXLE_COUNT):
         tire = tires[axle]
         for i in range(axle * LR, axle * LR + LR):

@@ -1,7 +1,6 @@
 """The slip that a standing tire holds: up to the peak of its own curves, at its load.
 
-A curve D sin[C atan{B x - E (B x - atan B x)}] has its peak where this is the sine of a right
-angle:
+A curve D sin[C atan{B x - E (B x - atan B x)}] has its peak where the angle is a right one, at
 
     y - E (y - atan y) = tan[pi / (2 C)],  y = B x.
 

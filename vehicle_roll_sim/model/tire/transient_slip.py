@@ -100,9 +100,9 @@ def transient_slip(state, vehicle, tires, outputs):
                     outputs.sliding[i],
                     outputs.tread[i],
                     outputs.normal_force[i],
-                    outputs.unloaded_radius[i],
                     outputs.side[i] * outputs.inclination[i],
                     outputs.side[i],
+                    outputs.unloaded_radius[i],
                     vehicle,
                     tire,
                 )
@@ -111,7 +111,7 @@ def transient_slip(state, vehicle, tires, outputs):
 
 
 @term
-def damped_slip(along, across, rolling, sliding, tread, fz, radius, gamma, side, vehicle, tire):
+def damped_slip(along, across, rolling, sliding, tread, fz, gamma, side, radius, vehicle, tire):
     """Rates of the longitudinal and lateral slip (1/s), and the slips for the Magic Formula.
 
     rolling, sliding: velocity of the contact point along and across the wheel (m/s). tread: spin
