@@ -5,7 +5,7 @@ import json
 import math
 import platform
 
-from vehicle_roll_sim.declaration import OFF, ON, InputError
+from vehicle_roll_sim.declaration import OFF, ON, InputError, parameters_of
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, RANGES, REQUIRED, SCALING
 from vehicle_roll_sim.simulation.options import SWITCHES, Options
@@ -56,6 +56,7 @@ def _parts(simulation: Simulation) -> dict:
     if simulation.options.contact_patch_shift == ON:
         taken = taken | vehicle.lateral_stiffness_from_tires
     numbers = vehicle.with_depths().given | {name: found.value for name, found in taken.items()}
+    numbers = {name: numbers[name] for name in parameters_of(Vehicle) if name in numbers}
     parts = {
         "step": simulation.step_ns / NANOSECONDS,
         "rollover_angle": simulation.rollover_angle,
