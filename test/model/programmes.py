@@ -148,6 +148,10 @@ def largest_difference(mine: np.ndarray, other: np.ndarray, names) -> dict[str, 
     """
     differences = {}
     for name in names:
+        if inner := mine[name].dtype.names:
+            parts = largest_difference(mine[name], other[name], inner)
+            differences |= {f"{name}.{part}": most for part, most in parts.items()}
+            continue
         known = ~(np.isnan(mine[name]) & np.isnan(other[name]))
         one, two = mine[name][known], other[name][known]
         peak = np.abs(two).max(initial=np.finfo(float).tiny)

@@ -2,12 +2,8 @@
 
 import numpy as np
 
-from vehicle_roll_sim.model.compiled.jit import kernel_argument
-from vehicle_roll_sim.model.records import LR, STATE, WHEEL_COUNT
-from vehicle_roll_sim.model.tire.radii import effective_rolling_radius
-
-ROUNDS = 30
-"""Iterations for the rolling radius and the spin, on which it depends a little."""
+from vehicle_roll_sim.model.records import FRONT, LR, REAR, STATE, WHEEL_COUNT
+from vehicle_roll_sim.model.tire.radii import free_spin
 
 
 def axle_load_share(to_front: float, to_rear: float) -> np.ndarray:
@@ -40,7 +36,7 @@ def static_strut_length(cg_height, tire_radius, tire_compression) -> np.ndarray:
 def equilibrium(vehicle: np.ndarray, tires: np.ndarray, speed: float) -> np.ndarray:
     """The state of free rolling straight ahead at `speed` (m/s): an array of one STATE record.
 
-    vehicle, tires: VEHICLE (1,) and TIRE (2,) records.
+    vehicle: VEHICLE, shape (1,). tires: TIRE, of front and rear axle, shape (2,).
     """
     state = np.zeros(1, STATE)
     car, start = vehicle[0], state[0]
@@ -48,19 +44,11 @@ def equilibrium(vehicle: np.ndarray, tires: np.ndarray, speed: float) -> np.ndar
     start.u = speed
     start.suspension_compression = car.static_suspension_compression
     start.tire_compression = car.static_tire_compression
-    start.wheel_speed = np.full(WHEEL_COUNT, speed) / rolling_radius(car, tires, speed)
-    return state
-
-
-def rolling_radius(car: np.record, tires: np.ndarray, speed: float) -> np.ndarray:
-    """Rolling radius of each tire at its static load and a speed (m/s); shape (4,) (m)."""
     radius = car.tire_radius - car.static_tire_compression
-    loads = car.tire_stiffness * car.static_tire_compression
-    for axle, tire in enumerate(kernel_argument(tires)):
-        if tire.rolls_on_own_radius:
-            wheel = LR * axle
-            load, effective = float(loads[wheel]), float(radius[wheel])
-            for _ in range(ROUNDS):
-                effective = effective_rolling_radius(load, speed / effective, tire)
-            radius[wheel : wheel + LR] = effective
-    return radius
+    start.wheel_speed = np.full(WHEEL_COUNT, speed) / radius
+    load = car.tire_stiffness * car.static_tire_compression
+    for i in range(WHEEL_COUNT):
+        tire = tires[FRONT if i < LR else REAR]
+        if tire["rolls_on_own_radius"]:
+            start.wheel_speed[i] = free_spin(speed, load[i], tire)
+    return state

@@ -9,14 +9,12 @@ from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.records import LF, OUTPUTS, RF, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.coefficients import on_axles
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
-from vehicle_roll_sim.model.tire.radii import effective_rolling_radius, loaded_radius
+from vehicle_roll_sim.model.tire.radii import effective_rolling_radius, free_spin, loaded_radius
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 REFERENCE_SPEED = 16.7
 """m/s: speed of the evaluation if the tire file gives no LONGVL."""
 WHEELS = {"left": LF, "right": RF}
-ROUNDS = 30
-"""Iterations for the spin and the rolling radius, which depend on each other a little."""
 
 
 class TireForces(NamedTuple):
@@ -102,10 +100,8 @@ def _radii(record: np.ndarray, point: np.ndarray, forces: np.ndarray, wheel: int
     load, ratio, _, inclination, speed = (float(each) for each in point)
     if not (tire.VERTICAL_STIFFNESS > 0.0 and tire.UNLOADED_RADIUS > 0.0 and tire.LONGVL > 0.0):
         return np.nan, np.nan
-    rolling, spin = tire.UNLOADED_RADIUS, 0.0
-    for _ in range(ROUNDS):
-        spin = (1 + ratio) * speed / rolling
-        rolling = effective_rolling_radius(load, spin, tire)
+    spin = free_spin((1 + ratio) * speed, load, tire)
+    rolling = effective_rolling_radius(load, spin, tire)
     effective = rolling if tire.rolls_on_own_radius else np.nan
     if tire.version < 6.0 or load <= 0.0:
         return np.nan, effective

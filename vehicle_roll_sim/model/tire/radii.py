@@ -18,6 +18,9 @@ STEPS, HALVINGS = 200, 60
 """Search for the loaded radius: steps over the radius, then bisections of the first that holds it;
 they end at the resolution of a double."""
 
+ROUNDS = 30
+"""Iterations for spin and rolling radius, which depend on each other a little."""
+
 
 @term
 def free_radius(spin, tire):
@@ -33,6 +36,15 @@ def effective_rolling_radius(fz, spin, tire):
     stiffness = tire.VERTICAL_STIFFNESS * (1 + tire.PFZ1 * tire.pressure_change)
     part = tire.DREFF * math.atan(tire.BREFF * load) + tire.FREFF * load
     return free_radius(spin, tire) - tire.FNOMIN / stiffness * part
+
+
+@kernel
+def free_spin(speed, fz, tire):
+    """Spin of a wheel that rolls freely (rad/s) at a speed (m/s) and a load (N)."""
+    spin = 0.0
+    for _ in range(ROUNDS):
+        spin = speed / effective_rolling_radius(fz, spin, tire)
+    return spin
 
 
 @kernel
