@@ -25,6 +25,7 @@ from vehicle_roll_sim.model.integration.events import (
 )
 from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.model.tire.radii import rolling_radii
 from vehicle_roll_sim.paper.engine_model import engine_model
 from vehicle_roll_sim.simulation.options import MULTIBODY
 from vehicle_roll_sim.simulation.plant import Plant
@@ -206,8 +207,9 @@ class Multibody(Simulation):
         s, c = np.sin(outputs["steering"]), np.cos(outputs["steering"])
         ug, vg = velocities[:, 0], velocities[:, 1]
         outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
-        outputs["tread"], outputs["side"] = radius * spins, self._side
-        outputs["loaded_radius"] = outputs["rolling_radius"] = radius
+        outputs["loaded_radius"], outputs["side"] = radius, self._side
+        rolling_radii(spins, self._tires, seen)
+        outputs["tread"] = outputs["rolling_radius"] * spins
         outputs["inclination"] = self._inclinations(s, c)
         steady_state_slip(seen)
         tire_forces(self._tires, seen)
