@@ -19,6 +19,46 @@ LEVEL = Road()
 SHIFTS = dict.fromkeys(("LHX", "LHY", "LVX", "LVY", "LVYKA"), 1.0)
 """Scaling factors that switch on all that makes a left and a right tire differ."""
 
+INCLINED = {"LGAX": 1.0, "LGAY": 1.0, "PDX3": 1.2, "PKY3": 0.4, "PDY3": 1.9, "PVY3": -0.16}
+ROLLING = {"LONGVL": 16.7, "QSY1": 0.0067, "QSY2": 0.0042, "QSY3": 0.0015, "QSY4": 9e-5}
+ALIGNING = {
+    "QBZ1": 10.6,
+    "QBZ2": -1.2,
+    "QBZ4": 0.18,
+    "QBZ9": 32.0,
+    "QCZ1": 1.24,
+    "QDZ1": 0.087,
+    "QDZ2": -0.006,
+    "QDZ4": 2.4,
+    "QDZ6": 0.0017,
+    "QDZ8": -0.13,
+    "QEZ1": -2.3,
+    "QHZ1": 0.0014,
+    "QHZ3": 0.22,
+    "SSZ1": 0.01,
+    "SSZ2": 0.035,
+    "SSZ3": 0.23,
+}
+OVERTURNING = {"QSX1": 0.012, "QSX2": 0.64, "QSX3": 0.032}
+"""Made-up coefficients of the size of a car tire's: of inclination and of the three moments."""
+
+
+def with_moments(vehicle: Vehicle) -> Vehicle:
+    """The vehicle on leaning wheels whose tires have moments.
+
+    The rear tires have no overturning moment: their contact patches shift instead.
+    """
+    rear = vehicle.tire.with_coefficients(**INCLINED, **ROLLING, **ALIGNING)
+    camber = {"front_camber": -0.03, "rear_camber": 0.02}
+    return dataclasses.replace(
+        vehicle.with_values(camber),
+        tire=None,
+        front_tire=rear.with_coefficients(**OVERTURNING),
+        rear_tire=rear,
+        tire_moments=True,
+        contact_patch_shift=True,
+    )
+
 
 def ramp_and_hold(start: float, rate: float, amplitude: float, **held) -> Programme:
     """Road-wheel angle from 0 at `start` (s) at `rate` (deg/s, signed) up to `amplitude` (deg).

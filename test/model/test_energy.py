@@ -4,12 +4,10 @@ In the model that is exact mechanics: no roll centre, Euler terms. Powers are in
 run by the trapezoidal rule.
 """
 
-import dataclasses
-
 import numpy as np
 import pytest
 from mechanics import energy, powers
-from programmes import Run, record_run
+from programmes import Run, record_run, with_moments
 
 from vehicle_roll_sim import LF, LR, Options, Simulation
 from vehicle_roll_sim.model.records import COMMAND
@@ -20,7 +18,6 @@ from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 pytestmark = pytest.mark.slow
 
 EXACT = Options(no_roll_centre=True, euler_terms=True)
-MOMENTS = dataclasses.replace(EXACT, tire_moments="on", contact_patch_shift="on")
 STEP, END = 1e-3, 6.0
 """s"""
 NEARLY_OVER, NOT_OVER_WITH_MOMENTS = 18.0, 14.0
@@ -85,8 +82,8 @@ def test_energy_changes_by_the_work_of_dampers_slip_brakes_and_torques(vehicle, 
 
 
 def test_with_contact_moments_their_work_is_all_that_is_added(reference):
-    vehicle = reference.with_values({"front_camber": 0.02, "rear_camber": -0.01})
-    simulation = Simulation(vehicle, MOMENTS, step=STEP)
+    vehicle = with_moments(reference)
+    simulation = Simulation(vehicle, EXACT, step=STEP)
     simulation.reset(NOT_OVER_WITH_MOMENTS)
     _, missing, work = audit(simulation, vehicle, swerve)
     assert abs(work["contact moments"]) > 100 * SHARE * kinetic(vehicle, NOT_OVER_WITH_MOMENTS)

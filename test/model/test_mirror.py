@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from programmes import SHIFTS, SOURCE, j_turn, ramp_and_hold, record_run, with_tire
+from programmes import SHIFTS, SOURCE, j_turn, ramp_and_hold, record_run, with_moments, with_tire
 
 from vehicle_roll_sim import LF, Options, Simulation
 from vehicle_roll_sim.model.records import SLIP_STATES, STATE
@@ -21,7 +21,7 @@ REVERSED_STATES = {"y", "roll", "yaw", "v", "roll_rate", "yaw_rate", "lateral_sl
 SIGNALS = ("normal_force", "slip_ratio", "tire_longitudinal", "loaded_radius")
 REVERSED_SIGNALS = ("slip_angle", "lateral_force", "tire_lateral", "link_y", "inclination")
 MOMENTS = {"overturning_moment": True, "rolling_resistance_moment": False, "aligning_moment": True}
-"""Those of the tires, and whether they are reversed; all 0 unless they count."""
+"""Those of the tires, and whether they are reversed."""
 SHARE_OF_PEAK = 1e-9
 """Only the order of sums differs: 1e-15, grown by the fall to the side to 2e-13."""
 
@@ -40,12 +40,14 @@ def share_of_peak(values: np.ndarray, other: np.ndarray, reverse: bool) -> float
         pytest.param((None, {}), id="symmetric tire"),
         pytest.param(("left", SHIFTS), id="left-hand tire"),
         pytest.param(("right", SHIFTS), id="right-hand tire"),
+        pytest.param(("left", MOMENTS), id="left-hand tires with moments"),
     ]
 )
 def tired(request, vehicle):
     side, coefficients = request.param
-    leaning = vehicle.with_values({"front_camber": -0.02, "rear_camber": 0.01})
-    return with_tire(leaning, side, **coefficients)
+    if coefficients is MOMENTS:
+        return with_moments(vehicle)
+    return with_tire(vehicle, side, **coefficients)
 
 
 @pytest.fixture(
@@ -53,9 +55,6 @@ def tired(request, vehicle):
         pytest.param(Options(), id="roll centre"),
         pytest.param(Options(no_roll_centre=True), id="no roll centre"),
         pytest.param(SOURCE, id="steady-state slip"),
-        pytest.param(
-            Options(tire_moments="on", contact_patch_shift="on"), id="moments of the tires"
-        ),
     ]
 )
 def options(request) -> Options:
@@ -83,7 +82,7 @@ def without(options: Options, name: str) -> bool:
     return name in SLIP_STATES and name not in options.states
 
 
-def test_mirrored_commands_give_mirrored_motion_and_tire_forces(runs, options):
+def test_mirrored_commands_give_mirrored_motion_and_tire_forces(runs, options, tired):
     left, right = runs
     assert left.outputs["normal_force"][:, LF].min() == 0.0, "no wheel lifts: choose another turn"
     assert len(left.time) == len(right.time)
@@ -95,12 +94,9 @@ def test_mirrored_commands_give_mirrored_motion_and_tire_forces(runs, options):
     for name in (*SIGNALS, *REVERSED_SIGNALS):
         reverse = name in REVERSED_SIGNALS
         shares[name] = share_of_peak(left.outputs[name], right.outputs[name], reverse)
-    if options.contact_patch_shift == "on":
+    if tired.tire_moments:
         for name, reverse in MOMENTS.items():
-            if left.outputs[name].any():
-                mine, other = left.outputs[name], right.outputs[name]
-                shares[name] = share_of_peak(mine, other, reverse)
-        assert "overturning_moment" in shares
+            shares[name] = share_of_peak(left.outputs[name], right.outputs[name], reverse)
     assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from mechanics import GRAVITY, along, couples, external, momenta, slope, spin_axes
-from programmes import Evaluation
+from programmes import Evaluation, with_moments
 from random_states import attitude, random_command, random_state, wheel_centres
 
 from vehicle_roll_sim import Options
@@ -46,11 +46,10 @@ def evaluation(vehicle, links, steady_state_slip):
 
 
 @pytest.fixture
-def with_moments(vehicle, links):
-    """With moments at the contact points, on wheels with camber."""
-    leaning = vehicle.with_values({"front_camber": -0.03, "rear_camber": 0.02})
-    options = Options(euler_terms=True, contact_patch_shift="on", tire_moments="on", **links)
-    return leaning, Evaluation(leaning, options)
+def on_moments(vehicle, links):
+    """A vehicle whose tires have moments, and the model that it is evaluated in."""
+    vehicle = with_moments(vehicle)
+    return vehicle, Evaluation(vehicle, Options(euler_terms=True, **links))
 
 
 def random_cases(vehicle, evaluation, seed: int):
@@ -75,8 +74,8 @@ def test_their_moments_are_all_that_changes_the_angular_momentum(vehicle, evalua
         assert close(slope(angular), np.cross(*external(vehicle, state, outputs)[::-1])), state
 
 
-def test_with_contact_moments_they_and_the_forces_are_all_that_changes_the_momentum(with_moments):
-    vehicle, evaluation = with_moments
+def test_with_contact_moments_they_and_the_forces_are_all_that_changes_the_momentum(on_moments):
+    vehicle, evaluation = on_moments
     for state, rates, outputs in random_cases(vehicle, evaluation, seed=8):
         linear, angular = momenta(vehicle, along(state, rates))
         forces, points = external(vehicle, state, outputs)
@@ -84,10 +83,11 @@ def test_with_contact_moments_they_and_the_forces_are_all_that_changes_the_momen
         assert close(slope(linear), forces), state
         assert close(slope(angular), moments), state
         assert (couples(state, outputs)[outputs["normal_force"] == 0.0] == 0.0).all()
+        assert couples(state, outputs)[outputs["normal_force"] > 0.0].all()
 
 
-def test_the_contact_moments_about_its_axis_turn_a_wheel(with_moments):
-    vehicle, evaluation = with_moments
+def test_the_contact_moments_about_its_axis_turn_a_wheel(on_moments):
+    vehicle, evaluation = on_moments
     for state, rates, outputs in random_cases(vehicle, evaluation, seed=9):
         rise = spin_axes(vehicle, state, outputs)
         np.testing.assert_allclose(np.sin(outputs["inclination"]), rise, rtol=0, atol=1e-12)

@@ -8,7 +8,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from programmes import Evaluation, j_turn, ramp_and_hold
+from programmes import Evaluation, j_turn, ramp_and_hold, with_moments
 from random_states import attitude, random_command, random_state, wheel_positions
 
 from vehicle_roll_sim import Condition, InputError, Simulation, Vehicle, preset
@@ -52,16 +52,10 @@ def uneven() -> Vehicle:
     )
 
 
-def with_moments() -> Vehicle:
-    """The uneven vehicle on leaning wheels, with moments at the contact points."""
-    leaning = uneven().with_values({"front_camber": -0.02, "rear_camber": 0.03})
-    return dataclasses.replace(leaning, tire_moments=True, contact_patch_shift=True)
-
-
 VEHICLES = {
     "reference": preset("reference"),
     "uneven": uneven(),
-    "with contact moments": with_moments(),
+    "with contact moments": with_moments(uneven()),
 }
 
 
