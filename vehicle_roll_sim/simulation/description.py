@@ -7,7 +7,18 @@ import platform
 
 from vehicle_roll_sim.declaration import OFF, ON, InputError, parameters_of
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
-from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, RANGES, REQUIRED, SCALING
+from vehicle_roll_sim.model.tire.coefficients import (
+    ALIGNING,
+    INCLINED,
+    OPTIONAL,
+    OVERTURNING,
+    PRESSURE,
+    RADII,
+    RANGES,
+    REQUIRED,
+    ROLLING,
+    SCALING,
+)
 from vehicle_roll_sim.simulation.options import SWITCHES, Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -19,10 +30,14 @@ from vehicle_roll_sim.version import __version__
 PACKAGE = "vehicle_roll_sim"
 FIELD = "simulation description"
 OFF_UNLESS_DESCRIBED = dict.fromkeys(SWITCHES, OFF)
+OF_OLD_TIRES = {"version": "5.2", "combined": True}
+ALWAYS = (*SCALING, *OPTIONAL, *RANGES, *REQUIRED)
+"""Coefficients that are described even if they are neutral."""
+CAMBER_RANGE = ("CAMMIN", "CAMMAX")
+BEYOND_PLAIN = {*INCLINED, *PRESSURE, *OVERTURNING, *ROLLING, *ALIGNING, *RADII, *CAMBER_RANGE}
+"""Coefficients without effect on an upright tire without moments at its nominal pressure."""
 UPRIGHT = {"front_camber": 0.0, "rear_camber": 0.0}
 """Neutral values of what older versions did not have."""
-UPRIGHT_TIRE = (*SCALING, *OPTIONAL, *RANGES, *REQUIRED)
-"""Coefficients of a tire that older versions had, in their order."""
 VERSION, MACHINE = __version__, f"{platform.system()} {platform.machine()}"
 """Version and machine, on which results depend to the last bit."""
 
@@ -48,8 +63,8 @@ def describe(simulation: Simulation, period_ns: int) -> str:
 def _parts(simulation: Simulation) -> dict:
     """Everything that defines a simulation.
 
-    What older versions did not have is omitted where it is neutral: a description that
-    lacks it describes the same simulation as ever.
+    What older versions did not have is omitted where it is neutral: a description that lacks it
+    describes the same simulation as ever.
     """
     vehicle, options = simulation.vehicle, dataclasses.asdict(simulation.options)
     taken = vehicle.from_tires
@@ -64,8 +79,10 @@ def _parts(simulation: Simulation) -> dict:
         "road": dataclasses.asdict(simulation.road),
         "vehicle": _without_neutral(numbers, UPRIGHT),
     }
+    records = vehicle.tires(simulation.options.tire_moments == ON)
+    is_plain = bool((records["plain"] * (1.0 - records["rolls_on_own_radius"])).all())
     for name, tire in vehicle.own_tires.items():
-        parts |= _tire_parts(name, tire, simulation.options.tire_moments == ON)
+        parts |= _tire_parts(name, tire, is_plain)
     return parts
 
 
@@ -73,37 +90,27 @@ def _without_neutral(values: dict, neutral: dict) -> dict:
     return {name: v for name, v in values.items() if name not in neutral or v != neutral[name]}
 
 
-def _tire_parts(name: str, tire: Tire, moments: bool) -> dict:
+def _tire_parts(name: str, tire: Tire, is_plain: bool) -> dict:
     """A tire under its name among TIRES; infinite range limits are omitted.
 
-    So is what has no effect on it, apart from the coefficients that older versions had, which come
-    first: all others, if it is upright, of version 5.2 and without moments.
+    is_plain: the coefficients of BEYOND_PLAIN have no effect.
     """
-    record = tire.record(moments=moments)[0]
-    others = [n for n in tire.coefficients if n not in UPRIGHT_TIRE]
-    names = UPRIGHT_TIRE if _is_upright(record, tire) else (*UPRIGHT_TIRE, *others)
-    values = {n: tire.coefficients[n] for n in names}
-    kept = {n: v for n, v in values.items() if n in UPRIGHT_TIRE or v != DEFAULTS[n]}
-    parts = {
-        name: {key: value for key, value in kept.items() if math.isfinite(value)},
-        f"{name}_side": tire.side,
-        f"{name}_version": tire.version,
-        f"{name}_combined": tire.combined,
+    values = tire.coefficients
+    others = {n: v for n, v in values.items() if n not in ALWAYS and v != DEFAULTS[n]}
+    if is_plain:
+        others = {n: value for n, value in others.items() if n not in BEYOND_PLAIN}
+    described = {n: values[n] for n in ALWAYS} | others
+    about = {"side": tire.side, "version": tire.version, "combined": tire.combined}
+    about = _without_neutral(about, OF_OLD_TIRES)
+    return {
+        name: {key: value for key, value in described.items() if math.isfinite(value)},
+        **{f"{name}_{key}": value for key, value in about.items()},
     }
-    return _without_neutral(parts, {f"{name}_version": "5.2", f"{name}_combined": True})
-
-
-def _is_upright(record, tire: Tire) -> bool:
-    return bool(record["plain"] and not record["rolls_on_own_radius"] and tire.version == "5.2")
 
 
 def _described_tire(told: dict, name: str) -> Tire:
-    return Tire(
-        told[name],
-        told[f"{name}_side"],
-        version=told.get(f"{name}_version", "5.2"),
-        combined=told.get(f"{name}_combined", True),
-    )
+    about = {key: told.get(f"{name}_{key}", value) for key, value in OF_OLD_TIRES.items()}
+    return Tire(told[name], told[f"{name}_side"], **about)
 
 
 def described(text: str) -> Described:

@@ -128,6 +128,15 @@ def test_a_fit_that_fails_beyond_its_range_is_read_as_it_is(read):
     assert not any("warning" in note for note in tire.notes)
 
 
+@pytest.mark.parametrize("key", ["PKY4", "PPY2"])
+def test_a_side_force_that_fails_at_the_ends_of_its_range_is_refused(read, key):
+    """With PKY4 = 5 the cornering stiffness is 0 at PKY2 tan(36 deg) FNOMIN, 4970 N, and above."""
+    lines = {"PKY4": "PKY4 = 5"} if key == "PKY4" else {"PPY2": "PPY2 = -11"}
+    text = changed(lines, BASE_6_1)
+    with refused(line_of(text, "PKY1"), "PKY1", "cornering stiffness"):
+        read(text)
+
+
 def test_a_nominal_load_beyond_the_range_is_no_fault(read):
     assert read(changed({"FZMAX": "FZMAX = 2000"})).coefficients["FZMAX"] == 2000.0
 

@@ -1,8 +1,9 @@
 """A tire is asked before it is used: its forces must resist slip.
 
 Asked is the upright tire at pure slip and without shifts, at loads and slips within the range of
-its file. At nominal load the signs must be right. A fit that fails at other loads is read, but only
-for the loads at which it holds.
+its file. The side force must resist slip at all of them, the longitudinal force at nominal load. If
+the latter fails elsewhere, as extrapolated fits do, the tire is read for the loads at which it
+holds.
 """
 
 import math
@@ -12,10 +13,13 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.vehicle.tire import curves
 from vehicle_roll_sim.vehicle.tire.text import Entry
 
-LOWEST_LOAD, HIGHEST_LOAD, LOAD_STEPS = 0.1, 3.0, 40
+LOWEST_LOAD, HIGHEST_LOAD, LOAD_STEPS = 0.02, 3.0, 40
 """Loads at which a tire is asked: over the nominal load, where its file has no range."""
 SLIPS = (0.002, 0.02, 0.1, 0.3, 1.0, 1.5)
 """Slip ratios, and slip angles in radians, of either sign, within the range of the file."""
+
+OF_SIDE_FORCE = ("PKY1", "PCY1")
+"""Coefficients that are blamed for a side force."""
 
 
 class Fault(NamedTuple):
@@ -30,7 +34,7 @@ def loads_of(c: dict[str, float]) -> list[float]:
     """Loads from the lowest to the highest of a file's range (N)."""
     nominal = curves.nominal_load(c)
     high = c["FZMAX"] if math.isfinite(c["FZMAX"]) else HIGHEST_LOAD * nominal
-    low = min(max(c["FZMIN"], LOWEST_LOAD * nominal), high)
+    low = min(c["FZMIN"] if c["FZMIN"] > 0.0 else LOWEST_LOAD * nominal, high)
     steps = [low + (high - low) * i / LOAD_STEPS for i in range(LOAD_STEPS + 1)]
     return [load for load in steps if load > 0.0]
 
@@ -40,15 +44,18 @@ def within_resistance(
 ) -> tuple[dict[str, float], list[str]]:
     """The coefficients, with the range of loads in which the forces resist slip, and notes on it.
 
-    Raises InputError if a force pushes with the slip at nominal load, or at all loads of the range.
+    Raises InputError if a side force pushes with the slip, or a longitudinal force does so at
+    nominal load or at all loads of the range.
     """
     nominal, loads = curves.nominal_load(c), loads_of(c)
     if fault := _fault(c, nominal):
         raise _refused(fault, entries)
     faults = {load: _fault(c, load) for load in loads}
+    found = [fault for fault in faults.values() if fault]
     right = [load for load in loads if not faults[load]]
-    if not right:
-        raise _refused(next(iter(faults.values())), entries)
+    for fault in found:
+        if fault.name in OF_SIDE_FORCE or not right:
+            raise _refused(fault, entries)
     start = min(right, key=lambda load: abs(load - nominal))
     below = [load for load in loads if load < start and faults[load]]
     above = [load for load in loads if load > start and faults[load]]
