@@ -184,3 +184,34 @@ def test_a_command_file_runs_to_the_end_of_a_step_and_takes_speed_and_duration(r
     assert rows("--commands", "in.csv")["time"][-1] == pytest.approx(0.124, rel=1e-15)
     longer = rows("--commands", "in.csv", "--duration", "1", "--speed", "30")
     assert (longer["u"][0], longer["time"][-1], longer["steering"][-1]) == (30.0, 1.0, 0.01)
+
+
+@pytest.fixture
+def other_tire(folder):
+    """A tire file that differs from the reference tire."""
+    text = (PRESETS / "reference.tir").read_text()
+    (folder / "other.tir").write_text(text.replace("= -14.95", "= -12.0"))
+    return "other.tir"
+
+
+def test_each_axle_may_be_on_a_tire_of_its_own(rows, other_tire):
+    plain, both = rows(*SHORT), rows(*SHORT, "--tire", other_tire)
+    front, rear = (rows(*SHORT, f"--{axle}-tire", other_tire) for axle in ("front", "rear"))
+    named = rows(*SHORT, "--front-tire", other_tire, "--rear-tire", other_tire)
+    rates = [at(each, 2.0, "yaw_rate") for each in (front, plain, rear)]
+    assert rates == sorted(rates)  # a softer front tire understeers, a softer rear tire oversteers
+    assert rates[0] < rates[1] < rates[2]
+    assert named["yaw_rate"].tolist() == both["yaw_rate"].tolist()
+
+
+def test_moments_and_shift_are_printed_and_recorded_and_replayed(command, folder):
+    words = ("run", *SHORT, "--contact-patch-shift", "on", "--set", "front_camber=-0.01")
+    result = command(*words, "--bag", "bag")
+    assert result.value["tire moments"] == "off"
+    assert result.value["contact patch shift"].startswith("on, lateral stiffness")
+    replayed = command("replay", "bag", "--strict")
+    assert (replayed.status, replayed.err) == (0, "")
+    other = command("replay", "bag", "--contact-patch-shift", "off", "--set", "front_camber=-0.01")
+    assert other.status == 2
+    assert "contact_patch_shift" in other.err
+    assert "contact patch shift" not in command("run", *SHORT).value

@@ -66,6 +66,13 @@ SET = {
     "misspelt": ("sprungmass=1", ["sprungmass", "did you mean sprung_mass"]),
     "no name": ("=1", ["sprung_mass", "steering_ratio"]),
     "no body": ("roll_inertia=9000", ["roll_inertia", "9000", "4000 kg m^2"]),
+    "pressure without effect": ("tire_pressure=2e5", ["tire_pressure", "200000", "version 5.2"]),
+    "pressure in bar": ("rear_tire_pressure=2.3", ["rear_tire_pressure", "2.3", "10000"]),
+    "camber in degrees": ("front_camber=-1.5", ["front_camber", "-1.5", "-0.5 to 0.5 rad"]),
+    "lateral stiffness of nothing": (
+        "front_tire_lateral_stiffness=1",
+        ["front_tire_lateral", "1", "1000"],
+    ),
     "on its rims": ("tire_radius=0.02", ["tire_radius", "0.02", "more than"]),
 }
 

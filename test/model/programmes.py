@@ -41,6 +41,14 @@ ALIGNING = {
 }
 OVERTURNING = {"QSX1": 0.012, "QSX2": 0.64, "QSX3": 0.032}
 """Made-up coefficients of the size of a car tire's: of inclination and of the three moments."""
+OWN_RADIUS = {
+    "UNLOADED_RADIUS": 0.3,
+    "VERTICAL_STIFFNESS": 2e5,
+    "BREFF": 8.0,
+    "DREFF": 0.27,
+    "FREFF": 0.07,
+}
+"""With these a tire rolls on a radius between the loaded and the free one."""
 
 
 def with_moments(vehicle: Vehicle) -> Vehicle:
@@ -48,7 +56,7 @@ def with_moments(vehicle: Vehicle) -> Vehicle:
 
     The rear tires have no overturning moment: their contact patches shift instead.
     """
-    rear = vehicle.tire.with_coefficients(**INCLINED, **ROLLING, **ALIGNING)
+    rear = vehicle.tire.with_coefficients(**INCLINED, **ROLLING, **ALIGNING, **OWN_RADIUS)
     camber = {"front_camber": -0.03, "rear_camber": 0.02}
     return dataclasses.replace(
         vehicle.with_values(camber),
@@ -140,6 +148,10 @@ def largest_difference(mine: np.ndarray, other: np.ndarray, names) -> dict[str, 
     """
     differences = {}
     for name in names:
+        if inner := mine[name].dtype.names:
+            parts = largest_difference(mine[name], other[name], inner)
+            differences |= {f"{name}.{part}": most for part, most in parts.items()}
+            continue
         known = ~(np.isnan(mine[name]) & np.isnan(other[name]))
         one, two = mine[name][known], other[name][known]
         peak = np.abs(two).max(initial=np.finfo(float).tiny)

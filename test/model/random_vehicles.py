@@ -61,6 +61,8 @@ def ordinary_vehicles(draw, sides=("", "left", "right")) -> Vehicle:
         values[name] = value * factor
     values["rolling_resistance_coefficient"] = draw(st.floats(0.0, 0.05))
     values["drag_area"] = draw(st.floats(0.0, 2.0))
+    for name in ("front_camber", "rear_camber"):
+        values[name] = draw(st.floats(-0.1, 0.1))
     return _on_a_tire(_possible(values), draw(st.sampled_from(sides)))
 
 
@@ -71,7 +73,7 @@ def allowed_vehicles(draw) -> Vehicle:
     for name in REFERENCE.given:
         about = parameters_of(Vehicle)[name]
         least, most = about.minimum, about.maximum
-        if name in DEPTHS or least == 0.0:
+        if name in DEPTHS or least == 0.0 or name.endswith("camber"):
             values[name] = draw(st.one_of(st.just(max(0.0, least)), st.floats(least, most)))
         else:
             power = st.floats(math.log10(least), math.log10(most))

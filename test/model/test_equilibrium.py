@@ -1,8 +1,10 @@
 """A vehicle that nobody touches rolls on as it is, carrying its own weight."""
 
+import dataclasses
+
 import numpy as np
 import pytest
-from programmes import Evaluation
+from programmes import OWN_RADIUS, Evaluation
 
 from vehicle_roll_sim import LF, LR, RF, RR, Command, Condition, Options, Simulation
 from vehicle_roll_sim.model.records import STATE
@@ -27,6 +29,12 @@ def total_weight(vehicle) -> float:
     return (vehicle.sprung_mass + unsprung) * GRAVITY
 
 
+def rolling_on_own_radius(vehicle):
+    """The vehicle on front tires whose file gives their rolling radius."""
+    own = vehicle.tire.with_coefficients(**OWN_RADIUS)
+    return dataclasses.replace(vehicle, tire=None, front_tire=own, rear_tire=vehicle.tire)
+
+
 @pytest.fixture
 def after_a_minute(vehicle, steady_state_slip):
     simulation = Simulation(vehicle, Options(steady_state_slip=steady_state_slip))
@@ -46,8 +54,20 @@ def test_no_state_drifts_in_a_minute_without_a_command(after_a_minute):
 def test_a_free_rolling_vehicle_keeps_its_pace_and_its_wheels_roll_without_slip(after_a_minute):
     state, outputs = after_a_minute.state, after_a_minute.outputs
     assert state.x == pytest.approx(SPEED * MINUTE, rel=ROUNDING)
-    rolled = state.wheel_angle * outputs.loaded_radius
+    assert (outputs.rolling_radius == outputs.loaded_radius).all()
+    rolled = state.wheel_angle * outputs.rolling_radius
     np.testing.assert_allclose(rolled, SPEED * MINUTE, rtol=ROUNDING)
+    assert np.abs(outputs.slip_ratio).max() < DRIFT
+
+
+def test_a_tire_that_rolls_on_a_radius_of_its_own_starts_without_slip(vehicle):
+    simulation = Simulation(rolling_on_own_radius(vehicle))
+    simulation.step(Command(), 1.0)
+    outputs, state = simulation.outputs, simulation.state
+    free = [0.3, 0.3, *vehicle.per_wheel("tire_radius")[2:]]
+    assert (outputs.loaded_radius < outputs.rolling_radius)[:2].all()
+    assert (outputs.rolling_radius < free).all()
+    np.testing.assert_allclose(state.wheel_angle * outputs.rolling_radius, SPEED, rtol=ROUNDING)
     assert np.abs(outputs.slip_ratio).max() < DRIFT
 
 

@@ -146,7 +146,7 @@ def test_only_the_comparison_with_the_multibody_engine_imports_it(sources):
         for name, text in sources.items()
         if any(is_within(imported, "mujoco") for imported in imports_of(text))
     }
-    assert importing == {f"{PACKAGE}.paper.multibody"}
+    assert importing == {f"{PACKAGE}.paper.{name}" for name in ("engine_model", "multibody")}
 
 
 def test_nothing_imports_the_benchmarks(sources):

@@ -100,7 +100,7 @@ class LevelRoadModel:
             raise InputError("model", options.model, allowed)
         self.vehicle, self.options = vehicle, options.for_vehicle(vehicle)
         plant = Plant.of(vehicle, self.options)
-        self.record = plant.vehicle
+        self.record, self.tires = plant.vehicle, plant.tires
         self._plant = plant.parts()
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
@@ -185,7 +185,7 @@ def find_trim(
     wanted = lateral_acceleration if is_turn_given else steering
     if not math.isfinite(wanted):
         raise InputError(field, wanted, "a finite number")
-    standing = equilibrium(model.record, speed).view(np.float64)
+    standing = equilibrium(model.record, model.tires, speed).view(np.float64)
     trim = _solution(model, standing, np.zeros(len(INPUT_NAMES)), "steering", 0.0)
     if trim is None:
         raise InputError("speed", speed, "a speed that the rear wheels can hold straight ahead")

@@ -12,13 +12,18 @@ from vehicle_roll_sim.manoeuvres.handwheel import HOLD, HandwheelProgramme
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 DWELL_AT = 0.75
 """Fraction of the sine's period before the dwell: up to its second peak."""
 YAW_RATE_LIMITS = {1.0: 0.35, 1.75: 0.20}
 """Time after completion of steer (s): maximum ratio of the yaw rate to its peak."""
-DISPLACEMENT_AFTER, LEAST_DISPLACEMENT = 1.07, 1.83
-"""Time after the beginning of steer (s), and the minimum lateral displacement (m) at that time."""
+DISPLACEMENT_AFTER, LEAST_DISPLACEMENT, LEAST_OF_HEAVY = 1.07, 1.83, 1.52
+"""Time after the beginning of steer (s), and the minimum lateral displacement (m) at that time, in
+general and of a vehicle above HEAVY."""
+HEAVY = 3500.0
+"""kg, of the whole vehicle."""
 DISPLACEMENT_FROM = 5.0
 """Smallest `scalar` at which that lateral displacement is required."""
 
@@ -29,6 +34,12 @@ class SineWithDwell(ScaledManoeuvre, HandwheelProgramme):
 
     frequency: float = parameter("frequency of the sine", "Hz", 1e-3, 100.0, default=0.7)
     dwell: float = parameter("dwell time at the second peak", "s", 0.0, LONGEST, default=0.5)
+    least_displacement: float = LEAST_DISPLACEMENT
+    """m; `for_vehicle` sets it."""
+
+    def filled_in(self, vehicle: Vehicle, options: Options) -> "SineWithDwell":
+        least = LEAST_OF_HEAVY if vehicle.mass > HEAVY else LEAST_DISPLACEMENT
+        return dataclasses.replace(super().filled_in(vehicle, options), least_displacement=least)
 
     @property
     def end(self) -> float:
@@ -48,7 +59,9 @@ class SineWithDwell(ScaledManoeuvre, HandwheelProgramme):
         for ratio, (after, limit) in limits:
             text = _text(100.0 * ratio, "% of its peak")
             ratios[f"yaw rate after {after:.2f} s"] = f"{text} (at most {100.0 * limit:g} %)"
-        wanted = f"at least {LEAST_DISPLACEMENT:g} m if scalar is {DISPLACEMENT_FROM:g} or more"
+        wanted = (
+            f"at least {self.least_displacement:g} m if scalar is {DISPLACEMENT_FROM:g} or more"
+        )
         return {
             **super().report(history, driver),
             **ratios,
@@ -64,7 +77,7 @@ class SineWithDwell(ScaledManoeuvre, HandwheelProgramme):
             abs(value_at(history, "yaw_rate", self.end + after)) / peak for after in YAW_RATE_LIMITS
         ]
         moved = side * value_at(history, "y", self.start + DISPLACEMENT_AFTER)
-        return SineWithDwellResult(self.scalar, tuple(ratios), moved)
+        return SineWithDwellResult(self.scalar, tuple(ratios), moved, self.least_displacement)
 
     def _second_peak(self, time: np.ndarray, yaw_rate: np.ndarray) -> float:
         """Peak yaw rate (rad/s) in the second direction of steer, until completion of steer.
@@ -83,19 +96,20 @@ class SineWithDwellResult:
     scalar: handwheel amplitude over the angle at 0.3 g. yaw_rate_ratios: magnitude of the yaw rate
     1.00 and 1.75 s after completion of steer, over its peak between the sign change of the
     handwheel angle and completion of steer. displacement: lateral displacement towards the side
-    of the first turn (m).
+    of the first turn (m). least_displacement: the smallest allowed one (m).
     """
 
     scalar: float
     yaw_rate_ratios: tuple[float, ...]
     displacement: float
+    least_displacement: float = LEAST_DISPLACEMENT
 
     @property
     def is_passed(self) -> bool:
         limits = zip(self.yaw_rate_ratios, YAW_RATE_LIMITS.values(), strict=True)
         is_stable = all(ratio <= limit for ratio, limit in limits)
         is_judged = abs(self.scalar) >= DISPLACEMENT_FROM
-        return is_stable and (not is_judged or self.displacement >= LEAST_DISPLACEMENT)
+        return is_stable and (not is_judged or self.displacement >= self.least_displacement)
 
 
 def _text(value: float, unit: str) -> str:

@@ -5,6 +5,7 @@ from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.frames import yawed_to_body
 from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.model.tire.radii import rolling_radii
 from vehicle_roll_sim.model.tire.transient_slip import transient_slip
 from vehicle_roll_sim.model.tire.upright import upright_contact
 
@@ -47,7 +48,6 @@ def wheel_motion(state, tires, outputs):
         ug, vg = outputs.contact_u[i], outputs.contact_v[i]
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         outputs.rolling[i], outputs.sliding[i] = ug * c + vg * s, vg * c - ug * s
-        outputs.rolling_radius[i] = outputs.loaded_radius[i]
         outputs.tread[i] = outputs.rolling_radius[i] * spin[i]
         outputs.side[i] = tires[FRONT if i < LR else REAR].side[i]
 
@@ -108,6 +108,7 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 @kernel
 def contact_forces(state, vehicle, tires, options, outputs):
     """Transient or steady-state slip, and contact forces in frame 2 (N; eqs 3-6)."""
+    rolling_radii(state[at.WHEEL_SPEED], tires, outputs)
     wheel_motion(state, tires, outputs)
     if options.steady_state_slip:
         steady_state_slip(outputs)

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from vehicle_roll_sim.model.records import STATE, WHEEL_COUNT
+from vehicle_roll_sim.model.records import FRONT, LR, REAR, STATE, WHEEL_COUNT
+from vehicle_roll_sim.model.tire.radii import free_spin
 
 
 def axle_load_share(to_front: float, to_rear: float) -> np.ndarray:
@@ -32,8 +33,11 @@ def static_strut_length(cg_height, tire_radius, tire_compression) -> np.ndarray:
     return cg_height - (tire_radius - tire_compression)
 
 
-def equilibrium(vehicle: np.ndarray, speed: float) -> np.ndarray:
-    """The state of free rolling straight ahead at `speed` (m/s): an array of one STATE record."""
+def equilibrium(vehicle: np.ndarray, tires: np.ndarray, speed: float) -> np.ndarray:
+    """The state of free rolling straight ahead at `speed` (m/s): an array of one STATE record.
+
+    vehicle: VEHICLE, shape (1,). tires: TIRE, of front and rear axle, shape (2,).
+    """
     state = np.zeros(1, STATE)
     car, start = vehicle[0], state[0]
     start.z = car.cg_height
@@ -42,4 +46,9 @@ def equilibrium(vehicle: np.ndarray, speed: float) -> np.ndarray:
     start.tire_compression = car.static_tire_compression
     radius = car.tire_radius - car.static_tire_compression
     start.wheel_speed = np.full(WHEEL_COUNT, speed) / radius
+    load = car.tire_stiffness * car.static_tire_compression
+    for i in range(WHEEL_COUNT):
+        tire = tires[FRONT if i < LR else REAR]
+        if tire["rolls_on_own_radius"]:
+            start.wheel_speed[i] = free_spin(speed, load[i], tire)
     return state

@@ -25,6 +25,7 @@ from vehicle_roll_sim.model.integration.events import (
 )
 from vehicle_roll_sim.model.records import FRONT, LF, LR, REAR, RF, RR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.model.tire.radii import rolling_radii
 from vehicle_roll_sim.paper.engine_model import engine_model
 from vehicle_roll_sim.simulation.options import MULTIBODY
 from vehicle_roll_sim.simulation.plant import Plant
@@ -67,9 +68,10 @@ class Multibody(Simulation):
     ):
         with unwarned():  # Simulation warns
             plant = Plant.of(vehicle, MULTIBODY)
-        (car,), self._tires = plant.vehicle, kernel_argument(plant.tires)
+        (car,), self._seen_tires = plant.vehicle, kernel_argument(plant.tires)
         self._car = SimpleNamespace(**{name: car[name] for name in car.dtype.names})
-        self._side = np.concatenate((self._tires[FRONT].side[:LR], self._tires[REAR].side[LR:]))
+        front, rear = self._seen_tires[FRONT], self._seen_tires[REAR]
+        self._side = np.concatenate((front.side[:LR], rear.side[LR:]))
         self._engine = engine_model(car)
         self._data = mujoco.MjData(self._engine)
         self._rotation = self._data.xmat[BODY].reshape(3, 3)
@@ -122,7 +124,7 @@ class Multibody(Simulation):
         (events,), limit = kernel_argument(self._events), self._limits[0]["rollover_angle"]
         note_lift_offs(start, step, self.outputs["support"], events)
         note_rollover(start, step, roll_before, self.state["roll"], limit, events)
-        note_peaks(self.time, self.state_vector, self._tires, self.outputs, events)
+        note_peaks(self.time, self.state_vector, self._seen_tires, self.outputs, events)
         return slope
 
     def coordinates(self) -> np.ndarray:
@@ -210,11 +212,12 @@ class Multibody(Simulation):
         s, c = np.sin(outputs["steering"]), np.cos(outputs["steering"])
         ug, vg = velocities[:, 0], velocities[:, 1]
         outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
-        outputs["tread"], outputs["side"] = radius * spins, self._side
-        outputs["loaded_radius"] = outputs["rolling_radius"] = radius
+        outputs["loaded_radius"], outputs["side"] = radius, self._side
+        rolling_radii(spins, self._seen_tires, seen)
+        outputs["tread"] = outputs["rolling_radius"] * spins
         outputs["inclination"] = self._inclinations(s, c)
         steady_state_slip(seen)
-        tire_forces(self._tires, seen)
+        tire_forces(self._seen_tires, seen)
         along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
         outputs["longitudinal_force"] = ahead = along * c - across * s  # (3)
         outputs["lateral_force"] = left = across * c + along * s  # (4)

@@ -15,7 +15,9 @@ from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.model.integration.events import no_events, note_lift_offs
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.model.roll_plane import RollPlane
+from vehicle_roll_sim.model.tire.radii import free_spin, loaded_radius
 from vehicle_roll_sim.simulation.simulation import Simulation
+from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 COMPILING = "compiling the model, once for this version: up to 30 s"
@@ -74,6 +76,9 @@ def fill_cache(folder: str) -> None:
 def call_every_kernel() -> None:
     """Call all kernels that the package calls from Python, so that none is left to be compiled."""
     Simulation(preset())
+    evaluate(preset().tire, 1.0, 0.0, 0.0)
+    tire = jit.kernel_argument(preset().tire.record())[0]
+    loaded_radius(1.0, free_spin(1.0, 1.0, tire), 0.0, 0.0, 0.0, tire)
     RollPlane(preset().record())
     quaternion(0.0, 0.0, 0.0)
     note_lift_offs(0.0, 0.0, np.ones(WHEEL_COUNT), jit.kernel_argument(no_events())[0])

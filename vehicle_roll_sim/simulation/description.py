@@ -5,8 +5,20 @@ import json
 import math
 import platform
 
-from vehicle_roll_sim.declaration import OFF, ON, InputError
+from vehicle_roll_sim.declaration import OFF, ON, InputError, parameters_of
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.tire.coefficients import (
+    ALIGNING,
+    INCLINED,
+    OPTIONAL,
+    OVERTURNING,
+    PRESSURE,
+    RADII,
+    RANGES,
+    REQUIRED,
+    ROLLING,
+    SCALING,
+)
 from vehicle_roll_sim.simulation.options import SWITCHES, Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -18,6 +30,12 @@ from vehicle_roll_sim.version import __version__
 PACKAGE = "vehicle_roll_sim"
 FIELD = "simulation description"
 OFF_UNLESS_DESCRIBED = dict.fromkeys(SWITCHES, OFF)
+OF_OLD_TIRES = {"version": "5.2", "combined": True}
+ALWAYS = (*SCALING, *OPTIONAL, *RANGES, *REQUIRED)
+"""Coefficients that are described even if they are neutral."""
+CAMBER_RANGE = ("CAMMIN", "CAMMAX")
+BEYOND_PLAIN = {*INCLINED, *PRESSURE, *OVERTURNING, *ROLLING, *ALIGNING, *RADII, *CAMBER_RANGE}
+"""Coefficients without effect on an upright tire without moments at its nominal pressure."""
 UPRIGHT = {"front_camber": 0.0, "rear_camber": 0.0}
 """Neutral values of what older versions did not have."""
 VERSION, MACHINE = __version__, f"{platform.system()} {platform.machine()}"
@@ -45,14 +63,15 @@ def describe(simulation: Simulation, period_ns: int) -> str:
 def _parts(simulation: Simulation) -> dict:
     """Everything that defines a simulation.
 
-    What older versions did not have is omitted where it is neutral: a description that
-    lacks it describes the same simulation as ever.
+    What older versions did not have is omitted where it is neutral: a description that lacks it
+    describes the same simulation as ever.
     """
     vehicle, options = simulation.vehicle, dataclasses.asdict(simulation.options)
     taken = vehicle.from_tires
     if simulation.options.contact_patch_shift == ON:
         taken = taken | vehicle.lateral_stiffness_from_tires
     numbers = vehicle.with_depths().given | {name: found.value for name, found in taken.items()}
+    numbers = {name: numbers[name] for name in parameters_of(Vehicle) if name in numbers}
     parts = {
         "step": simulation.step_ns / NANOSECONDS,
         "rollover_angle": simulation.rollover_angle,
@@ -60,8 +79,10 @@ def _parts(simulation: Simulation) -> dict:
         "road": dataclasses.asdict(simulation.road),
         "vehicle": _without_neutral(numbers, UPRIGHT),
     }
+    records = vehicle.tires(simulation.options.tire_moments == ON)
+    is_plain = bool((records["plain"] * (1.0 - records["rolls_on_own_radius"])).all())
     for name, tire in vehicle.own_tires.items():
-        parts |= _tire_parts(name, tire)
+        parts |= _tire_parts(name, tire, is_plain)
     return parts
 
 
@@ -69,17 +90,27 @@ def _without_neutral(values: dict, neutral: dict) -> dict:
     return {name: v for name, v in values.items() if name not in neutral or v != neutral[name]}
 
 
-def _tire_parts(name: str, tire: Tire) -> dict:
-    """A tire under its name among TIRES; infinite range limits are omitted."""
-    coefficients = tire.coefficients.items()
+def _tire_parts(name: str, tire: Tire, is_plain: bool) -> dict:
+    """A tire under its name among TIRES; infinite range limits are omitted.
+
+    is_plain: the coefficients of BEYOND_PLAIN have no effect.
+    """
+    values = tire.coefficients
+    others = {n: v for n, v in values.items() if n not in ALWAYS and v != DEFAULTS[n]}
+    if is_plain:
+        others = {n: value for n, value in others.items() if n not in BEYOND_PLAIN}
+    described = {n: values[n] for n in ALWAYS} | others
+    about = {"side": tire.side, "version": tire.version, "combined": tire.combined}
+    about = _without_neutral(about, OF_OLD_TIRES)
     return {
-        name: {key: value for key, value in coefficients if math.isfinite(value)},
-        f"{name}_side": tire.side,
+        name: {key: value for key, value in described.items() if math.isfinite(value)},
+        **{f"{name}_{key}": value for key, value in about.items()},
     }
 
 
 def _described_tire(told: dict, name: str) -> Tire:
-    return Tire(DEFAULTS | told[name], told[f"{name}_side"])
+    about = {key: told.get(f"{name}_{key}", value) for key, value in OF_OLD_TIRES.items()}
+    return Tire(told[name], told[f"{name}_side"], **about)
 
 
 def described(text: str) -> Described:

@@ -111,7 +111,7 @@ class Simulation(Restorable):
         self.step_ns = round(step * NANOSECONDS)
         self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
         plant = Plant.of(vehicle, self.options, self.road)
-        self._vehicle = plant.vehicle
+        self._vehicle, self._tires = plant.vehicle, plant.tires
         self._limits = np.zeros(1, LIMITS)
         self._limits["rollover_angle"] = self.rollover_angle
         self._slowest = MINIMUM_SPEED if self.options.steady_state_slip else 0.0
@@ -185,7 +185,7 @@ class Simulation(Restorable):
         self._start(self._equilibrium(speed))
 
     def _equilibrium(self, speed: float) -> np.ndarray:
-        return self._without_absent(equilibrium(self._vehicle, speed))
+        return self._without_absent(equilibrium(self._vehicle, self._tires, speed))
 
     def _check_start(self, speed: float) -> None:
         """Raise InputError if a run cannot start at this speed (m/s) with the integration step."""

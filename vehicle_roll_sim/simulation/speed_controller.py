@@ -41,7 +41,7 @@ class SpeedController:
         self.drive_limit, self.brake_limit = drive_limit, brake_limit
         front, *_, rear = vehicle.per_wheel("tire_radius")
         radius = float((front + rear) / 2 - np.mean(vehicle.static_tire_compression))
-        mass = vehicle.sprung_mass + float(vehicle.per_wheel("unsprung_mass").sum())
+        mass = vehicle.mass
         inertia = mass + WHEEL_COUNT * vehicle.wheel_inertia / radius**2
         self._torque_of_gravity = mass * radius / WHEEL_COUNT
         self._torque_of_acceleration = inertia * radius / WHEEL_COUNT

@@ -35,13 +35,13 @@ def from_tire(name: str, axle: str, tire: Tire, pressure: float | None) -> FromT
         file = f" {tire.file}" if tire.file else ""
         raise InputError(field, None, f"required, since the tire file{file} has no {key}")
     if name == "tire_stiffness":
-        value *= 1.0 + tire.coefficients.get("PFZ1", 0.0) * pressure_change(tire, pressure)
+        value *= 1.0 + tire.coefficients["PFZ1"] * pressure_change(tire, pressure)
     return FromTire(value, f"{key} of the tire file")
 
 
 def of_file(tire: Tire, key: str) -> float | None:
     """A positive value of the tire file; None if it does not have one."""
-    value = tire.coefficients.get(key, 0.0)
+    value = tire.coefficients[key]
     return value if 0.0 < value < math.inf else None
 
 
@@ -61,7 +61,9 @@ def lateral_stiffness(
     """
     given = of_file(tire, "LATERAL_STIFFNESS")
     if given is not None:
-        return FromTire(given, "LATERAL_STIFFNESS of the tire file")
+        factor = carcass_factor(tire, pressure, load)
+        value = min(max(given * factor, SOFTEST), STIFFEST)
+        return FromTire(value, "LATERAL_STIFFNESS of the tire file at static load")
     cornering = abs(cornering_stiffness(tire, pressure, load))
     length = relaxation_length(tire, load, radius)
     source = "cornering stiffness over relaxation length at static load"
@@ -70,13 +72,22 @@ def lateral_stiffness(
     return FromTire(min(max(cornering / max(length, shortest), SOFTEST), STIFFEST), source)
 
 
+def carcass_factor(tire: Tire, pressure: float | None, load: float) -> float:
+    """Lateral stiffness at a load (N) and pressure (Pa) over the nominal one (Pacejka, 2012)."""
+    c, dp = tire.coefficients, pressure_change(tire, pressure)
+    nominal = c["LFZO"] * c["FNOMIN"]
+    dfz = (load - nominal) / nominal
+    of_load = 1.0 + c["PCFY1"] * dfz + c["PCFY2"] * dfz * dfz
+    return of_load * (1.0 + c["PCFY3"] * dp)
+
+
 def cornering_stiffness(tire: Tire, pressure: float | None, load: float) -> float:
     """Kya of an upright tire (N/rad) at a load (N); negative with coefficients in ISO signs."""
     c, dp = tire.coefficients, pressure_change(tire, pressure)
     nominal = c["LFZO"] * c["FNOMIN"]
-    flattening = c["PKY2"] * (1.0 + c.get("PPY2", 0.0) * dp)
-    curve = math.sin(c.get("PKY4", 2.0) * math.atan(load / (flattening * nominal)))
-    return c["PKY1"] * nominal * (1.0 + c.get("PPY1", 0.0) * dp) * curve * c["LKY"]
+    flattening = c["PKY2"] * (1.0 + c["PPY2"] * dp)
+    curve = math.sin(c["PKY4"] * math.atan(load / (flattening * nominal)))
+    return c["PKY1"] * nominal * (1.0 + c["PPY1"] * dp) * curve * c["LKY"]
 
 
 def relaxation_length(tire: Tire, load: float, radius: float) -> float:
@@ -100,4 +111,4 @@ def has_rolling_resistance(tire: Tire) -> bool:
 
 def _has_any(tire: Tire, names: tuple[str, ...], factor: str) -> bool:
     values = tire.coefficients
-    return values.get(factor, 1.0) != 0.0 and any(values.get(name, 0.0) for name in names)
+    return values[factor] != 0.0 and any(values[name] for name in names)

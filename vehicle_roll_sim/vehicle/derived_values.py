@@ -114,6 +114,11 @@ class DerivedValues:
             values += [value, value]
         return np.array(values)
 
+    @property
+    def mass(self) -> float:
+        """Mass of the whole vehicle (kg)."""
+        return self.sprung_mass + float(self.per_wheel("unsprung_mass").sum())
+
     @functools.cached_property
     def axle_load_share(self) -> np.ndarray:
         """Share of the sprung weight that each wheel carries at rest; shape (4,)."""

@@ -3,10 +3,11 @@
 from dataclasses import MISSING
 
 from vehicle_roll_sim.declaration import Parameter, parameters_of
-from vehicle_roll_sim.model.tire.coefficients import REQUIRED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.tire_file import ENTRY, FORMAT, UNITS, USED
-from vehicle_roll_sim.vehicle.tire_meanings import MEANINGS
+from vehicle_roll_sim.vehicle.tire.general_keys import UNITS as UNIT_KEYS
+from vehicle_roll_sim.vehicle.tire.keys import COEFFICIENTS, KEYS, REQUIRED
+from vehicle_roll_sim.vehicle.tire.text import HEADER, KEY, UNITS
+from vehicle_roll_sim.vehicle.tire.version import FORMAT
 from vehicle_roll_sim.vehicle.vehicle_file import (
     FROM_LATERAL,
     LONGITUDINAL,
@@ -70,17 +71,24 @@ def _about(parameter: Parameter) -> str:
 def tire_template() -> str:
     """A commented tire file with the values of the reference tire."""
     text = (PRESETS / "reference.tir").read_text(encoding="utf-8")
-    return ABOUT_COEFFICIENTS + "".join(f"{_commented(line)}\n" for line in text.splitlines())
+    section, lines = "", []
+    for line in text.splitlines():
+        header = HEADER.match(line)
+        section = header["name"] if header else section
+        lines.append(_commented(line, section))
+    return ABOUT_COEFFICIENTS + "".join(f"{line}\n" for line in lines)
 
 
-def _commented(line: str) -> str:
+def _commented(line: str, section: str) -> str:
     """Append a comment on its key to a line of a tire file; lines without a key are unchanged."""
-    entry = ENTRY.match(line)
+    entry = KEY.match(line)
     if not entry:
         return line
-    key = entry["key"]
-    if key in (FORMAT, *REQUIRED):
+    name = entry["key"]
+    key = UNIT_KEYS[name] if section == UNITS else KEYS[name]
+    if name in (FORMAT, *REQUIRED):
         note = "; required"
     else:
-        note = "" if key in USED or key in UNITS else "; not used"
-    return f"{line:{COMMENT_AT}}$ {MEANINGS[key]}{note}"
+        is_used = section == UNITS or name in (*COEFFICIENTS["5.2"], "TYRESIDE")
+        note = "" if is_used else "; not used"
+    return f"{line:{COMMENT_AT}}$ {key.meaning}{note}"

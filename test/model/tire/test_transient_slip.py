@@ -3,17 +3,20 @@
 import dataclasses
 import itertools
 import math
+from pathlib import Path
 
+import magic_formula
 import numpy as np
 import pytest
 from entries import entry
 from programmes import Evaluation, ramp_and_hold, record_run, with_tire
 from random_states import random_command, random_state
 
-from vehicle_roll_sim import Command, Options, Simulation
+from vehicle_roll_sim import Command, Options, Simulation, load_tire
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.tire import transient_slip
 
+DATA = Path(__file__).parent / "data"
 SPEED = 50 / 3.6
 LIMP = {"LMUX": 0.0, "LMUY": 0.0}
 """A tire that gives no force: the vehicle goes on as it was, whatever its slip."""
@@ -41,10 +44,34 @@ def test_relaxation_lengths_are_those_of_the_magic_formula_with_a_floor(vehicle,
     car, tire = (kernel_argument(part.record())[0] for part in (vehicle, vehicle.tire))
     loads = np.linspace(1.0, 12_000.0, 200)
     relaxation_lengths = entry(transient_slip.relaxation_lengths)
-    seen = np.array([relaxation_lengths(fz, car, tire) for fz in loads]).T
+    radius = car.tire_radius[0]
+    seen = np.array([relaxation_lengths(fz, radius, car, tire) for fz in loads]).T
     np.testing.assert_allclose(seen, lengths(vehicle, loads), rtol=1e-13)
     assert (seen[:, 0] == vehicle.minimum_relaxation_length).all()
     assert seen.max() > 0.3  # m
+
+
+@pytest.mark.parametrize("name", ["mf61", "mf62"])
+def test_files_of_version_6_give_relaxation_lengths_by_the_stiffness_of_the_carcass(vehicle, name):
+    tire = load_tire(DATA / f"{name}.tir")
+    (car,), (record,) = kernel_argument(vehicle.record()), kernel_argument(tire.record(1.1e5))
+    c, dp = tire.coefficients, record.pressure_change
+    load = np.linspace(500.0, 10_000.0, 30)
+    dfz = magic_formula.relative_load(c, load)
+    along = 1 + c["PCFX1"] * dfz + c["PCFX2"] * dfz**2
+    along *= c["LONGITUDINAL_STIFFNESS"] * (1 + c["PCFX3"] * dp)
+    across = 1 + c["PCFY1"] * dfz + c["PCFY2"] * dfz**2
+    across *= c["LATERAL_STIFFNESS"] * (1 + c["PCFY3"] * dp)
+    p, _ = magic_formula.read(DATA / f"{name}.tir")
+    expected = [
+        magic_formula.longitudinal_stiffness(p, load, dp=dp) / along,
+        -magic_formula.cornering_stiffness(p, load, dp=dp) / across,
+    ]
+    relaxation_lengths = entry(transient_slip.relaxation_lengths)
+    seen = np.array([relaxation_lengths(fz, car.tire_radius[0], car, record) for fz in load]).T
+    floor = vehicle.minimum_relaxation_length
+    np.testing.assert_allclose(seen, np.maximum(expected, floor), rtol=1e-12)
+    assert 0.2 < seen[1].max() < 1.0  # m
 
 
 def test_slips_follow_the_contact_point_over_the_relaxation_length(vehicle):

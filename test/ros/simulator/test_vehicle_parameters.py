@@ -7,6 +7,7 @@ from rclpy.context import Context
 from vehicle_roll_sim import InputError
 from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.simulator.node import Simulator
+from vehicle_roll_sim.vehicle.vehicle_file import PRESETS
 
 HEIGHT, DEPTH = "vehicle.front_roll_centre_height", "vehicle.front_roll_centre_depth"
 
@@ -52,6 +53,58 @@ def test_another_node_reads_the_same_vehicle(simulator):
     vehicle, _ = simulated_vehicle(ask)
     assert vehicle.given == node.session.simulation.vehicle.given
     assert vehicle.record().tobytes() == node.session.simulation.vehicle.record().tobytes()
+
+
+@pytest.fixture
+def other(tmp_path) -> str:
+    """A tire file that differs from the reference tire."""
+    text = (PRESETS / "reference.tir").read_text()
+    (tmp_path / "other.tir").write_text(text.replace("= 1.685", "= 1.5"))
+    return str(tmp_path / "other.tir")
+
+
+def test_each_axle_may_have_its_tire_and_another_node_reads_the_same(simulator, other):
+    node = simulator(f"vehicle.rear_tire:={other}", "vehicle.front_camber:=-0.01")
+    assert not node.has_parameter("vehicle.tire")
+    assert node.get_parameter("vehicle.rear_tire").value == other
+    assert node.get_parameter("vehicle.front_tire").value.endswith("reference.tir")
+    vehicle = node.session.simulation.vehicle
+    assert vehicle.tires()["PCX1"].tolist() == [1.685, 1.5]
+
+    def ask(names) -> list:
+        there = all(node.has_parameter(name) for name in names)
+        return [parameter.value for parameter in node.get_parameters(names)] if there else []
+
+    same, options = simulated_vehicle(ask)
+    assert same.tires().tobytes() == vehicle.tires().tobytes()
+    assert same.record().tobytes() == vehicle.record().tobytes()
+    assert options == node.session.simulation.options
+
+
+@pytest.mark.parametrize(
+    ("assignments", "told"),
+    [
+        (("vehicle.tire:={0}", "vehicle.front_tire:={0}"), "vehicle.tire: .* together with front_"),
+        (("vehicle.front_tire:=none.tir",), ".*none.tir.*No such file"),
+        (("vehicle.longitudinal:=lateral", "vehicle.tire:={0}"), "vehicle.longitudinal: 'lateral'"),
+        (("vehicle.tire_pressure:=200000.0",), "vehicle.tire_pressure: 200000.0 .* version 5.2"),
+        (("vehicle.front_tire_radius:=0.3", "vehicle.tire_radius:=0.3"), "vehicle.front_tire_r"),
+    ],
+)
+def test_tires_that_do_not_go_together_are_refused(simulator, other, assignments, told):
+    with pytest.raises(InputError, match=f"^{told}"):
+        simulator(*(each.format(other) for each in assignments))
+
+
+@pytest.mark.parametrize(("given", "shown"), [("on", "on"), ("off", "off"), ("auto", "off")])
+def test_moments_and_shift_are_shown_as_they_are(simulator, given, shown):
+    """YAML reads on and off as true and false."""
+    node = simulator(f"tire_moments:={given}", f"contact_patch_shift:={given}")
+    for name in ("tire_moments", "contact_patch_shift"):
+        assert node.get_parameter(name).value == shown
+        assert getattr(node.session.simulation.options, name) == shown
+    with pytest.raises(InputError, match=r"^tire_moments: 'maybe'"):
+        simulator("tire_moments:=maybe")
 
 
 def test_strict_refuses_what_is_not_plausible(simulator):

@@ -92,7 +92,7 @@ def curves_of_forces(tire, form, outputs):
         y_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, ky, tire)
         terms.slip_stiffness[i], terms.cornering_stiffness[i] = kx, ky
         terms.lateral_slip_shift[i] = y_shift
-        fx = pure_slip.longitudinal_curve(kappa, fz, dfz, kx, x_peak, tire)
+        fx = pure_slip.longitudinal_curve(kappa, dfz, kx, x_peak, tire)
         fy = pure_slip.lateral_curve(alpha, gamma, dfz, y_shift, ky, y_peak, tire)
         gx = longitudinal_weight_curve(alpha, kappa, gamma, dfz, tire)
         gy = lateral_weight_curve(alpha, kappa, gamma, dfz, tire)

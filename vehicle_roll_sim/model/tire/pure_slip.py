@@ -95,7 +95,7 @@ def cornering_stiffness(gamma, fz, tire):
 
 
 @term
-def longitudinal_curve(kappa, fz, dfz, slope, peak, tire):
+def longitudinal_curve(kappa, dfz, slope, peak, tire):
     """x, B, C and E of Fx0, the force at pure longitudinal slip (E10, E11, E14, E17)."""
     slip = kappa + (tire.PHX1 + tire.PHX2 * dfz) * tire.LHX
     shape = tire.PCX1 * tire.LCX

@@ -4,39 +4,46 @@ The single contact point model (Pacejka, Tire and Vehicle Dynamics, 2002, chapte
 the slips developed in the contact patch: one for the slip ratio and one for the tangent of the slip
 angle. With the rolling speed V and a sliding speed Vs of the wheel (rw - V along, or across),
 
-    dx/dt = (Vs - |V| x) / SIGMA - w sgn(x) max(|x| - XMAX, 0) / RELEASE,
+    dx/dt = (Vs - |V| x) / SIGMA - w (x - XHELD) / RELEASE,
 
 and the input of the Magic Formula is x + TAU w dx/dt. At speed w is 0: x approaches the
 steady-state slip Vs / |V| over the relaxation length SIGMA. Towards standstill, where there is no
-relaxation by rolling, w approaches 1: slip beyond XMAX is released, and the tire's spring is damped
-with TAU = SIGMA / 15 m/s (longitudinally with less, where that would stop a light wheel within
-1 ms).
+relaxation by rolling, w approaches 1: slip beyond that at the peak of the tire's own curve, so
+beyond XHELD, the nearest slip that is not, is released, and the tire's spring is damped with
+TAU = SIGMA / 15 m/s (longitudinally with less, where that would stop a light wheel within 1 ms).
 """
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.elementary import cosine, sine_of_twice_arctan
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import AXLE_COUNT, LR, WHEEL_COUNT, vehicle_constants
-from vehicle_roll_sim.model.tire.coefficients import tire_constants
+from vehicle_roll_sim.model.tire.coefficients import all_tire_constants
+from vehicle_roll_sim.model.tire.pure_slip import cornering_stiffness, slip_stiffness
+from vehicle_roll_sim.model.tire.standing import held_slips
 
 LOW_SPEED = 1.0
 """m/s: rolling speed below which the standstill terms (w) act."""
-LARGEST_AT_REST = 0.06
-"""XMAX: slip that a tire retains at standstill, slightly below that at peak force for most."""
 DAMPING_SPEED = 15.0
 """m/s: relaxation length over TAU, the damping time of the tire at standstill (s)."""
 QUICKEST_DAMPING = 1000.0
 """1/s: largest rate at which that damping may decelerate a wheel."""
 RELEASE_TIME = 0.02
-"""RELEASE (s): time constant of the decay of slip beyond XMAX at standstill, and off the ground."""
+"""RELEASE (s): time constant of the decay of slip beyond XHELD, and of any slip off the ground."""
 
 
 @term
 def relaxation_lengths(fz, radius, vehicle, tire):
-    """Longitudinal and lateral relaxation length at load fz (m; Magic Formula 5.2)."""
+    """Longitudinal and lateral relaxation length at load fz (m).
+
+    Files of version 5.2 give them (PTX1-PTX3, PTY1, PTY2); those of 6.1 and 6.2 give the stiffness
+    of the carcass, over which the tire's slip and cornering stiffness have to act (A3.9, A3.10).
+    """
     nominal = tire.LFZO * tire.FNOMIN
     dfz = (fz - nominal) / nominal
     floor = vehicle.minimum_relaxation_length
+    if tire.version > 6.0:
+        along, across = lengths_by_stiffness(fz, dfz, tire)
+        return max(along * tire.LSGKP, floor), max(across * tire.LSGAL, floor)
     along = fz * (tire.PTX1 + tire.PTX2 * dfz) * math.exp(-tire.PTX3 * dfz)
     along *= radius / tire.FNOMIN * tire.LSGKP
     across = 0.0
@@ -47,6 +54,21 @@ def relaxation_lengths(fz, radius, vehicle, tire):
 
 
 @term
+def lengths_by_stiffness(fz, dfz, tire):
+    """Relaxation lengths (m) of the upright tire; 0 without the stiffness of its carcass."""
+    dp, along, across = tire.pressure_change, 0.0, 0.0
+    stiffness = 1 + tire.PCFX1 * dfz + tire.PCFX2 * dfz * dfz
+    stiffness *= tire.LONGITUDINAL_STIFFNESS * (1 + tire.PCFX3 * dp)
+    if stiffness > 0.0:
+        along = slip_stiffness(0.0, fz, dfz, math.exp(tire.PKX3 * dfz), tire) / stiffness
+    stiffness = 1 + tire.PCFY1 * dfz + tire.PCFY2 * dfz * dfz
+    stiffness *= tire.LATERAL_STIFFNESS * (1 + tire.PCFY3 * dp)
+    if stiffness > 0.0:
+        across = cornering_stiffness(0.0, fz, tire) / stiffness
+    return abs(along), abs(across)
+
+
+@term
 def standstill(rolling):
     """w: 1 at standstill, 0 from LOW_SPEED on, smooth in between; rolling: speed (m/s)."""
     speed = abs(rolling)
@@ -54,10 +76,9 @@ def standstill(rolling):
 
 
 @term
-def slip_rate(slip, rolling, sliding, length, weight):
-    """dx/dt (1/s) of the equation above."""
-    excess = math.copysign(max(abs(slip) - LARGEST_AT_REST, 0.0), slip)
-    return (sliding - abs(rolling) * slip) / length - weight * excess / RELEASE_TIME
+def slip_rate(slip, rolling, sliding, length, released):
+    """dx/dt (1/s) of the equation above; released: w (x - XHELD)."""
+    return (sliding - abs(rolling) * slip) / length - released / RELEASE_TIME
 
 
 @kernel
@@ -69,7 +90,7 @@ def transient_slip(state, vehicle, tires, outputs):
         outputs.unloaded_radius[i] = vehicle.tire_radius[i]
     vehicle = vehicle_constants(vehicle)
     for axle in range(AXLE_COUNT):
-        tire = tire_constants(tires[axle])
+        tire = all_tire_constants(tires[axle])
         for i in range(axle * LR, axle * LR + LR):
             outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
                 damped_slip(
@@ -79,6 +100,8 @@ def transient_slip(state, vehicle, tires, outputs):
                     outputs.sliding[i],
                     outputs.tread[i],
                     outputs.normal_force[i],
+                    outputs.side[i] * outputs.inclination[i],
+                    outputs.side[i],
                     outputs.unloaded_radius[i],
                     vehicle,
                     tire,
@@ -88,18 +111,22 @@ def transient_slip(state, vehicle, tires, outputs):
 
 
 @term
-def damped_slip(along, across, rolling, sliding, tread, fz, radius, vehicle, tire):
+def damped_slip(along, across, rolling, sliding, tread, fz, gamma, side, radius, vehicle, tire):
     """Rates of the longitudinal and lateral slip (1/s), and the slips for the Magic Formula.
 
     rolling, sliding: velocity of the contact point along and across the wheel (m/s). tread: spin
-    times loaded radius (m/s). Without load the slips decay.
+    times rolling radius (m/s). gamma, side: as for `held_slips`. Without load the slips decay.
     """
     if fz <= 0.0:
         return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across
     long, lateral = relaxation_lengths(fz, radius, vehicle, tire)
-    weight = standstill(rolling)
-    along_rate = slip_rate(along, rolling, tread - rolling, long, weight)
-    across_rate = slip_rate(across, rolling, sliding, lateral, weight)
+    weight, along_released, across_released = standstill(rolling), 0.0, 0.0
+    if weight > 0.0:
+        along_held, across_held = held_slips(along, across, gamma, side, fz, tire)
+        along_released = weight * (along - along_held)
+        across_released = weight * (across - across_held)
+    along_rate = slip_rate(along, rolling, tread - rolling, long, along_released)
+    across_rate = slip_rate(across, rolling, sliding, lateral, across_released)
     slope = fz * tire.PKX1 * tire.LKX * radius**2  # about Kx r^2
     firm = max(DAMPING_SPEED, slope / (vehicle.wheel_inertia * QUICKEST_DAMPING))
     along += long / firm * weight * along_rate

@@ -5,7 +5,7 @@ from vehicle_files import REFERENCE_TIR, edited, line_of, refused, write
 
 from vehicle_roll_sim import InputError, load_tire
 from vehicle_roll_sim.files.text_file import LARGEST_FILE
-from vehicle_roll_sim.model.tire.coefficients import REQUIRED
+from vehicle_roll_sim.vehicle.tire.keys import REQUIRED
 
 PUBLISHED = {
     "FNOMIN": 4000.0,
@@ -52,54 +52,6 @@ def test_a_line_that_is_a_comment_is_no_entry(tire_from, mark):
     assert tire.coefficients["LMUX"] == 1.0  # a factor that is not given
 
 
-def test_line_ends_of_another_system_are_read_alike(tire_from):
-    unlike = REFERENCE_TIR.replace("\n", "\r\n")
-    assert tire_from(unlike).coefficients == tire_from(REFERENCE_TIR).coefficients
-
-
-def test_a_table_of_the_tire_contour_is_passed_over(tire_from):
-    contour = "[SHAPE]\n{radial width}\n1.0 0.0\n1.0 0.4\n0.9 1.0\n"
-    tire = tire_from(REFERENCE_TIR + contour)
-    assert tire.coefficients == tire_from(REFERENCE_TIR).coefficients
-
-
-@pytest.mark.parametrize(
-    ("unit", "newtons"),
-    [("newton", 1.0), ("N", 1.0), ("kN", 1e3), ("pound_force", 4.4482216152605)],
-)
-def test_loads_in_another_unit_of_force_come_out_in_newtons(tire_from, unit, newtons):
-    text = edited(REFERENCE_TIR, "FORCE", f"FORCE = '{unit}'")
-    for name, load in (("FNOMIN", 4000.0), ("FZMAX", 15_000.0)):
-        text = edited(text, name, f"{name} = {load / newtons!r}")
-    coefficients = tire_from(text).coefficients
-    assert coefficients["FNOMIN"] == pytest.approx(4000.0, rel=1e-15)  # one division
-    assert coefficients["FZMAX"] == pytest.approx(15_000.0, rel=1e-15)
-    assert coefficients["PKX1"] == 21.51  # a ratio
-
-
-def test_lengths_in_millimetres_are_accepted_and_change_no_coefficient(tire_from):
-    millimetres = edited(REFERENCE_TIR, "LENGTH", "LENGTH = 'mm'")
-    assert tire_from(millimetres).coefficients == tire_from(REFERENCE_TIR).coefficients
-
-
-@pytest.mark.parametrize(
-    ("name", "unit"),
-    [
-        ("ANGLE", "degrees"),
-        ("ANGLE", "deg"),
-        ("FORCE", "kgf"),
-        ("LENGTH", "furlong"),
-        ("MASS", "slug"),
-        ("TIME", "hour"),
-        ("ANGLE", ""),
-    ],
-)
-def test_a_unit_that_is_not_understood_is_refused(tire_from, path, name, unit):
-    text = edited(REFERENCE_TIR, name, f"{name} = '{unit}'")
-    with refused(path, line_of(text, name), name, repr(unit)):
-        tire_from(text)
-
-
 @pytest.mark.parametrize("name", REQUIRED)
 def test_a_coefficient_without_which_there_is_no_tire_may_not_be_missing(tire_from, path, name):
     with refused(path, name):
@@ -135,47 +87,6 @@ def test_a_number_that_the_formula_would_divide_by_is_not_zero(tire_from, path, 
 def test_a_range_that_ends_before_it_begins_is_refused(tire_from, path, lowest, highest, value):
     with refused(path, lowest, highest):
         tire_from(edited(REFERENCE_TIR, lowest, f"{lowest} = {value}"))
-
-
-def test_a_key_that_stands_twice_is_refused(tire_from, path):
-    text = edited(REFERENCE_TIR, "PKX1", "PKX1 = 21.51\nPKX1 = 22.0")
-    with refused(path, line_of(text, "PKX1"), "PKX1"):
-        tire_from(text)
-
-
-@pytest.mark.parametrize("given", ["'FTIRE'", "'MF_62'", "", "6.1"])
-def test_another_kind_of_tire_model_is_refused(tire_from, path, given):
-    name = "PROPERTY_FILE_FORMAT"
-    text = edited(REFERENCE_TIR, name, f"{name} = {given}")
-    with refused(path, line_of(text, name), name):
-        tire_from(text)
-
-
-def test_a_file_that_does_not_say_what_it_is_is_refused(tire_from, path):
-    with refused(path, "PROPERTY_FILE_FORMAT"):
-        tire_from(edited(REFERENCE_TIR, "PROPERTY_FILE_FORMAT", ""))
-
-
-@pytest.mark.parametrize(("version", "allowed"), [("6", True), ("52", True), ("61", False)])
-def test_of_the_versions_those_up_to_5_2_are_read(tire_from, path, version, allowed):
-    line = f"PROPERTY_FILE_FORMAT = 'MF-TYRE'\nFITTYP = {version}"
-    text = edited(REFERENCE_TIR, "PROPERTY_FILE_FORMAT", line)
-    if allowed:
-        assert tire_from(text).coefficients == tire_from(REFERENCE_TIR).coefficients
-        return
-    with refused(path, line_of(text, "FITTYP"), "FITTYP"):
-        tire_from(text)
-
-
-@pytest.mark.parametrize(("given", "side"), [("'RIGHT'", "right"), ("Left", "left")])
-def test_the_side_of_the_tire_is_read(tire_from, given, side):
-    assert tire_from(edited(REFERENCE_TIR, "TYRESIDE", f"TYRESIDE = {given}")).side == side
-
-
-def test_a_side_that_no_vehicle_has_is_refused(tire_from, path):
-    text = edited(REFERENCE_TIR, "TYRESIDE", "TYRESIDE = 'middle'")
-    with refused(path, line_of(text, "TYRESIDE"), "TYRESIDE", "'middle'"):
-        tire_from(text)
 
 
 @pytest.mark.parametrize(

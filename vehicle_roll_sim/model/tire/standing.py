@@ -1,0 +1,60 @@
+"""The slip that a standing tire holds: up to the peak of its own curves, at its load.
+
+A curve D sin[C atan{B x - E (B x - atan B x)}] has its peak where the angle is a right one, at
+
+    y - E (y - atan y) = tan[pi / (2 C)],  y = B x.
+
+The left side rises with y and is either convex or concave, so Newton's method approaches the
+solution from one side. A curve with C up to 1 has no peak.
+"""
+
+from vehicle_roll_sim.model.compiled.elementary import arctan
+from vehicle_roll_sim.model.compiled.jit import math, term
+from vehicle_roll_sim.model.tire import pure_slip
+
+LARGEST_HELD = 1.0
+"""Slip ratio, or slip angle (rad), that a tire holds if its curve has no peak below."""
+ITERATIONS = 8
+"""Of Newton's method: to rounding, unless E is close to 1, where the result is too small by less
+than 1 %."""
+
+
+@term
+def slip_at_peak(stiffness, shape, curvature):
+    """|x| at the peak of a curve with these B, C and E, up to LARGEST_HELD."""
+    if stiffness == 0.0 or shape <= 1.0:
+        return LARGEST_HELD
+    goal = math.tan(math.pi / (2 * shape))
+    y = goal
+    for _ in range(ITERATIONS):
+        value = y - curvature * (y - arctan(y))
+        y += (goal - value) / (1 - curvature + curvature / (1 + y * y))
+    x = y / abs(stiffness)
+    return x if x < LARGEST_HELD else LARGEST_HELD  # also if there is none: y is nan
+
+
+@term
+def held(parts, slip):
+    """The slip nearest to `slip` that a tire holds; parts: x, B, C and E of its curve there."""
+    x, stiffness, shape, curvature = parts
+    most = slip_at_peak(stiffness, shape, curvature)
+    return slip - x + max(-most, min(most, x))
+
+
+@term
+def held_slips(along, across, gamma, side, fz, tire):
+    """The slip ratio and the tangent of the slip angle that a tire holds.
+
+    along, across: those that it has now. gamma: inclination as the tire sees it (rad). side: -1 if
+    the tire is mirrored, else 1. fz: normal load (N).
+    """
+    dfz = pure_slip.relative_load(fz, tire)
+    slope = pure_slip.slip_stiffness(gamma, fz, dfz, math.exp(tire.PKX3 * dfz), tire)
+    peak = pure_slip.longitudinal_friction(gamma, dfz, tire) * tire.LMUX * fz
+    kappa = held(pure_slip.longitudinal_curve(along, dfz, slope, peak, tire), along)
+    slope = pure_slip.cornering_stiffness(gamma, fz, tire)
+    peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz
+    shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, slope, tire)
+    alpha = side * arctan(across)
+    curve = pure_slip.lateral_curve(alpha, gamma, dfz, shift, slope, peak, tire)
+    return kappa, side * math.tan(held(curve, alpha))

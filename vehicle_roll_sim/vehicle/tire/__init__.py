@@ -1,0 +1,1 @@
+"""Reading tire property files: text, units, keys and their versions, signs, and stand-ins."""
