@@ -12,7 +12,8 @@ pytestmark = pytest.mark.unmeasured
 
 
 @pytest.mark.parametrize(
-    ("model", "steady"), [("1", False), ("1", True), ("1c-iii", True), ("8dof", False)]
+    ("model", "steady"),
+    [("1", False), ("1", True), ("1c-iii", True), ("2", False), ("8dof", False)],
 )
 def test_the_chosen_model_publishes_every_topic_and_its_own_states(start, peer, model, steady):
     words = (f"model:={model}", f"steady_state_slip:={steady}", "command_timeout:=0.0")
