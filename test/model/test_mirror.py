@@ -21,7 +21,9 @@ REVERSED_STATES = {"y", "roll", "yaw", "v", "roll_rate", "yaw_rate", "lateral_sl
 SIGNALS = ("normal_force", "slip_ratio", "tire_longitudinal", "loaded_radius")
 REVERSED_SIGNALS = ("slip_angle", "lateral_force", "tire_lateral", "link_y")
 MOMENTS = {
-    **{"overturning_moment": True, "rolling_resistance_moment": False, "aligning_moment": True},
+    "overturning_moment": True,
+    "rolling_resistance_moment": False,
+    "aligning_moment": True,
     "inclination": True,
 }
 """What only tires with moments have, and whether it is reversed."""
