@@ -19,9 +19,14 @@ OTHER_SIDE = [1, 0, 3, 2]
 """Wheels in the order lf, rf, lr, rr, exchanged across the vehicle."""
 REVERSED_STATES = {"y", "roll", "yaw", "v", "roll_rate", "yaw_rate", "lateral_slip"}
 SIGNALS = ("normal_force", "slip_ratio", "tire_longitudinal", "loaded_radius")
-REVERSED_SIGNALS = ("slip_angle", "lateral_force", "tire_lateral", "link_y", "inclination")
-MOMENTS = {"overturning_moment": True, "rolling_resistance_moment": False, "aligning_moment": True}
-"""Those of the tires, and whether they are reversed."""
+REVERSED_SIGNALS = ("slip_angle", "lateral_force", "tire_lateral", "link_y")
+MOMENTS = {
+    "overturning_moment": True,
+    "rolling_resistance_moment": False,
+    "aligning_moment": True,
+    "inclination": True,
+}
+"""What only tires with moments have, and whether it is reversed."""
 SHARE_OF_PEAK = 1e-9
 """Only the order of sums differs: 1e-15, grown by the fall to the side to 2e-13."""
 

@@ -37,7 +37,7 @@ def eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rate
     heading = heading_of(state[at.YAW])
     steer(command, outputs)
     contact_velocities(state, vehicle, outputs)
-    inclinations(attitude_of(state[at.ROLL], 0.0), vehicle, options, outputs)
+    inclinations(attitude_of(state[at.ROLL], 0.0), vehicle, tires, options, outputs)
     slope_gravity_on_yawed_axes(heading, vehicle, outputs)
     accelerate(state, command, vehicle, tires, options, outputs)
     rates[at.X], rates[at.Y] = yawed_to_ground(heading, state[at.U], state[at.V])

@@ -44,7 +44,7 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
-    inclinations(attitude, vehicle, options, outputs)
+    inclinations(attitude, vehicle, tires, options, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
     if options.contact_moments:
         contact_moments(attitude, vehicle, outputs)

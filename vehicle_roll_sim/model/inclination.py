@@ -2,7 +2,7 @@
 
 from vehicle_roll_sim.model.compiled.elementary import arctan
 from vehicle_roll_sim.model.compiled.jit import kernel, math, square_root, term
-from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.records import FRONT, REAR, WHEEL_COUNT
 
 NEARLY_FLAT = 1e-300
 """Lower limit of the squared cosine of an inclination; keeps its tangent finite at 90 degrees."""
@@ -15,7 +15,18 @@ def arcsine(x):
 
 
 @kernel
-def inclinations(attitude, vehicle, options, outputs):
+def inclinations(attitude, vehicle, tires, options, outputs):
+    """gamma of every wheel (rad), or 0 if nothing depends on it, which saves time."""
+    is_plain = tires[FRONT].plain != 0.0 and tires[REAR].plain != 0.0
+    if options.contact_moments or not is_plain:
+        actual_inclinations(attitude, vehicle, options, outputs)
+    else:
+        for i in range(WHEEL_COUNT):
+            outputs.inclination[i] = 0.0
+
+
+@kernel
+def actual_inclinations(attitude, vehicle, options, outputs):
     """gamma of every wheel (rad), positive with its top towards the right, as in the W axes.
 
     The spin axis of a wheel that is fixed to the body and steered by delta points upwards by

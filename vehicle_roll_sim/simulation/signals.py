@@ -70,7 +70,9 @@ OUTPUT_SIGNALS = {
     "overturning_moment": Signal("N m", WHEEL, "tire moment about the x axis, 0 if not computed"),
     "rolling_resistance_moment": Signal("N m", WHEEL, "tire moment about the y axis; the same"),
     "aligning_moment": Signal("N m", WHEEL, "tire moment about the z axis; the same"),
-    "inclination": Signal("rad", WHEEL, "camber to the road, positive with the top to the right"),
+    "inclination": Signal(
+        "rad", WHEEL, "camber to the road, top to the right; 0 if without effect"
+    ),
     "rolling_radius": Signal("m", WHEEL, "speed of free rolling over the spin"),
     "unloaded_radius": Signal("m", WHEEL, "radius of the tire without load"),
     "contact_moment_x": Signal("N m", BODY, "moment at the contact point about the x axis"),
