@@ -80,9 +80,18 @@ STEADY = 1e-8
 """Largest rate that counts as steady, in typical changes per second; rounding is about 1e-10."""
 
 
-def typical(names: tuple[str, ...]) -> np.ndarray:
+ROLL_ON_TIRES = 0.01
+"""rad: typical change of the roll angle where it acts through the compression of the tires, as in
+model 2; in the others that is a state of its own."""
+
+
+def typical(names: tuple[str, ...], roll: float = TYPICAL["roll"]) -> np.ndarray:
     """The typical change of each element, by field name, possibly with a wheel; shape (n,)."""
-    sizes = TYPICAL | {f"{name}_{wheel}": TYPICAL[name] for name in TYPICAL for wheel in WHEELS}
+    sizes = (
+        TYPICAL
+        | {"roll": roll}
+        | {f"{name}_{wheel}": TYPICAL[name] for name in TYPICAL for wheel in WHEELS}
+    )
     return np.array([sizes[name] for name in names])
 
 
@@ -91,6 +100,7 @@ class LevelRoadModel:
 
     state_names: the states on which the motion depends, without tire compressions, which follow
     from height, attitude and suspension compression. places: their indices in the state vector.
+    typical_roll: typical change of the roll angle (rad).
     Raises InputError for model 1c-iii, in which they do not follow: its turns are not steady.
     """
 
@@ -105,6 +115,7 @@ class LevelRoadModel:
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))
+        self.typical_roll = ROLL_ON_TIRES if options.is_kinematic else TYPICAL["roll"]
         self.places = np.array([STATE_NAMES.index(name) for name in self.state_names])
 
     @property
@@ -215,7 +226,7 @@ def _solution(
     """
     state, inputs = state.copy(), inputs.copy()
     free = model.places[model.places != U]
-    states = typical(model.state_names)
+    states = typical(model.state_names, model.typical_roll)
     torque, angle = TYPICAL["wheel_torque"], TYPICAL["steering"]
     scale = np.array([*states[model.places != U], torque, angle])
 
