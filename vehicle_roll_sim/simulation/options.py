@@ -39,7 +39,7 @@ MODELS = {
 After 1c-iv: the admissible simplification of section 6.4 in its two steps, and the two errors of
 section 5 (equation 58 omitted; unsprung mass lumped into equations 48 and 49). Last: the 8 DOF
 model of section 8, with the tires in series with the springs, and with rigid tires, that is, with
-the roll stiffness of the springs alone.
+the roll stiffness of the springs alone. 2 is not in the paper (docs/model_2.md).
 """
 SWITCHES = ("tire_moments", "contact_patch_shift")
 """Options that a vehicle file decides unless they are given."""
@@ -51,11 +51,11 @@ class Options:
     """The model and its variants. The default is model 1 of the paper.
 
     Raises InputError for a combination that the paper does not define: the simplified models have
-    only the variant `no_roll_centre`, the 8 DOF model has none; without roll centres there is no
+    only the variant `no_roll_centre`, the 8 DOF model and model 2 have none; without roll centres there is no
     link load transfer that could be asymmetric.
     """
 
-    model: str = parameter("model of the paper", choices=tuple(MODELS), default="1")
+    model: str = parameter("model of the paper, or 2", choices=tuple(MODELS), default="1")
     no_roll_centre: bool = parameter(
         "no roll centres: lateral link forces act at the strut tops (eq. 24 instead of 25), and "
         "there is no link load transfer",
