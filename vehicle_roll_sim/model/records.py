@@ -213,7 +213,7 @@ TIRE_TERMS = record_dtype(
 PARTS = 27
 """Elements of the lower triangle of the mass matrix of model 2 and of its right-hand side."""
 SUSPENSION_TERMS = record_dtype(
-    *per_wheel("tire_compression", "travel", "travel_force", "travel_acceleration", "pull"),
+    *per_wheel("tire_compression", "travel", "travel_force", "pull"),
     *per_curve_of_travel("part", "value", "slope", "bend"),
     ("coefficients", (COEFFICIENTS, TRAVEL_CURVE_COUNT * WHEEL_COUNT)),
     *((name, 3 * WHEEL_COUNT) for name in ("carrier_angle", "carrier_sine", "carrier_cosine")),
@@ -225,9 +225,9 @@ SUSPENSION_TERMS = record_dtype(
 )
 """Work space of model/kinematic, per wheel and in frame 1; also explained where it is written.
 
-tire_compression: that of the state. travel: of the wheel centre, up from rest (m), and its second
-derivative. wheel, arm: from the c.g. to the wheel centre, from there to the contact point (m).
-path, contact_path: derivatives of wheel centre and contact point by the travel (m/m).
+tire_compression: that of the state. travel: of the wheel centre, up from rest (m). wheel, arm: from
+the c.g. to the wheel centre, from there to the contact point (m). path, contact_path: derivatives
+of wheel centre and contact point by the travel (m/m).
 """
 
 OUTPUTS = record_dtype(

@@ -51,8 +51,8 @@ class Options:
     """The model and its variants. The default is model 1 of the paper.
 
     Raises InputError for a combination that the paper does not define: the simplified models have
-    only the variant `no_roll_centre`, the 8 DOF model and model 2 have none; without roll centres there is no
-    link load transfer that could be asymmetric.
+    only the variant `no_roll_centre`, the 8 DOF model and model 2 have none; without roll centres
+    there is no link load transfer that could be asymmetric.
     """
 
     model: str = parameter("model of the paper, or 2", choices=tuple(MODELS), default="1")

@@ -187,7 +187,7 @@ def complete_above(a, f, unknown):
 
 @kernel
 def wheel_accelerations(state, vehicle, outputs, rates):
-    """Acceleration of every wheel centre along its travel, and that of wu (m/s^2)."""
+    """Rates of wu (m/s^2), still without those of w."""
     terms = outputs.suspension_terms
     f = outputs.body_acceleration
     wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
@@ -198,7 +198,6 @@ def wheel_accelerations(state, vehicle, outputs, rates):
         carried = tx * f[DU] + ty * f[DV] + f[DW] + rx * f[DWX] + ry * f[DWY] + rz * f[DWZ]
         share = 1.0 / (tx * tx + ty * ty + 1.0)
         acceleration = -terms.pull[i] / vehicle.unsprung_mass[i] - carried * share
-        terms.travel_acceleration[i] = acceleration
         rate = outputs.suspension_rate[i]
         turning = f[DWX] * y - f[DWY] * x + (wx * ty - wy * tx) * rate
         rates[at.UNSPRUNG_VELOCITY][i] = acceleration + turning
