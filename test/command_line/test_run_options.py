@@ -208,7 +208,7 @@ def test_moments_and_shift_are_printed_and_recorded_and_replayed(command, folder
     words = ("run", *SHORT, "--contact-patch-shift", "on", "--set", "front_camber=-0.01")
     result = command(*words, "--bag", "bag")
     assert result.value["tire moments"] == "off"
-    assert result.value["contact patch shift"].startswith("on, lateral stiffness")
+    assert result.value["contact patch shift"].startswith("on, front lateral stiffness")
     replayed = command("replay", "bag", "--strict")
     assert (replayed.status, replayed.err) == (0, "")
     other = command("replay", "bag", "--contact-patch-shift", "off", "--set", "front_camber=-0.01")

@@ -14,6 +14,7 @@ from vehicle_roll_sim.model.tire.coefficients import RANGES
 from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS, SYMMETRIC
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.vehicle.tire.keys import COEFFICIENTS
 
 REFERENCE = preset()
 LARGEST_FACTOR = 1.6
@@ -109,9 +110,10 @@ def _on_a_tire(vehicle: Vehicle, side: str) -> Vehicle:
 
 @st.composite
 def tires(draw) -> Tire:
-    """Every coefficient within a fifth of the reference tire's, its shifts on."""
+    """Every coefficient of its version within a fifth of the reference tire's, its shifts on."""
     rng, given = draw(NUMBERS), REFERENCE.tire.coefficients
-    nearby = {name: value * rng.uniform(0.8, 1.2) for name, value in given.items()}
+    own = COEFFICIENTS[REFERENCE.tire.version]
+    nearby = {name: given[name] * rng.uniform(0.8, 1.2) for name in given if name in own}
     ranges = {name: given[name] for name in RANGES}
     return REFERENCE.tire.with_coefficients(**nearby | SHIFTS | ranges)
 

@@ -72,11 +72,14 @@ def test_the_summary_has_the_lateral_stiffness_of_each_axle():
     vehicle = of_ones_own().with_values({"rear_tire_lateral_stiffness": 1.5e5})
     lines = choices(vehicle, Options().for_vehicle(vehicle))
     assert lines["tire moments"] == "on"
-    assert lines["contact patch shift"].endswith("front 92.99 kN/m, rear 150 kN/m")
+    assert lines["contact patch shift"].endswith(
+        "front lateral stiffness 92.99 kN/m, rear lateral stiffness 150 kN/m"
+    )
     moments = vehicle.tire.with_coefficients(**MOMENTS)
     vehicle = dataclasses.replace(vehicle, tire=None, front_tire=moments, rear_tire=moments)
     lines = choices(vehicle, Options().for_vehicle(vehicle))
-    assert lines["contact patch shift"].endswith("front none, rear none")
+    contained = "contained in the overturning moment"
+    assert lines["contact patch shift"] == f"on, front {contained}, rear {contained}"
 
 
 def rich() -> Vehicle:

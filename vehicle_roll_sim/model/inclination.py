@@ -1,17 +1,7 @@
 """Inclination of the wheels to the road (camber), from attitude, steering and static camber."""
 
-from vehicle_roll_sim.model.compiled.elementary import arctan
-from vehicle_roll_sim.model.compiled.jit import kernel, math, square_root, term
+from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import FRONT, REAR, WHEEL_COUNT
-
-NEARLY_FLAT = 1e-300
-"""Lower limit of the squared cosine of an inclination; keeps its tangent finite at 90 degrees."""
-
-
-@term
-def arcsine(x):
-    """asin x (rad) for |x| up to 1."""
-    return arctan(x / square_root(max((1.0 - x) * (1.0 + x), NEARLY_FLAT)))
 
 
 @kernel
@@ -40,8 +30,5 @@ def actual_inclinations(attitude, vehicle, options, outputs):
     for i in range(WHEEL_COUNT):
         lean = math.sin(outputs.tire_tilt[i]) if options.tire_normal_to_ground else s_roll
         rise = s_pitch * outputs.steering_sine[i] + c_pitch * lean * outputs.steering_cosine[i]
-        outputs.inclination[i] = max(-1.0, min(1.0, rise))
-    for i in range(WHEEL_COUNT):
-        outputs.inclination[i] = arcsine(outputs.inclination[i])
-    for i in range(WHEEL_COUNT):
-        outputs.inclination[i] += vehicle.camber[i]
+        rise = 1.0 if rise > 1.0 else (-1.0 if rise < -1.0 else rise)
+        outputs.inclination[i] = math.asin(rise) + vehicle.camber[i]

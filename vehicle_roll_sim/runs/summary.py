@@ -51,10 +51,12 @@ def _choice(name: str, vehicle: Vehicle, options: Options) -> str:
         return ON
     compliance = vehicle.contact_patch_compliance(options.tire_moments == ON)
     of_axles = [
-        f"{axle} {1e-3 / compliance[wheel]:.4g} kN/m" if compliance[wheel] else f"{axle} none"
+        f"{axle} lateral stiffness {1e-3 / compliance[wheel]:.4g} kN/m"
+        if compliance[wheel]
+        else f"{axle} contained in the overturning moment"
         for axle, wheel in AXLES.items()
     ]
-    return f"on, lateral stiffness of a tire {', '.join(of_axles)}"
+    return f"on, {', '.join(of_axles)}"
 
 
 def line(label: str, value) -> str:

@@ -58,6 +58,7 @@ def _check_tires(vehicle: DerivedValues) -> None:
 
 
 def _check_given_once(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...]]) -> None:
+    """A value is given either for both axles or for each."""
     for both, single in per_axle.items():
         for name in single:
             if both in vehicle.given and name in vehicle.given:

@@ -9,7 +9,7 @@ solution from one side. A curve with C up to 1 has no peak.
 """
 
 from vehicle_roll_sim.model.compiled.elementary import arctan
-from vehicle_roll_sim.model.compiled.jit import math, term
+from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.tire import pure_slip
 
 LARGEST_HELD = 1.0
@@ -41,7 +41,7 @@ def held(parts, slip):
     return slip - x + max(-most, min(most, x))
 
 
-@term
+@kernel
 def held_slips(along, across, gamma, side, fz, tire):
     """The slip ratio and the tangent of the slip angle that a tire holds.
 

@@ -17,7 +17,6 @@ from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.elementary import cosine, sine_of_twice_arctan
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import AXLE_COUNT, LR, WHEEL_COUNT, vehicle_constants
-from vehicle_roll_sim.model.tire.coefficients import all_tire_constants
 from vehicle_roll_sim.model.tire.pure_slip import cornering_stiffness, slip_stiffness
 from vehicle_roll_sim.model.tire.standing import held_slips
 
@@ -53,7 +52,7 @@ def relaxation_lengths(fz, radius, vehicle, tire):
     return max(along, floor), max(across, floor)
 
 
-@term
+@kernel
 def lengths_by_stiffness(fz, dfz, tire):
     """Relaxation lengths (m) of the upright tire; 0 without the stiffness of its carcass."""
     dp, along, across = tire.pressure_change, 0.0, 0.0
@@ -90,7 +89,7 @@ def transient_slip(state, vehicle, tires, outputs):
         outputs.unloaded_radius[i] = vehicle.tire_radius[i]
     vehicle = vehicle_constants(vehicle)
     for axle in range(AXLE_COUNT):
-        tire = all_tire_constants(tires[axle])
+        tire = tires[axle]
         for i in range(axle * LR, axle * LR + LR):
             outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
                 damped_slip(
