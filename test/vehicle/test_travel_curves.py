@@ -1,5 +1,6 @@
 """Curves over wheel travel: through the points, smooth, straight outside, and no detours."""
 
+import dataclasses
 import itertools
 import math
 
@@ -125,5 +126,12 @@ def test_tables_of_an_axle_share_so_many_travels():
 def test_a_bar_has_one_stiffness_in_either_spelling():
     in_roll = preset().with_values({"rear_anti_roll_bar_stiffness": 22_500.0})
     np.testing.assert_allclose(in_roll.bar_rate, [0, 0, 10_000, 10_000])
+    at_wheels = in_roll.with_values({"rear_anti_roll_bar_rate": 1.0})  # in place of the other
+    np.testing.assert_allclose(at_wheels.bar_rate, [0, 0, 1, 1])
     with refused("rear_anti_roll_bar_stiffness", "rear_anti_roll_bar_rate"):
-        in_roll.with_values({"rear_anti_roll_bar_rate": 1.0})
+        dataclasses.replace(in_roll, rear_anti_roll_bar_rate=1.0)
+
+
+def test_angles_in_degrees_are_refused():
+    with refused("front_camber_change", "-1 to 1 rad"):
+        preset().with_values({"front_camber_change": ((-0.1, 3.0), (0.1, -4.0))})

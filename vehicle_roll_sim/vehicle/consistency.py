@@ -7,12 +7,14 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.vehicle.axle_tires import has_rolling_resistance, of_file
-from vehicle_roll_sim.vehicle.derived_values import AXLES, DerivedValues
+from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.tire_file import Tire
 from vehicle_roll_sim.vehicle.travel_curves import check_knots
 
 ROLL_CENTRES = {"minimum": -5.0, "maximum": 50.0}
 """m: allowed range of the depth, and of the height, of a roll centre."""
+LARGEST_TURN = 1.0
+"""rad: of a wheel carrier, in a table over wheel travel."""
 VERSION_WITHOUT_PRESSURE = "5.2"
 
 
@@ -28,6 +30,7 @@ def check_consistency(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...
     _check_roll_centres(vehicle)
     _check_inertias(vehicle)
     _check_anti_roll_bars(vehicle)
+    _check_carriers(vehicle)
     _check_fits_on_its_wheels(vehicle)
     _check_springs_carry_it(vehicle)
     for curves in vehicle.travel_curves.values():
@@ -105,12 +108,21 @@ def _check_roll_centres(vehicle: DerivedValues) -> None:
 
 def _check_anti_roll_bars(vehicle: DerivedValues) -> None:
     """A bar has one stiffness, given at the wheels or in roll."""
-    for axle in AXLES:
-        name, other = f"{axle}_anti_roll_bar_stiffness", f"{axle}_anti_roll_bar_rate"
+    for name, other in BAR_SPELLINGS:
         if name in vehicle.given and other in vehicle.given:
             value = vehicle.given[name]
             problem = f"{value:g} together with {other} {vehicle.given[other]:g}"
             raise InputError(name, value, "only one of the two may be given", problem)
+
+
+def _check_carriers(vehicle: DerivedValues) -> None:
+    """The equations hold for carriers that turn by less than a quarter turn."""
+    for axle in AXLES:
+        for quantity in ("camber_change", "toe_change", "carrier_pitch_change"):
+            table = vehicle.given.get(f"{axle}_{quantity}", 0.0)
+            if isinstance(table, tuple) and max(abs(v) for _, v in table) > LARGEST_TURN:
+                allowed = f"a table of angles from {-LARGEST_TURN:g} to {LARGEST_TURN:g} rad"
+                raise InputError(f"{axle}_{quantity}", table, allowed)
 
 
 def _check_inertias(vehicle: DerivedValues) -> None:

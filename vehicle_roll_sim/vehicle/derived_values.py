@@ -25,6 +25,10 @@ GRAVITY = 9.81
 """m/s^2, the value used in the paper."""
 AXLES = {"front": LF, "rear": LR}
 """The left wheel of each axle; both wheels of an axle have the same parameters."""
+BAR_SPELLINGS = tuple(
+    (f"{axle}_anti_roll_bar_stiffness", f"{axle}_anti_roll_bar_rate") for axle in AXLES
+)
+"""The two parameters of each bar, of which a vehicle has at most one."""
 TRAVEL_SIGNS = {
     "half_track_change": 1.0,
     "longitudinal_change": 1.0,

@@ -12,7 +12,7 @@ from vehicle_roll_sim.declaration import (
     validated,
 )
 from vehicle_roll_sim.vehicle.consistency import ROLL_CENTRES, check_consistency
-from vehicle_roll_sim.vehicle.derived_values import AXLES, DerivedValues
+from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 _LENGTH = {"unit": "m", "minimum": 0.01, "maximum": 50.0}
@@ -299,6 +299,9 @@ class Vehicle(DerivedValues):
         """
         known, given = parameters_of(Vehicle), self.given
         kept = {n: value for n, value in given.items() if known[n].alternative not in values}
+        for name, other in (*BAR_SPELLINGS, *((b, a) for a, b in BAR_SPELLINGS)):
+            if name in values:
+                kept.pop(other, None)
         for both, single in PER_AXLE.items():
             if both in values:
                 kept = {name: value for name, value in kept.items() if name not in single}
