@@ -23,7 +23,7 @@ from vehicle_roll_sim.simulation.compilation import compile_model
 
 HEADER = (
     *("controller", "manoeuvre", "peak roll", "largest load transfer ratio", "two-wheel lift"),
-    *("rollover", "off the path", "sideways", "speed"),
+    *("rollover", "largest distance", "displacement to the left", "forward speed"),
 )
 
 

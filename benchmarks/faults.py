@@ -1,4 +1,4 @@
-"""Deliberate faults, such as a tired programmer makes; a test must catch each of them."""
+"""Deliberate faults, each of which a test must catch."""
 
 import dataclasses
 
@@ -55,7 +55,7 @@ FAULTS = (
     ),
     Fault(
         "left and right exchanged at the rear",
-        "vehicle/parameters.py",
+        "vehicle/derived_values.py",
         "/ 2 * (1, -1, 1, -1)",
         "/ 2 * (1, -1, -1, 1)",
         RATES + "test_tires_weights_and_drag_are_all_that_changes_the_momenta",
@@ -69,7 +69,7 @@ FAULTS = (
     ),
     Fault(
         "missing clamp: friction reverses at large loads",
-        "model/tire/magic_formula.py",
+        "model/tire/pure_slip.py",
         "return value if value * coefficient > 0 else 0.0",
         "return value",
         "test/model/tire/test_tire.py::test_friction_never_turns_round_however_large_the_load",

@@ -16,7 +16,6 @@ extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
     "command_line",
-    "declarations",
     "outside_links",
 ]
 exclude_patterns = ["_build", "**.ipynb_checkpoints"]

@@ -1,4 +1,4 @@
-"""For all tests: the model is compiled before them; profiles of random cases; who is measured."""
+"""For all tests: compiles the model first; profiles of random cases; coverage of processes."""
 
 import importlib.util
 import os
@@ -18,10 +18,11 @@ MEASURING = "COVERAGE_PROCESS_CONFIG"
 
 LONGEST = (
     *("test_controllers", "test_signals", "test_driven_manoeuvres", "test_paper_command"),
-    *("test_environment", "test_executables", "test_stopped", "test_compare", "test_lockstep"),
-    *("test_standard_figure", "test_parameters", "test_real_time", "test_diagnostics"),
+    *("test_executables", "test_compare", "test_environment", "test_standard_figure"),
+    *("test_lockstep", "test_entry_speed_search", "test_double_lane_change", "test_multibody"),
+    *("test_waiting_in_lockstep", "test_parameters", "test_real_time", "test_diagnostics"),
 )
-"""Files of 25 to 100 s of processor time."""
+"""Files of 15 to 60 s of processor time."""
 
 settings.register_profile(
     "suite", derandomize=True, database=None, deadline=None, max_examples=200, print_blob=False

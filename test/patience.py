@@ -1,4 +1,4 @@
-"""How long a test waits for what must happen before it fails.
+"""How long a test waits for an event before it fails.
 
 No measure of speed: tests wait for the event itself, and a busy machine may take its time.
 """

@@ -29,7 +29,7 @@ def end_node_at_once(status: int = 0, even_ignored: bool = True) -> None:
     """From now on, a signal ends the process with this status: only while nothing can be lost.
 
     With `even_ignored`, SIGINT ends a node even if it was started with SIGINT ignored, as a
-    background job of a script is: launch ends nodes by SIGINT. A command goes on ignoring it.
+    background job of a script is: launch ends nodes by SIGINT. A command continues to ignore it.
     """
 
     def end(signum, frame) -> None:

@@ -1,4 +1,4 @@
-"""Runs of known samples, and what is found in the figures that are drawn of them."""
+"""Runs with known samples, and readers of the figures drawn from them."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Trims and linear models of the reference vehicle, and what its mirror image is."""
+"""Trims and linear models of the reference vehicle, and their mirror images."""
 
 import functools
 import math

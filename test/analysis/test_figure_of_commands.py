@@ -1,4 +1,4 @@
-"""The standard figure shows every command that is given, and has the size that is asked for."""
+"""The standard figure shows every command and has the requested size."""
 
 import itertools
 

@@ -1,4 +1,4 @@
-"""The standard figure of several runs: each is told apart and hides no other."""
+"""The standard figure of several runs: curves can be distinguished and none is hidden."""
 
 import itertools
 

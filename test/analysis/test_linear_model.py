@@ -1,4 +1,4 @@
-"""The linear model: against the nonlinear response, steady states, closed forms and its image."""
+"""The linear model against the nonlinear response, steady states, closed forms, mirror images."""
 
 import dataclasses
 import importlib.util
@@ -24,7 +24,7 @@ from vehicle_roll_sim.model.records import LF, TIRE_COMPRESSION
 from vehicle_roll_sim.simulation.options import MODELS
 
 SAMPLE, SAMPLES = 0.05, 30
-"""s, and how many of them: the roll has come to rest at the end."""
+"""Sample time (s) and number of samples: by the end the roll motion has decayed."""
 SMALL_STEPS = {"steering": 1e-3, "wheel_torque_rf": 10.0, "normal_force_lr": 50.0}
 """rad, N m, N: what is left after the linear response is a hundredth of it, and not rounding."""
 
@@ -43,7 +43,7 @@ def linear_response(model, inputs: np.ndarray) -> np.ndarray:
 
 
 def nonlinear_response(model, inputs: np.ndarray) -> np.ndarray:
-    """The same of a simulation that begins in the trim."""
+    """The same changes in a simulation that starts from the trim."""
     simulation, rows = simulation_in(model.trim), []
     command = command_of(model.trim.inputs + inputs)
     for _ in range(SAMPLES):

@@ -1,4 +1,4 @@
-"""Poles against closed forms: quarter car, pitch and roll, limp tires, bicycle; and their table."""
+"""Poles against closed forms: quarter car, pitch and roll, tires without grip, single track."""
 
 import dataclasses
 import math
@@ -22,11 +22,11 @@ SAME_FRONT_AND_REAR = {
     "rear_track": 1.4,
 }
 LIMP = 1e-9
-"""Share that is left of the forces that slip makes."""
+"""Factor by which the slip forces of the tires are reduced."""
 
 
 def limp(vehicle: Vehicle) -> Vehicle:
-    """The vehicle on tires that carry it and do nothing else."""
+    """The vehicle on tires that carry load but generate practically no slip forces."""
     tire = vehicle.tire.with_coefficients(LKX=LIMP, LKY=LIMP)
     return dataclasses.replace(vehicle, tire=tire)
 
@@ -36,7 +36,7 @@ def poles_of(vehicle: Vehicle, options: Options, speed: float) -> np.ndarray:
 
 
 def heave(car: Vehicle) -> np.ndarray:
-    """Rates of the heights of body and wheel and of their speeds: a quarter of the car."""
+    """Rates of the heights and vertical velocities of body and wheel: a quarter-car model."""
     m, mu = car.sprung_mass / 4, car.front_unsprung_mass
     ks, bs, kt = car.front_spring_stiffness, car.front_damping, car.front_tire_stiffness
     stiffness = np.array([[ks, -ks], [-ks, ks + kt]])
@@ -67,14 +67,14 @@ def second_order(mass, damping, stiffness) -> np.ndarray:
 
 
 def warp(car: Vehicle) -> np.ndarray:
-    """Wheels that move against each other diagonally leave the body at rest."""
+    """Diagonally opposed wheel motion, which leaves the body at rest."""
     stiffness = car.front_spring_stiffness + car.front_tire_stiffness
     mass = np.array([[car.front_unsprung_mass]])
     return second_order(mass, np.array([[car.front_damping]]), np.array([[stiffness]]))
 
 
 def relaxation_rates(car: Vehicle, speed: float) -> list[float]:
-    """V / sigma of the slips along and across (1/s); docs/model.md."""
+    """V / sigma of the longitudinal and lateral slip states (1/s); docs/model.md."""
     tire = car.tire.coefficients
     load = (car.sprung_mass / 4 + car.front_unsprung_mass) * GRAVITY
     nominal = tire["LFZO"] * tire["FNOMIN"]
@@ -111,7 +111,7 @@ def test_on_limp_tires_every_pole_is_that_of_a_matrix_by_hand(speed):
 def test_without_roll_the_yaw_poles_of_the_8_dof_model_are_those_of_the_bicycle(
     speed, to_front, grows
 ):
-    """Two states, v and the yaw rate; heavy at the rear and fast it is unstable."""
+    """The states are v and the yaw rate; tail-heavy and at high speed it is unstable."""
     axles = {"cg_to_front_axle": to_front, "cg_to_rear_axle": 2.54 - to_front}
     upright = {"front_roll_centre_depth": 0.0, "rear_roll_centre_depth": 0.0}
     car = REFERENCE.with_values(axles | upright)
@@ -138,7 +138,7 @@ def test_without_roll_the_yaw_poles_of_the_8_dof_model_are_those_of_the_bicycle(
 
 
 def cornering_stiffnesses(car: Vehicle) -> np.ndarray:
-    """Of each tire under its load at rest (N/rad; Magic Formula 5.2, K of the lateral force)."""
+    """Cornering stiffness of each tire at its static load (N/rad; K of the lateral force)."""
     tire = car.tire.coefficients
     nominal = tire["LFZO"] * tire["FNOMIN"]
     loads = (car.sprung_mass * car.axle_load_share + car.front_unsprung_mass) * GRAVITY

@@ -1,4 +1,4 @@
-"""Load transfer foreseen: right while all wheels are down, in time before they are not."""
+"""Predicted load transfer: accurate with all wheels down, early enough before lift-off."""
 
 import math
 

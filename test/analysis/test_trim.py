@@ -1,4 +1,4 @@
-"""Steady driving: a simulation that begins in it stays; where there is none, it is said."""
+"""Trim: a simulation that starts in it stays there; an impossible one is refused."""
 
 import math
 

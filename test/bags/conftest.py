@@ -1,4 +1,4 @@
-"""A recorded run: the J-turn of the source, which rolls over; and copies of it with changes."""
+"""A recorded run: the J-turn of the paper, which rolls over; and modified copies of it."""
 
 import itertools
 from pathlib import Path

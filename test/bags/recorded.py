@@ -1,4 +1,4 @@
-"""Recorded runs, and how another library reads them."""
+"""Recorded runs, read by another library."""
 
 from pathlib import Path
 

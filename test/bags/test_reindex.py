@@ -1,4 +1,4 @@
-"""What a killed recorder leaves is reindexed as the documents promise, and old bags are read."""
+"""A bag of a killed recorder is reindexed as documented, and old bags can be read."""
 
 import re
 import shutil

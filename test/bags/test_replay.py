@@ -1,4 +1,4 @@
-"""Replaying a recording: to the bit, or by how much not; what cannot be replayed is refused."""
+"""Replay of a recording: bit for bit or with the largest difference; bad recordings are refused."""
 
 import contextlib
 import shutil
@@ -196,7 +196,7 @@ def test_a_description_that_is_nested_without_end_is_refused():
 
 
 def timed(factor, *topics):
-    """A change of a bag that multiplies the times in messages on these topics."""
+    """A change to a bag: multiply the times in the messages on these topics by a factor."""
 
     def change(topic, sent, data):
         if topic in topics:

@@ -1,4 +1,4 @@
-"""The bag of an offline run is what a recording of the node would have been."""
+"""The bag of an offline run has the content of a recording of the node."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Running the command in this process, in an empty folder."""
+"""Runs the command in this process, in an empty folder."""
 
 import csv
 import dataclasses

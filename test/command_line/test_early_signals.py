@@ -19,7 +19,7 @@ SCRIPT = (
     "(found,) = entry_points(group='console_scripts', name='vehicle_roll_sim');"
     "sys.exit(found.load()())"
 )
-"""What pip's and colcon's scripts do."""
+"""What the scripts installed by pip and colcon do."""
 WORDS = {
     "run": ("j_turn", "--csv", "rows.csv", "--plot", "figure.png", "--bag", "bag"),
     "series": ("sine_with_dwell", "--csv", "rows.csv"),
@@ -30,20 +30,20 @@ DELAYS = {
     "series": (0.05, 0.2, 0.4),
     "linearize": (0.02, 0.15, 0.6),
 }
-"""s from the moment at which the command has its handlers: imports, compiled code, results."""
+"""Delays (s) after the handlers are installed: during imports, loading of code, and the run."""
 FIRST_LIBRARY = "multiarray_umath"
-"""Of numpy, which all the others need."""
+"""A module of numpy, which all larger imports need."""
 
 
 def handles_signals(pid: int) -> bool:
-    """Whether a process has a handler of SIGTERM, which Python itself does not."""
+    """Whether a process has a SIGTERM handler, which Python alone does not install."""
     status = Path(f"/proc/{pid}/status").read_text()
     (caught,) = (line.split()[1] for line in status.splitlines() if line.startswith("SigCgt:"))
     return bool(int(caught, 16) >> (signal.SIGTERM - 1) & 1)
 
 
 def wait_for_handlers(process: subprocess.Popen) -> None:
-    """Until a process has them, which must be before it reads in anything large."""
+    """Wait until a process has its handlers; this must be before any large import."""
     until = time.monotonic() + PATIENCE
     while process.poll() is None:
         is_late = FIRST_LIBRARY in Path(f"/proc/{process.pid}/maps").read_text()
@@ -83,7 +83,7 @@ def test_a_command_that_is_starting_is_interrupted_in_one_line(interrupted, tmp_
 
 
 def test_a_command_that_was_started_to_ignore_sigint_does(started):
-    """As a shell has it in the background of a script: Ctrl-C is for what is in front."""
+    """Like a background job of a shell script: Ctrl-C is meant for the foreground."""
 
     def ignore() -> None:
         signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,4 +1,4 @@
-"""What the surroundings may do to a command: hang up, fill up, interrupt, damage the cache."""
+"""Disturbances of a command: hang-up, full disk, interruption, damaged cache."""
 
 import os
 import resource
@@ -36,6 +36,8 @@ run.drive = announced
 sys.exit(entry.main())
 """
 """The command, which says so before it begins to compute."""
+LARGEST_KERNEL = "advance."
+"""Takes 20 s to compile, which the test without a cache waits for."""
 IN_THE_MIDDLE = 0.3
 """s of processor time: far more than there is between saying so and computing."""
 
@@ -174,7 +176,8 @@ def test_damaged_compiled_code_is_made_anew(tmp_path):
     whole = run(*words, env=environment)
     assert whole.stderr == ""  # nothing to compile
     for compiled in tmp_path.rglob("*.nbc"):
-        compiled.write_bytes(compiled.read_bytes()[:100])
+        if not compiled.name.startswith(LARGEST_KERNEL):
+            compiled.write_bytes(compiled.read_bytes()[:100])
     damaged = run(*words, env=environment)
     assert damaged.returncode == 0
     assert "damaged" in damaged.stderr

@@ -1,4 +1,4 @@
-"""`linearize`: matrices and poles of a model about steady driving, and what it refuses."""
+"""`linearize`: matrices and poles of a model about steady driving, and refusals."""
 
 import subprocess
 import sys

@@ -33,43 +33,60 @@ TABLES = ("claims.md", "claims.txt")
 ROLL_PLANE = "roll_plane"
 SUFFIXES = ("csv", "png")
 BEYOND = (ROLL_PLANE, "transient_slip")
-"""Figures that the source does not have."""
+"""Figures that are not in the paper."""
 RESULTS = {
     *(f"figure_{number}.{suffix}" for number in NUMBERS for suffix in SUFFIXES),
     *(f"{figure}.{suffix}" for figure in BEYOND for suffix in SUFFIXES),
     *TABLES,
 }
 QUICK = 11
-"""The figure that has a run which no claim is about."""
+"""The figure with a run that no claim uses."""
 QUICK_RESULTS = {
     *(f"{figure}.{suffix}" for figure in (f"figure_{QUICK}", *BEYOND) for suffix in SUFFIXES),
     *TABLES,
 }
-"""Of a command that draws only this one of the figures with curves over time."""
+"""Output of a command that draws only this one of the time-history figures."""
 FALSE = {"1a": "1c-i"}
-"""A case taken for another, so that claims fail."""
+"""A case replaced by another, so that claims fail."""
 
 
 @pytest.fixture(scope="module")
 def study() -> Study:
-    """That of the reference vehicle; each of its runs is made once."""
+    """The study of the reference vehicle; each of its runs is simulated once."""
     return reference_study()
 
 
+@pytest.fixture(scope="module")
+def save_once():
+    """save(figure, path): writes what was written under that name before, if anything was."""
+    save, written = figures.save_figure, {}
+
+    def save_or_copy(figure, path):
+        if path.name in written:
+            path.write_bytes(written[path.name])
+        else:
+            save(figure, path)
+            written[path.name] = path.read_bytes()
+
+    return save_or_copy
+
+
 @pytest.fixture
-def paper(command, study, monkeypatch):
-    """Runs `paper` with runs that are made already, and one figure; with cases taken for others."""
+def paper(command, study, save_once, monkeypatch):
+    """Runs `paper` with runs that are made already, and one figure, each of whose files is drawn
+    once; with cases taken for others."""
 
     def call(*words, instead=None):
         monkeypatch.setattr(paper_module, "Study", lambda _, done: Rerun(study, instead, done))
         return command("paper", *words)
 
+    monkeypatch.setattr(figures, "save_figure", save_once)
     monkeypatch.setattr(figures, "FIGURES", [f for f in figures.FIGURES if f.number == QUICK])
     return call
 
 
 def names(folder: Path) -> set[str]:
-    """Everything that lies in a folder, hidden files too."""
+    """Names of all files in a folder, including hidden ones."""
     return {entry.name for entry in folder.iterdir()}
 
 
@@ -160,7 +177,7 @@ FAILURES = {
     KeyboardInterrupt(): ({130}, "interrupted"),
     OSError(errno.ENOSPC, "No space left on device"): ({1}, "No space left on device"),
 }
-"""What goes wrong, and the status and the words that it ends with."""
+"""Failure, exit status, and words in the message."""
 PLACES = (
     "vehicle_roll_sim.paper.study.Study.step",
     "vehicle_roll_sim.paper.figures.save_figure",

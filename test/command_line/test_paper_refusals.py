@@ -1,4 +1,4 @@
-"""Wrong words of `paper`: refused in one line before any run is made; help says which are right."""
+"""Invalid arguments of `paper`: refused in one line before any run; the help lists valid ones."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""What is not plausible: a warning on stderr, or with --strict status 2; results stay the same."""
+"""Implausible values: a warning on stderr, or status 2 with --strict; results stay the same."""
 
 import pytest
 

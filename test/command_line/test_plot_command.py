@@ -1,4 +1,4 @@
-"""`plot`: the figure of a run that was written, and honest words for what is no such thing."""
+"""`plot`: the figure of a written run, and clear refusals of other files."""
 
 import importlib.util
 import math

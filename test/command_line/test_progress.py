@@ -1,4 +1,4 @@
-"""Long runs: a progress bar at a terminal and nowhere else, and an end by Ctrl-C."""
+"""Long runs: a progress bar on a terminal only, and interruption by Ctrl-C."""
 
 import fcntl
 import functools

@@ -1,4 +1,4 @@
-"""`run --bag`, `replay` and `plot` of bags, as a user has them."""
+"""`run --bag`, `replay` and `plot` of bags, as a user calls them."""
 
 import shutil
 
@@ -52,7 +52,7 @@ def test_a_recording_that_begins_under_way_is_left_out(command, bag, monkeypatch
     monkeypatch.setattr(RecordedRun, "begins_at_a_reset", False)
     result = command("replay", bag)
     assert (result.status, len(result.err.splitlines())) == (2, 1)
-    assert "begins under way" in result.err
+    assert "starts in mid-run" in result.err
 
 
 def test_with_strict_a_gap_is_an_error_too(command, bag, monkeypatch):

@@ -1,4 +1,4 @@
-"""Every option of `run` does what it says, seen in the rows of the run."""
+"""Every option of `run` has its effect on the rows of the run."""
 
 import re
 

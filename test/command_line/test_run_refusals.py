@@ -1,4 +1,4 @@
-"""Wrong input of `run`: status 2, one line that names the field and what is allowed, no file."""
+"""Invalid input of `run`: status 2, one line with field and allowed values, no file."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What `run` prints and writes: the reference numbers, and the same bytes for the same input."""
+"""Output of `run`: the reference numbers, and the same bytes for the same input."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""`series`: a table with its verdict, the same as CSV, and what is refused."""
+"""`series`: a table with its verdict, the same as CSV, and refusals."""
 
 import csv
 
@@ -74,7 +74,9 @@ def test_what_is_wrong_is_refused_in_one_line(refused, words, named):
     refused(("series", *words), *named)
 
 
-def test_a_double_lane_change_takes_the_options_of_body_and_driver(command):
+def test_a_double_lane_change_takes_the_options_of_body_and_driver(command, monkeypatch):
+    for name, step in (("COARSE", 10), ("FINE", 5)):  # km/h: fewer runs
+        monkeypatch.setattr(f"vehicle_roll_sim.manoeuvres.series.entry_speed_search.{name}", step)
     narrow = ("--preview-time", "0.3", "--vehicle-width", "1.9", *STABLE)
     result = command("series", "iso_severe_double_lane_change", *narrow)
     assert (result.status, result.err) == (0, "")

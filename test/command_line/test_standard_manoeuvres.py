@@ -1,4 +1,4 @@
-"""`run` with the manoeuvres of the standards: what they report, what is refused."""
+"""`run` with the manoeuvres of the standards: results and refusals."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""What a program imports before it does anything: the less, the sooner it answers."""
+"""Imports of a program before it starts work: the fewer, the faster it responds."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""`template`: files to start from, written where there are none, and taken by `run`."""
+"""`template`: files to start from, never overwritten, and accepted by `run`."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The words of a command: unknown ones give the nearest known one, help says what there is."""
+"""Arguments of a command: for unknown ones the nearest known one is suggested; help is complete."""
 
 import pytest
 

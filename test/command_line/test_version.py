@@ -1,4 +1,4 @@
-"""The version: one for the command, the library, the installed package and its manifest."""
+"""The version is the same in the command, the library, the installed package and package.xml."""
 
 from pathlib import Path
 from xml.etree import ElementTree

@@ -39,7 +39,7 @@ def no_numba(monkeypatch):
 
 
 def reason_in(err: str) -> str:
-    """The one line that stderr has."""
+    """The only line on stderr."""
     (told,) = err.splitlines()
     assert told.startswith("vehicle_roll_sim: numba is not installed: ")
     assert "slower" in told

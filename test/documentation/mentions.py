@@ -1,4 +1,4 @@
-"""Commands that a sentence names, whole or in part: what they name is there."""
+"""Commands mentioned in a sentence, complete or in part: what they name must exist."""
 
 import re
 
@@ -8,13 +8,13 @@ from pages import ROOT
 from vehicle_roll_sim.command_line.main import COMMANDS
 
 PLACEHOLDER = re.compile(r"[A-Z]{2,}[A-Z_\d]*(\.\w+)*$|[\[({|…)]|DIR")
-"""A word that stands for another: FILE, [options], ( | ), …"""
+"""A placeholder: FILE, [options], ( | ), …"""
 OPTION = re.compile(r"--[a-z][a-z-]+")
 TARGET = re.compile(r"^([a-z-]+):", re.MULTILINE)
 
 
 def is_whole(words: list[str]) -> bool:
-    """Whether words name an executable or a launch file, and nothing that is to be filled in."""
+    """Whether the words form a complete command, without placeholders."""
     return len(words) > 3 and not any(PLACEHOLDER.match(word) for word in words)
 
 
@@ -24,7 +24,7 @@ def look_up_target(name: str) -> None:
 
 
 def check_executable(package: str, words: list[str]) -> None:
-    """Behind `ros2 run`: the executable and, of the command itself, what follows."""
+    """After `ros2 run`: check the executable and, for the command, its arguments."""
     assert package == parsing.PACKAGE, f"no package {package}"
     assert words[0] in parsing.executables(), f"no executable {words[0]}"
     if words[0] in parsing.OFFLINE and len(words) > 1:
@@ -32,7 +32,7 @@ def check_executable(package: str, words: list[str]) -> None:
 
 
 def check_command(words: list[str]) -> None:
-    """Behind `vehicle_roll_sim`: the command and its options."""
+    """After `vehicle_roll_sim`: check the command and its options."""
     if words[0].startswith("--"):
         return
     assert words[0] in COMMANDS, f"no command {words[0]}"

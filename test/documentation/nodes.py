@@ -17,6 +17,7 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED
+from vehicle_roll_sim.ros import services
 from vehicle_roll_sim.ros.clients import controller as base
 from vehicle_roll_sim.ros.clients.recorder import Recorder
 from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
@@ -27,9 +28,9 @@ from vehicle_roll_sim.ros.simulator.parameters import PARAMETERS
 from vehicle_roll_sim.ros.topics import message_class
 
 TOPICS = {topic.name.lstrip("/"): topic.type for topic in (*COMMANDS, *PUBLISHED, *STAMPED)}
-SERVICES = {"reset": "Trigger", "pause": "SetBool", "step": "Trigger"}
+SERVICES = {f"/simulator/{each.name}": each for each in services.SERVICES}
 NODES = {"simulator": Simulator, "recorder": Recorder}
-"""Executables whose parameters are known only once they have a node, and its class."""
+"""Executables whose parameters are known only from their node, and its class."""
 
 
 def check_run(name: str, words: list[str]) -> None:
@@ -49,7 +50,7 @@ def check_run(name: str, words: list[str]) -> None:
 
 
 def check_script(script: str, *words: str) -> None:
-    """`python3 SCRIPT …` of a controller: it makes a node, which takes these words."""
+    """`python3 SCRIPT …` for a controller: its node accepts these arguments."""
     _make(_controller_in(Path(script)), words)
 
 
@@ -93,23 +94,21 @@ def _check_parameter(verb: str, words: list[str]) -> None:
 
 def _check_service(verb: str, words: list[str]) -> None:
     name, kind, *text = words
-    service = name.removeprefix("/simulator/")
     assert verb == "call", f"ros2 service {verb}"
-    assert service in SERVICES, f"no service {name}"
-    assert kind == f"std_srvs/srv/{SERVICES[service]}", f"{name} is not of the type {kind}"
-    request = getattr(importlib.import_module("std_srvs.srv"), SERVICES[service]).Request()
-    _fill(request, *text)
+    assert name in SERVICES, f"no service {name}"
+    assert kind == SERVICES[name].type, f"{name} is not of the type {kind}"
+    _fill(SERVICES[name].kind.Request(), *text)
 
 
 def _fill(message, text: str = "{}") -> None:
-    """Give a message the values of a YAML text."""
+    """Set the fields of a message from a YAML text."""
     for name, value in yaml.safe_load(text).items():
         assert hasattr(message, name), f"{type(message).__name__} has no field {name}"
         setattr(message, name, value)
 
 
 def _controller_in(script: Path) -> type[Node]:
-    """The class that a script runs."""
+    """The controller class that a script runs."""
     found = []
     with mock.patch(f"{PACKAGE}.controller.run", found.append):
         runpy.run_path(str(script), run_name="__main__")
@@ -128,7 +127,7 @@ def _controller_of(names: dict) -> type[Node]:
 
 
 def _make(kind: type[Node], words: Sequence[str]) -> None:
-    """Make a node as an executable does with words, and refuse parameters that it has not."""
+    """Create a node as an executable does, and refuse parameters that it does not declare."""
     with own_domain() as domain, _context([PACKAGE, *words], domain):
         node = kind()
         try:

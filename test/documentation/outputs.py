@@ -1,4 +1,4 @@
-"""Whether a page shows what a command prints."""
+"""Compares the output shown on a page with that of the command."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""The pages of the documentation, and what they tell a reader to type."""
+"""The pages of the documentation and the snippets in them."""
 
 import dataclasses
 import re
@@ -10,13 +10,13 @@ ROOT = Path(__file__).parents[2]
 PATTERNS = ("*.md", "docs/**/*.md", "msg_examples/*.md")
 SOURCES = ("vehicle_roll_sim/**/*.py", "msg_examples/*.py")
 NOT_PAGES = ("docs/_build/", "docs/notebooks/")
-"""What the site's build makes, and what it executes itself."""
+"""Output of the site build, and notebooks, which the build executes."""
 COMMANDS = ("", "bash", "sh", "shell", "console")
-"""Languages of blocks with commands; in `console` those are the lines that begin with a prompt."""
+"""Languages of blocks with commands; in `console`, lines with a prompt are commands."""
 SHOWN = ("text", "ini", "xml", "json", "mermaid", "dockerfile", "makefile", "diff")
-"""Languages of blocks that are only looked at."""
+"""Languages of blocks that are not run."""
 OUTPUT = "<!-- output -->"
-"""In the line before a block of text that shows what the last command or example has printed."""
+"""In the line before a block with the output of the previous command or example."""
 FENCE = re.compile(
     r"^(?P<indent> *)(?P<fence>`{3,}|~{3,})(?P<info>[^\n`]*)\n"
     r"(?P<body>.*?)^(?P=indent)(?P=fence) *$",
@@ -24,7 +24,7 @@ FENCE = re.compile(
 )
 DIRECTIVE = re.compile(r"\{(?P<name>[\w:-]+)\} *(?P<argument>\S*)")
 NAMED = re.compile(r"# (?P<name>\w+\.(py|yaml))\n")
-"""The first line of a block that the reader is to save as a file."""
+"""The first line of a block to be saved as a file."""
 TUTORIALS = "docs/tutorials"
 TOCTREE = re.compile(r"^```\{toctree\}\n(:.*\n)*\n(?P<names>[^`]*)^```", re.MULTILINE)
 INLINE = re.compile(r"(?<!`)`(?!`)(?P<text>[^`]+)`(?!`)")
@@ -79,7 +79,7 @@ def lessons() -> list[str]:
 def snippets(page: str) -> list[Snippet]:
     """The snippets of a page in their order.
 
-    A page with differences speaks of a program that has them: not of what there is to type now.
+    On a page with diffs, inline commands refer to the changed program and are left out.
     """
     found = list(snippets_in((ROOT / page).read_text(encoding="utf-8"), page))
     is_of_changes = any(each.language == "diff" for each in found)

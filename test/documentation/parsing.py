@@ -1,4 +1,4 @@
-"""The words of a command, checked by its own parser without running it."""
+"""Checks the arguments of a command with its own parser, without running it."""
 
 import argparse
 import contextlib
@@ -13,11 +13,11 @@ from vehicle_roll_sim.arguments import OneLineParser
 
 PACKAGE = "vehicle_roll_sim"
 OFFLINE = ("offline", PACKAGE)
-"""Executables of the command itself."""
+"""Executables that run the command `vehicle_roll_sim`."""
 
 
 class Parsed(Exception):  # noqa: N818, no error
-    """Raised in place of running what was asked for."""
+    """Raised instead of running the parsed command."""
 
     def __init__(self, arguments: argparse.Namespace):
         super().__init__()
@@ -31,7 +31,7 @@ def executables() -> dict[str, importlib.metadata.EntryPoint]:
 
 
 def arguments_of(name: str, words: list[str]) -> argparse.Namespace:
-    """What the parser of an executable makes of words; AssertionError if it refuses them."""
+    """The arguments as an executable parses them; AssertionError if it refuses them."""
     known = executables()
     assert name in known, f"no executable {name}, only {', '.join(known)}"
     said = io.StringIO()
@@ -47,7 +47,7 @@ def arguments_of(name: str, words: list[str]) -> argparse.Namespace:
 
 
 def help_of(name: str, words: list[str]) -> str:
-    """The help of an executable, of which only the words before `--help` are given."""
+    """The help text that an executable prints for these words and `--help`."""
     said = io.StringIO()
     given = mock.patch.object(sys, "argv", [name, *words, "--help"])
     with given, _deaf(), contextlib.redirect_stdout(said), contextlib.suppress(SystemExit):
@@ -71,5 +71,5 @@ def _only_parsing() -> Iterator[None]:
 
 
 def _deaf() -> contextlib.AbstractContextManager:
-    """Within, nobody changes who handles signals."""
+    """Context in which signal handlers cannot be changed."""
     return mock.patch.object(signal, "signal")

@@ -1,4 +1,4 @@
-"""A reader who types what a page says, in an empty folder of his own."""
+"""A reader who types the commands of a page in an empty folder."""
 
 import contextlib
 import io

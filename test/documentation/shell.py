@@ -1,4 +1,4 @@
-"""Blocks of commands as a shell reads them, as far as the documentation goes."""
+"""Parses blocks of commands as a shell does, as far as the documentation needs it."""
 
 import dataclasses
 import re

@@ -1,4 +1,4 @@
-"""Every command and every example of the documentation is tried, page by page."""
+"""Every command and example of the documentation is run or checked, page by page."""
 
 import shutil
 
@@ -11,12 +11,12 @@ from shell import commands_of, lines_of
 pytestmark = pytest.mark.unmeasured
 
 SHARED = ("config", "msg_examples", "policies")
-"""Folders of share/ that pages name."""
+"""Folders of share/ that the pages mention."""
 
 
 @pytest.fixture
 def share(tmp_path, monkeypatch):
-    """What an installation has in share/, and launch files that can be loaded."""
+    """The content of share/ in an installation, and launch files that can be loaded."""
     (tmp_path / "share").mkdir()
     for name in SHARED:
         inside = ROOT / "vehicle_roll_sim" / name
@@ -30,7 +30,7 @@ def share(tmp_path, monkeypatch):
 
 @pytest.fixture
 def read(tmp_path, monkeypatch, share):
-    """read(snippets): the reader, who has done what they say in an empty folder."""
+    """read(snippets): a reader who has followed the snippets in an empty folder."""
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "ros_log"))
     monkeypatch.setenv("MPLBACKEND", "agg")

@@ -1,4 +1,4 @@
-"""The folder that the tests of files write to."""
+"""The folder for the tests of files."""
 
 import os
 from pathlib import Path

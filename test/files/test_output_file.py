@@ -1,4 +1,4 @@
-"""Results appear under their name when they are whole; before that and on failure, nothing does."""
+"""Results appear under their name when complete; before that and on failure, nothing does."""
 
 import errno
 import os

@@ -1,4 +1,4 @@
-"""A folder of results appears or is filled when they are whole; on failure nothing changes."""
+"""A folder of results appears or is filled when complete; on failure nothing changes."""
 
 import errno
 import os

@@ -1,4 +1,4 @@
-"""What results are written, what lies in a folder, and what a refusal of a name says."""
+"""Helpers: written results, the content of a folder, and the message that refuses a name."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Commands from outside: only whole, finite ones are kept, and none is kept for ever."""
+"""Commands from outside: only complete, finite ones are kept, and they expire."""
 
 import math
 from array import array

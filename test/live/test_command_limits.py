@@ -1,4 +1,4 @@
-"""Huge commands are driven as the limit, and with every command at its limit states stay finite."""
+"""Huge commands are clamped, and with every command at its limit states stay finite."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""A thing is said once an interval, whatever else is said."""
+"""Each message is logged once per interval, regardless of other messages."""
 
 from vehicle_roll_sim.live.log_limiter import LogLimiter
 

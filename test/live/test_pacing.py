@@ -1,4 +1,4 @@
-"""Keeping step with a clock: every period once, late ones made up for, but never too many."""
+"""Pacing by a clock: every period runs once, and late periods are caught up within a limit."""
 
 import math
 import random

@@ -1,4 +1,4 @@
-"""A session: periods driven with what has come in, stopped runs, resets and the pause flag."""
+"""A session: periods with the received commands, stopped runs, resets and the pause flag."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from vehicle_roll_sim.live.session import Session
 PERIOD_NS = 10_000_000
 PERIOD = 0.01
 SPEED = 20.0
-"""m/s, that of the fixture."""
+"""Speed of the fixture (m/s)."""
 OVERTURNING = (0.2,)
 """rad: at 20 m/s the reference vehicle rolls over within 3 s."""
 
@@ -28,7 +28,7 @@ def roll_over(session) -> None:
 
 
 def drive_somewhere(session, rng) -> None:
-    """A random while of random commands."""
+    """Run for a random time with random commands."""
     for _ in range(rng.integers(1, 20)):
         now = session.simulation.time_ns
         session.inbox.receive("steering_cmd", rng.normal(0, 0.1, 1), now)

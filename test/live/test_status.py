@@ -1,4 +1,4 @@
-"""What a session says of itself names what is wrong, since when, and who is to be asked."""
+"""The status of a session names the problem, since when it exists, and its source."""
 
 import pytest
 

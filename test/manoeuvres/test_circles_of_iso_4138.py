@@ -1,4 +1,4 @@
-"""The circles of constant radius and of constant handwheel angle, and what all methods agree on."""
+"""Circles of constant radius and constant handwheel angle; all methods agree."""
 
 import dataclasses
 import math

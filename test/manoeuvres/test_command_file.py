@@ -1,4 +1,4 @@
-"""Command files: read as they are meant, or refused in one line that names file and line."""
+"""Command files: read correctly, or refused in one line that names file and line."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Cones that the body strikes: rectangles in straight, oblique and turning motion, closed forms."""
+"""Cone strikes: a rectangle in straight, oblique and turning motion, against closed forms."""
 
 import math
 
@@ -13,7 +13,7 @@ OUTLINE = Outline(width=1.8, ahead=2.0, behind=2.5)
 SPEED = 15.0
 """m/s"""
 HAIR = 1e-6
-"""m: more than rounding, less than anything that matters."""
+"""Length (m) above rounding errors and below any relevant distance."""
 
 
 def motion(time, x, y, yaw) -> History:
@@ -24,7 +24,7 @@ def motion(time, x, y, yaw) -> History:
 
 
 def straight(heading: float = 0.0, interval: float = 0.01, aside: float = 0.0) -> History:
-    """From the origin at `SPEED`, pointing along its way, shifted sideways by `aside`."""
+    """Straight motion from the origin at `SPEED`, offset sideways by `aside`."""
     time = np.arange(0.0, 2.0 + interval / 2, interval)
     way = SPEED * time
     x = way * math.cos(heading) - aside * math.sin(heading)
@@ -33,7 +33,7 @@ def straight(heading: float = 0.0, interval: float = 0.01, aside: float = 0.0) -
 
 
 def turned(places, heading: float) -> np.ndarray:
-    """Places (n, 2) turned about the origin."""
+    """Positions (n, 2) rotated about the origin."""
     sine, cosine = math.sin(heading), math.cos(heading)
     return np.array(places) @ np.array([[cosine, sine], [-sine, cosine]])
 
@@ -91,7 +91,7 @@ def test_turning_on_the_spot_it_sweeps_the_circle_of_its_corners():
 
 
 def test_the_rear_corner_swings_out_where_the_front_would_have_passed():
-    """A turn about a point beside the vehicle: what is beside the rear is struck by it."""
+    """In a turn about a point beside the vehicle, the rear corner strikes a cone beside it."""
     radius, rate = 8.0, 0.5
     time = np.arange(0.0, 1.5, 0.01)
     yaw = rate * time

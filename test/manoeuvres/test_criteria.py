@@ -1,4 +1,4 @@
-"""What the standards judge a run by, from histories whose answer is known."""
+"""Pass criteria of the standards, on histories with a known result."""
 
 import dataclasses
 import math

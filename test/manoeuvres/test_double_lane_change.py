@@ -1,4 +1,4 @@
-"""The double lane changes driven: the path followed, the throttle, mirror images, the report."""
+"""Double lane changes: path following, throttle, mirror images, and the report."""
 
 import dataclasses
 import math

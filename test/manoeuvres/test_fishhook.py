@@ -1,4 +1,4 @@
-"""The fishhook: reversed at the right roll rate, by whoever asks its driver."""
+"""The fishhook: steering reversal at the specified roll rate, offline and with a node."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""The tracks of ISO 3888: lengths, widths and places of the lanes, cones, and the path between."""
+"""The tracks of ISO 3888: lengths, widths and positions of the lanes, cones, and the path."""
 
 import numpy as np
 import pytest

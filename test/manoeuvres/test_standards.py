@@ -1,4 +1,4 @@
-"""The standards' manoeuvres: the handwheel, sample by sample, against its definition."""
+"""Manoeuvres of the standards: the handwheel angle, sample by sample, against the definition."""
 
 import dataclasses
 import math

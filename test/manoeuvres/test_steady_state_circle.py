@@ -1,4 +1,4 @@
-"""The steady-state circle: its steering, and gradients against closed forms and steady turns."""
+"""The steady-state circle: steering, and gradients against closed forms and steady turns."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""The manoeuvres: their steering, sample by sample, and the conditions they are driven under."""
+"""The manoeuvres of the paper: steering, sample by sample, and conditions."""
 
 import math
 

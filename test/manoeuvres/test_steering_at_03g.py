@@ -1,4 +1,4 @@
-"""The handwheel angle at 0.3 g, from data with a known answer and of vehicles."""
+"""The handwheel angle at 0.3 g, from data with a known answer and from vehicles."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""Each message holds what its documentation says, without a middleware in between."""
+"""Each message has the documented content, tested without middleware."""
 
 from xml.etree import ElementTree
 
@@ -17,7 +17,18 @@ from vehicle_roll_sim.messages.covariances import (
 )
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, Messages
 from vehicle_roll_sim.messages.stamped import builder
-from vehicle_roll_sim.messages.topics import CLOCK, STAMPED, STATE_SET, TRANSFORMS, WRENCH
+from vehicle_roll_sim.messages.topics import (
+    ARRAY,
+    CLOCK,
+    COMMANDS,
+    FLOAT,
+    PUBLISHED,
+    STAMPED,
+    STATE_SET,
+    TRANSFORMS,
+    WRENCH,
+    Topic,
+)
 from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.ros.encoding import encode
 from vehicle_roll_sim.ros.topics import message_class
@@ -299,3 +310,27 @@ def test_the_description_has_the_joints_that_joint_states_moves(model, kind, lim
     struts = [joint for joint in joints if "suspension" in joint.get("name")]
     assert {joint.get("type") for joint in struts} == {kind}
     assert all((joint.find("limit") is not None) == limited for joint in struts)
+
+
+@pytest.mark.parametrize("topic", [*COMMANDS, *PUBLISHED, *STAMPED], ids=lambda topic: topic.name)
+def test_every_topic_says_in_one_phrase_what_it_means(topic):
+    assert topic.meaning
+    assert not topic.meaning.endswith(".")
+    assert "\n" not in topic.meaning
+
+
+def test_commands_have_the_units_and_sizes_that_their_limits_are_for():
+    assert {topic.name: (topic.unit, topic.type) for topic in COMMANDS} == {
+        "steering_cmd": ("rad", FLOAT),
+        "rear_steering_cmd": ("rad", FLOAT),
+        "wheel_torque_cmd": ("N m", ARRAY),
+        "brake_torque_cmd": ("N m", ARRAY),
+        "normal_force_cmd": ("N", ARRAY),
+        "speed_cmd": ("m/s", FLOAT),
+    }
+
+
+def test_topics_that_differ_in_words_only_are_the_same_topic():
+    """A controller may name one as `Topic(name, type)`."""
+    (state, *_) = STATE_SET
+    assert Topic(state.name, state.type) == state

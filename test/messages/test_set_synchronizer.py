@@ -1,4 +1,4 @@
-"""Messages of several topics are joined into sets, whatever order they arrive in."""
+"""Messages of several topics are joined into sets, regardless of their order of arrival."""
 
 import itertools
 import random

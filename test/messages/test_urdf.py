@@ -1,4 +1,4 @@
-"""The robot description, moved by the messages, shows what the model does."""
+"""The robot description, moved by the messages, agrees with the motion of the model."""
 
 from xml.etree import ElementTree
 
@@ -17,13 +17,13 @@ from vehicle_roll_sim.messages.urdf import COLOURS, urdf
 from vehicle_roll_sim.ros.encoding import encode
 
 ROUNDING = 1e-9
-"""m: numbers are written with ten digits."""
+"""Tolerance (m): numbers are written with ten digits."""
 TURNS = {"front": (0.2, 0.0), "rear": (0.0, -0.2)}
 """Steering in front and at the rear (rad) in a turn to the left in which the inner wheels lift."""
 
 
 class Picture:
-    """A robot description whose joints and base have been put where messages have them."""
+    """A robot description with joints and base positioned by messages."""
 
     def __init__(self, session: Session, description: str):
         messages = Messages(session.simulation, "", encode)
@@ -38,7 +38,7 @@ class Picture:
         self._base[:3, 3] = pose.position.x, pose.position.y, pose.position.z
 
     def link(self, name: str) -> np.ndarray:
-        """Where a link is in `odom`: a 4 x 4 matrix."""
+        """Pose of a link in `odom`, a 4 x 4 matrix."""
         if name == "base_link":
             return self._base
         joint = self._joints[name]
@@ -54,7 +54,7 @@ class Picture:
         return self.link(joint.find("parent").get("link")) @ moved @ motion
 
     def clearance(self, wheel: str) -> float:
-        """Height of the wheel's centre above the ground, less its radius (m)."""
+        """Height of the wheel centre above the ground minus the wheel radius (m)."""
         cylinder = self.robot.find(f"link[@name='{wheel}_wheel_link']//cylinder")
         return float(self.link(f"{wheel}_wheel_link")[2, 3]) - float(cylinder.get("radius"))
 
@@ -79,7 +79,7 @@ def test_at_rest_every_wheel_stands_on_the_ground_by_its_tires_compression():
 @pytest.mark.parametrize("side", [1.0, -1.0])
 @pytest.mark.parametrize("steered", TURNS)
 def test_in_a_roll_a_wheel_leaves_the_ground_exactly_when_it_has_lifted(steered, side):
-    """Steered at either end, to either side, until the vehicle lies on its side."""
+    """Steered at either axle, to either side, until rollover."""
     session, description = session_of(), urdf(preset())
     front, rear = TURNS[steered]
     command = Command(steering=side * front, rear_steering=side * rear)

@@ -1,4 +1,4 @@
-"""Vehicles that the tests of the model run."""
+"""Vehicles for the tests of the model."""
 
 import pytest
 

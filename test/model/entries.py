@@ -1,4 +1,4 @@
-"""A way from Python into terms of the equations, which compiled code has inside its loops only."""
+"""Access from Python to terms of the equations that compiled code only has inside its loops."""
 
 from vehicle_roll_sim.model.compiled import jit
 

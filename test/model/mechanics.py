@@ -1,4 +1,4 @@
-"""Momentum and energy of the vehicle and all that changes them, written down over the ground.
+"""Momentum and energy of the vehicle and everything that changes them, in the ground frame.
 
 The bodies are the sprung mass and four point masses at the wheel centres; no rotating frame can
 hide a term. Rates are taken along the model's own by a complex step, without truncation error.

@@ -1,4 +1,4 @@
-"""A run in a process of its own: python plain_run.py STEPS FILE [without-numba | 8dof | steady].
+"""A run in a separate process: python plain_run.py STEPS FILE [without-numba | 8dof | steady].
 
 Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran; with
 `variants` for the last word, those of a swerve on a slope, one after the other, of every variant.

@@ -1,4 +1,4 @@
-"""Commands, runs and single evaluations that the tests of the model share."""
+"""Commands, runs and single evaluations shared by the tests of the model."""
 
 import dataclasses
 

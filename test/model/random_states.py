@@ -1,4 +1,4 @@
-"""States anywhere that a vehicle can get to, for checks that need no history."""
+"""Random states that a vehicle can reach, for checks that need no history."""
 
 import numpy as np
 
@@ -18,7 +18,7 @@ SPREAD = {
     "yaw_rate": 1.5,
     "unsprung_velocity": 3.0,
 }
-"""Largest magnitude of the states that are drawn evenly about 0."""
+"""Largest magnitude of the states that are drawn uniformly about 0."""
 
 
 def wheel_positions(vehicle: Vehicle) -> np.ndarray:
@@ -38,7 +38,7 @@ def attitude(roll, pitch, yaw) -> np.ndarray:
 
 
 def random_state(vehicle: Vehicle, rng: np.random.Generator) -> np.ndarray:
-    """A STATE record in which the wheels stand at, in or above the road, as the body has it."""
+    """A STATE record with wheels at, below or above the road level, consistent with the body."""
     state = np.zeros(1, STATE)[0]
     for name, largest in SPREAD.items():
         state[name] = rng.uniform(-largest, largest, STATE[name].shape)
@@ -63,14 +63,14 @@ def random_command(rng: np.random.Generator) -> np.ndarray:
 
 
 def strut_lengths(vehicle: Vehicle, compression: np.ndarray) -> np.ndarray:
-    """From the height of the sprung c.g. down to each wheel centre (m)."""
+    """Distance from the plane of the sprung c.g. down to each wheel centre (m)."""
     static = 9.81 * vehicle.sprung_mass * vehicle.axle_load_share
     drop = compression - static / vehicle.per_wheel("spring_stiffness")
     return vehicle.static_strut_length - drop
 
 
 def wheel_centres(vehicle: Vehicle, state) -> np.ndarray:
-    """Positions of the wheel centres over the ground (m), one row each; complex states too."""
+    """Positions of the wheel centres in the ground frame (m), one row each; also complex."""
     rotation = attitude(state["roll"], state["pitch"], state["yaw"])
     lengths = strut_lengths(vehicle, state["suspension_compression"])
     in_body = np.column_stack([wheel_positions(vehicle), -lengths])

@@ -1,4 +1,4 @@
-"""Strategies: vehicles, options, roads and commands, for what holds for all of them."""
+"""Hypothesis strategies for vehicles, options, roads and commands."""
 
 import itertools
 import math
@@ -18,12 +18,12 @@ from vehicle_roll_sim.vehicle.tire.keys import COEFFICIENTS
 
 REFERENCE = preset()
 LARGEST_FACTOR = 1.6
-"""Of a parameter of an ordinary vehicle over that of the reference, or the other way round."""
+"""Largest ratio between a parameter of an ordinary vehicle and the reference, or its inverse."""
 DEPTHS = ("front_roll_centre_depth", "rear_roll_centre_depth")
 LONGEST = 50.0
-"""m, that lengths may have."""
+"""Range of lengths (m)."""
 OPEN_END, ROUNDING = 1e-3, 1e-12
-"""Relative distance from a limit that several parameters have together."""
+"""Relative distance from a limit on a combination of parameters."""
 FLAGS = ("no_roll_centre", "tire_normal_to_ground", "steady_state_slip", "euler_terms")
 
 
@@ -47,7 +47,7 @@ WITH_ONE_SOLUTION = OPTIONS.filter(lambda o: not (o.has_eight_dof and o.steady_s
 rounding decides which of them is found."""
 ROADS = st.builds(Road, grade=st.floats(-0.2, 0.2), bank=st.floats(-0.2, 0.2))
 NUMBERS = st.integers(0, 2**32 - 1).map(np.random.default_rng)
-"""A random number generator: a state or a command is one draw, which need not be made smaller."""
+"""A random number generator: a state or command is one draw, which is not shrunk."""
 
 
 @st.composite
@@ -69,7 +69,7 @@ def ordinary_vehicles(draw, sides=("", "left", "right")) -> Vehicle:
 
 @st.composite
 def allowed_vehicles(draw) -> Vehicle:
-    """Anywhere within the ranges of the parameters, which are decades wide."""
+    """Vehicles with parameters anywhere in their ranges, which span decades."""
     values = {}
     for name in REFERENCE.given:
         about = parameters_of(Vehicle)[name]
@@ -83,7 +83,7 @@ def allowed_vehicles(draw) -> Vehicle:
 
 
 def _possible(values: dict) -> Vehicle:
-    """A vehicle of these values, but for those that others leave no room for."""
+    """A vehicle with these values, except for those that contradict others."""
     about = parameters_of(Vehicle)
     roll, pitch = values["roll_inertia"], values["pitch_inertia"]
     least = max(abs(roll - pitch) * (1 + ROUNDING), about["yaw_inertia"].minimum)
@@ -110,7 +110,7 @@ def _on_a_tire(vehicle: Vehicle, side: str) -> Vehicle:
 
 @st.composite
 def tires(draw) -> Tire:
-    """Every coefficient of its version within a fifth of the reference tire's, its shifts on."""
+    """Tires with all coefficients of the version within 20 % of the reference tire, shifts on."""
     rng, given = draw(NUMBERS), REFERENCE.tire.coefficients
     own = COEFFICIENTS[REFERENCE.tire.version]
     nearby = {name: given[name] * rng.uniform(0.8, 1.2) for name in given if name in own}

@@ -1,4 +1,4 @@
-"""The runs that the source's figures and claims are made of, shared by the tests of all folders."""
+"""The runs behind the figures and claims of the paper, shared by the tests of all folders."""
 
 import functools
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""Whole drives from standstill to standstill: finite, calm, accurate, without a jump."""
+"""Drives from standstill to standstill: finite, smooth and accurate, without jumps."""
 
 import itertools
 import math

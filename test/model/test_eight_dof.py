@@ -1,4 +1,4 @@
-"""The 8 DOF model: its equations written out once more as residuals, and what must hold of it."""
+"""The 8 DOF model: its equations written out as residuals, and its general properties."""
 
 from types import SimpleNamespace
 
@@ -23,11 +23,11 @@ MIRRORED = {
     **dict.fromkeys(REVERSED_STATES, True),
 }
 FOURTH_ORDER, ORDER_TOLERANCE = 16, 4
-"""Ratio of the errors of one step and half of it; the next term of the error."""
+"""Ratio of the errors with a step and half the step, and its tolerance."""
 
 
 def symbols(vehicle, model: str) -> SimpleNamespace:
-    """The parameters of equations 77-87 under the names of the source."""
+    """The parameters of equations 77-87 under the names in the paper."""
     v = vehicle
     p = SimpleNamespace(m=v.sprung_mass, Jx=v.roll_inertia, h=v.cg_height)
     p.a, p.b = v.cg_to_front_axle, v.cg_to_rear_axle
@@ -155,7 +155,7 @@ def test_at_rest_it_carries_what_model_1_carries_and_stays_so(vehicle):
 
 
 def test_a_pair_of_active_forces_rolls_it_as_it_rolls_model_1(reference):
-    """Statically: the moment over stiffness less weight, and the same loads in both models."""
+    """Steady state: moment / (roll stiffness - m g hrc), and equal loads in both models."""
     pair = Command(normal_force=(500.0, -500.0, 300.0, -300.0))
     both = [Simulation(reference, Options(model=model)) for model in ("8dof", "1")]
     for simulation in both:
@@ -212,7 +212,7 @@ def test_halving_the_step_divides_the_error_by_sixteen(vehicle):
 
 
 def test_where_loads_and_accelerations_find_no_agreement_it_says_diverged(reference):
-    """A steering angle that is no number is one that no tire force agrees with."""
+    """With a steering angle of nan, no loads satisfy the equations."""
     simulation = Simulation(reference, Options(model="8dof"))
     before = simulation.model_state
     nowhere = Command(steering=0.1).records()

@@ -1,4 +1,4 @@
-"""Where the energy of a run goes: nothing is gained or lost but to named work, landings included.
+"""Energy balance of a run: it changes only by known powers, landings included.
 
 In the model that is exact mechanics: no roll centre, Euler terms. Powers are integrated over the
 run by the trapezoidal rule.

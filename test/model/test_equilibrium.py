@@ -1,4 +1,4 @@
-"""A vehicle that nobody touches rolls on as it is, carrying its own weight."""
+"""Without commands a vehicle keeps rolling in equilibrium, carrying its own weight."""
 
 import dataclasses
 

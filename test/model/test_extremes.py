@@ -1,4 +1,4 @@
-"""Wheels far beyond grip, speeds next to nothing, parking: finite, and forces against the slip."""
+"""Wheels far beyond grip, very low speeds, parking: finite states, and forces that oppose slip."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Frames, slips and radii: where the wheels are, how they move over the road and what they feel."""
+"""Frames, slips and radii: positions of the wheels, their motion over the road, and their slip."""
 
 import magic_formula
 import numpy as np

@@ -1,4 +1,4 @@
-"""Left and right are alike: what is mirrored going in is mirrored coming out."""
+"""Left-right symmetry: mirrored input gives mirrored output."""
 
 import numpy as np
 import pytest

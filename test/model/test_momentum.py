@@ -1,4 +1,4 @@
-"""What the tires and gravity do to the vehicle is all that changes its momentum."""
+"""Only tire forces and gravity change the momentum of the vehicle."""
 
 import numpy as np
 import pytest

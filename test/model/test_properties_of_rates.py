@@ -1,4 +1,4 @@
-"""At one instant: what holds for every vehicle, model, option, state and command."""
+"""Properties of the rates for any vehicle, model, option, state and command."""
 
 import dataclasses
 

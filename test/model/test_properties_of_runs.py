@@ -1,4 +1,4 @@
-"""Over runs: what holds for every vehicle, model, option, road and command."""
+"""Properties of runs for any vehicle, model, option, road and command."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The manoeuvres of the source's figures, with the numbers that two other implementations gave."""
+"""The manoeuvres of the paper's figures, with the results of two other implementations."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Roll-plane models: the source's number, closed forms, and model 1 in slow cornering."""
+"""Roll-plane models: the number in the paper, closed forms, and model 1 in slow cornering."""
 
 import numpy as np
 import pytest

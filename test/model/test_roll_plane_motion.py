@@ -1,4 +1,4 @@
-"""The roll-plane model in motion: at rest the static one, and momentum about the ground."""
+"""The dynamic roll-plane model: the static one at rest, and momentum about the ground."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Every model and option against a second evaluation of its equations, and what must hold of it."""
+"""Every model and option against a second evaluation of its equations, and its properties."""
 
 import numpy as np
 import pytest

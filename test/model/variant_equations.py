@@ -1,4 +1,4 @@
-"""The rates of every model and option once more, in numpy, from the list of equations: an oracle.
+"""A second implementation, in numpy, of the rates of every model and option.
 
 Wheels are arrays in the order lf, rf, lr, rr. The equations of the body are written as residuals,
 linear in its accelerations, which are found by probing the residuals with unit accelerations.

@@ -1,11 +1,15 @@
-"""docs/python.md: its tables have every field there is."""
+"""docs/python.md: fields, columns, names and signatures; its tables are generated."""
+
+import ast
+import inspect
+import re
 
 import pytest
 
 import vehicle_roll_sim
 from vehicle_roll_sim.model.records import OUTPUTS, STATE
 from vehicle_roll_sim.runs.history import COLUMNS, UNITS
-from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, as_markdown
+from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS
 
 FIRST_TERM = "strut_length"
 
@@ -15,18 +19,29 @@ def page(pytestconfig) -> str:
     return (pytestconfig.rootpath / "docs" / "python.md").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize(
-    ("record", "signals", "dtype"),
-    [("state", STATE_SIGNALS, STATE), ("outputs", OUTPUT_SIGNALS, OUTPUTS)],
-)
-def test_every_field_is_explained_in_order(page, record, signals, dtype):
+@pytest.mark.parametrize(("signals", "dtype"), [(STATE_SIGNALS, STATE), (OUTPUT_SIGNALS, OUTPUTS)])
+def test_every_field_is_explained_in_order(signals, dtype):
     assert tuple(signals) == dtype.names
-    assert as_markdown(record) in page
 
 
 def test_terms_of_the_equations_begin_where_the_page_says(page):
-    assert f"The fields from `{FIRST_TERM}` on are terms" in page
+    assert f"The fields from `{FIRST_TERM}` on are intermediate terms of the equations" in page
     assert FIRST_TERM in OUTPUTS.names
+
+
+@pytest.mark.parametrize("name", ["run", "series", "linearize", "replay"])
+def test_a_signature_has_the_parameters_in_order_with_their_defaults(page, name):
+    shown = re.search(rf"`{name}\(([^)`]+, [^)`]+)\)`", page)[1]
+    written = [part.partition("=")[::2] for part in " ".join(shown.split()).split(", ")]
+    written.remove(("*", ""))
+    declared = inspect.signature(getattr(vehicle_roll_sim, name)).parameters.values()
+    for (shown_name, default), each in zip(written, declared, strict=True):
+        assert shown_name.lstrip("*") == each.name
+        if default and default != "…":
+            value = each.default
+            is_rounded = isinstance(value, float)
+            expected = pytest.approx(value, rel=1e-3) if is_rounded else value
+            assert ast.literal_eval(default) == expected
 
 
 def test_every_column_has_its_unit():

@@ -25,7 +25,7 @@ SHORT = {"duration": 0.3, "start": 0.1}
 
 
 class DataFrame(dict):
-    """Stands in for that of pandas."""
+    """A stand-in for pandas.DataFrame."""
 
     def __init__(self, columns):
         super().__init__(columns)

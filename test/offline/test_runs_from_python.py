@@ -1,4 +1,4 @@
-"""A run as a Python call: whatever is asked for, the numbers are those of the command."""
+"""A run as a Python call gives the numbers of the command for all options."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""The checkout, and a workspace that it was built in."""
+"""The checkout, and a workspace in which it was built."""
 
 import os
 import shutil

@@ -1,4 +1,4 @@
-"""The linter of ament that package.xml declares, run as packages of ROS 2 run it.
+"""The ament linter that package.xml declares, run as in packages of ROS 2.
 
 It fetches the schema of package.xml, which names its address.
 """

@@ -1,4 +1,4 @@
-"""`python -m benchmarks` measures what it is asked for, and refuses what it does not know."""
+"""`python -m benchmarks` measures the requested parts and refuses unknown ones."""
 
 import json
 import math

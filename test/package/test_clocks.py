@@ -1,4 +1,4 @@
-"""The clock on the wall, which may be set back and forth, is asked for stamps and names only."""
+"""The system clock, which may be set back or forward, is used for stamps and names only."""
 
 import ast
 import inspect
@@ -17,7 +17,7 @@ OF_DAY = {"datetime", "get_clock", "SYSTEM_TIME", "ROS_TIME", "ROSClock"}
 ALLOWED = {
     ("vehicle_roll_sim.ros.simulator.publications", "get_clock"),  # stamps
     ("vehicle_roll_sim.ros.simulator.compile_status", "get_clock"),  # stamps of diagnostics
-    ("vehicle_roll_sim.ros.launching.processes", "strftime"),  # name of a bag
+    ("vehicle_roll_sim.ros.launching.arguments", "strftime"),  # name of a bag
     ("vehicle_roll_sim.ros.orchestration.demo", "strftime"),  # name of a folder
 }
 

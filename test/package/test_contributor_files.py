@@ -1,4 +1,4 @@
-"""The files for contributors are valid, and say what the rest of the repository says."""
+"""The files for contributors are valid and agree with the rest of the repository."""
 
 import json
 import re

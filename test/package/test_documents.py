@@ -1,4 +1,4 @@
-"""What documents must have. That what they tell a user to type works: test/documentation."""
+"""Required contents of the documents. test/documentation checks that their commands work."""
 
 import re
 
@@ -21,7 +21,7 @@ def anchors(text: str) -> set[str]:
 
 @pytest.fixture(scope="module")
 def pages(root) -> dict[str, str]:
-    """Every page there is to read, by name."""
+    """The text of every page, by name."""
     found = [
         root / "README.md",
         *(root / "docs").glob("**/*.md"),
@@ -38,9 +38,9 @@ def test_every_launch_file_is_on_a_page(pages, root):
     assert {f"{name}.launch.py" for _, name in named} == there
 
 
-@pytest.mark.parametrize("page", ["docs/installation.md", "docs/interfaces.md"])
+@pytest.mark.parametrize("page", ["docs/installation.md", "docs/reference/command_line.md"])
 def test_how_the_command_is_called_in_a_workspace_is_said(pages, page):
-    """There it is not on the path."""
+    """In a workspace the command is not on the path."""
     assert f"ros2 run {PACKAGE} offline run j_turn" in pages[page]
 
 

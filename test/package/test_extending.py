@@ -1,4 +1,4 @@
-"""docs/extending.md: its changes can be made as they stand, and then do what the page says."""
+"""docs/extending.md: its changes can be applied as printed and work as the page says."""
 
 import os
 import re
@@ -54,18 +54,18 @@ DOES = {
         assert counts["/sideslip_angle"] == counts["/motion"] == 3
     """,
 }
-"""By heading, a program that runs with the changes below it."""
+"""By heading: a program to run with the changes of that section."""
 
 
 @pytest.fixture(scope="module")
 def sections(root) -> dict[str, str]:
-    """Text of the page by heading."""
+    """The text of each section, by heading."""
     _, *parts = re.split(r"^## ", (root / "docs" / "extending.md").read_text("utf-8"), flags=re.M)
     return dict(part.split("\n", 1) for part in parts)
 
 
 def make(change: str, folder) -> None:
-    """Make one change: a new file, or lines that stand once in a file and that others follow."""
+    """Apply one change: create a file, or replace lines that occur exactly once in a file."""
     header, *lines = change.splitlines()
     kind, name = header.split()
     old = "\n".join(line[1:] for line in lines if line[0] in " -")

@@ -1,4 +1,4 @@
-"""Imports point one way, from the command line and the nodes down to the model."""
+"""Imports go one way, from the command line and the nodes down to the model."""
 
 import ast
 import re

@@ -1,4 +1,4 @@
-"""What `colcon build` installs: where `ros2 run` looks, and complete enough to run."""
+"""The installation by `colcon build`: files where `ros2 run` looks, complete enough to run."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""package.xml, setup.py and the sources say the same."""
+"""package.xml, setup.py and the sources agree."""
 
 import ast
 import re
@@ -18,7 +18,7 @@ NOT_OF_ROS = {
 }
 """Libraries whose names in package.xml are rosdep keys, or that come from pip."""
 RUN_BY_LAUNCH_FILES = {"ros2launch", "robot_state_publisher", "ros2bag", "rosbag2_storage_mcap"}
-"""What the launch files need beside what is imported; RViz is its user's choice."""
+"""Run-time dependencies of the launch files that are not imported; RViz is optional."""
 ROSDEP_KEYS = {
     "numpy": "python3-numpy",
     "scipy": "python3-scipy",
@@ -30,7 +30,7 @@ ROSDEP_KEYS = {
 HAVE_NUMBA, HAVE_NOT = ("lyrical", "rolling"), ("jazzy", "kilted", "")
 """Distributions of ROS whose Ubuntu has a package of it, or not; "" where none is set up."""
 NOBODYS = (".invalid", ".example", ".test", ".localhost")
-"""Ends of names that no machine can ever have."""
+"""Reserved domain suffixes, which belong to no real machine."""
 REQUIREMENT = re.compile(r"([A-Za-z-]+)>=([\d.]+)")
 
 
@@ -95,7 +95,7 @@ def test_author_maintainer_and_addresses_are_those_of_setup_and_have_a_valid_for
 
 @pytest.mark.parametrize("distribution", [*HAVE_NUMBA, *HAVE_NOT])
 def test_numba_is_wanted_of_rosdep_where_there_is_a_package_of_it(root, distribution):
-    """Elsewhere its key would end `rosdep install` with an error."""
+    """Elsewhere the key would make `rosdep install` fail."""
     reading = pytest.importorskip("catkin_pkg.package", reason="catkin_pkg is not installed")
     package = reading.parse_package(root / "package.xml")
     package.evaluate_conditions({"ROS_DISTRO": distribution} if distribution else {})

@@ -1,4 +1,4 @@
-"""The table of deliberate faults fits the sources; `make mutations` says who notices."""
+"""The deliberate faults fit the sources; `make mutations` checks that tests catch them."""
 
 import sys
 

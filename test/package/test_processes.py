@@ -1,4 +1,4 @@
-"""Processes that tests start: ended with the test also when it fails, and they heed SIGINT."""
+"""Processes started by tests end with the test, even if it fails, and react to SIGINT."""
 
 import ast
 import subprocess
@@ -7,8 +7,9 @@ from pathlib import Path
 
 from patience import PATIENCE
 
-HELPERS = {"conftest.py", "peers.py", "launch_stand_in.py"}
+HELPERS = {"conftest.py", "forked.py", "peers.py", "launch_stand_in.py"}
 """Of which a fixture, or the helper itself, ends what they start."""
+STARTING = {"Popen", "open_process"}
 
 
 def calls_of(path: Path) -> set[str]:
@@ -18,7 +19,7 @@ def calls_of(path: Path) -> set[str]:
 
 
 def test_a_test_leaves_the_end_of_its_processes_to_a_fixture(root):
-    found = {path for path in (root / "test").rglob("*.py") if "Popen" in calls_of(path)}
+    found = {path for path in (root / "test").rglob("*.py") if STARTING & calls_of(path)}
     assert {path.name for path in found} == HELPERS
 
 

@@ -1,4 +1,4 @@
-"""The table of faults names tests that there are."""
+"""The tests named in the table of faults exist."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""Nothing that is read is run, nothing of any size is read, and no file is named while running."""
+"""Input is never executed, its size is limited, and no file can be named while a node runs."""
 
 import ast
 import re

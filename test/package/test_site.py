@@ -18,7 +18,7 @@ NODES = {"simulator", "manoeuvre", "recorder", "demo", "compare"}
 
 
 def listed(docs: Path, page: str) -> list[str]:
-    """The pages that the contents of a page name, those of these pages included."""
+    """The pages in the contents of a page, including those of its subpages."""
     found = []
     for _, names in TOCTREE.findall((docs / f"{page}.md").read_text(encoding="utf-8")):
         for name in names.split():

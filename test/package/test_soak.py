@@ -1,4 +1,4 @@
-"""The soak in short: random messages, bursts, silence, resets and pauses break no promise."""
+"""A short soak test: random messages, bursts, silence, resets and pauses violate no rule."""
 
 import re
 import subprocess
@@ -10,14 +10,14 @@ from patience import PATIENCE
 pytestmark = pytest.mark.unmeasured
 
 MESSAGES = 20_000
-"""Some five seconds."""
+"""Number of messages: about five seconds."""
 GROWTH = 8.0
 """MiB: caches of the libraries still fill up in a run this short; a set a period is 20 MiB."""
 
 
 @pytest.fixture
 def soak(root):
-    """Runs the soak with words."""
+    """Run the soak test with these arguments."""
 
     def call(*words: str) -> subprocess.CompletedProcess:
         command = [sys.executable, "-m", "benchmarks.soak", *words]

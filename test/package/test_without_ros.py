@@ -1,4 +1,4 @@
-"""`pip install` without ROS 2: the programs that need it say so in one line, with what to do.
+"""`pip install` without ROS 2: programs that need it say in one line what to install.
 
 What is not installed is hidden from a process as Python itself does it: by None in its modules.
 """

@@ -1,4 +1,4 @@
-"""The runs that the source's figures and claims are made of."""
+"""The runs on which the figures and claims of the paper are based."""
 
 import sys
 
@@ -12,7 +12,7 @@ from vehicle_roll_sim.paper.study import Study
 
 @pytest.fixture(scope="session")
 def study() -> Study:
-    """That of the reference vehicle; each of its runs is made once."""
+    """The study of the reference vehicle; each of its runs is simulated once."""
     return reference_study()
 
 
@@ -23,6 +23,6 @@ def findings(study) -> list[Finding]:
 
 @pytest.fixture
 def without_engine(study, monkeypatch) -> Rerun:
-    """The study where the multibody engine is not installed."""
+    """The study without the multibody engine."""
     monkeypatch.setitem(sys.modules, "mujoco", None)
     return Rerun(study)

@@ -1,4 +1,4 @@
-"""The figures of the source: what is drawn in each, where events are marked, and their data."""
+"""The figures of the paper: their curves, the marks of events, and their data."""
 
 import csv
 import dataclasses

@@ -1,4 +1,4 @@
-"""The figure of the roll-plane models: their curves, those of runs beside them, and its data."""
+"""The figure of the roll-plane models: their curves, those of model 1, and its data."""
 
 import csv
 

@@ -1,7 +1,11 @@
-"""Fixtures: a domain for each test, processes and peers that end with it."""
+"""Fixtures: a ROS domain for each test, and processes and peers that end with it."""
+
+import os
+import subprocess
 
 import launch_files
 import pytest
+from forked import SERVER, open_process
 from peers import Peer, Process
 
 from vehicle_roll_sim.ros.orchestration.domains import own_domain
@@ -16,6 +20,13 @@ def local_discovery(monkeypatch, tmp_path):
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "ros_log"))
 
 
+@pytest.fixture(scope="session", autouse=True)
+def fork_server():
+    """The program from which processes are forked ends with the tests."""
+    yield
+    SERVER.close()
+
+
 @pytest.fixture
 def domain():
     """The ROS domain of a test, which nobody else on this machine has meanwhile."""
@@ -24,8 +35,24 @@ def domain():
 
 
 @pytest.fixture
+def opened():
+    """opened(command, fresh, ...): a process of `open_process`, which ends with its test."""
+    processes = []
+
+    def open_one(command, **options):
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        processes.append(open_process(command, env=dict(os.environ), **pipes, **options))
+        return processes[-1]
+
+    yield open_one
+    for process in reversed(processes):
+        process.kill()
+        process.communicate()
+
+
+@pytest.fixture
 def start(domain):
-    """start(module, *words): a process in the test's domain."""
+    """start(module, *words, program, fresh): a process (`Process`) in the test's domain."""
     processes = []
 
     def start_process(*arguments, **options):

@@ -1,4 +1,4 @@
-"""As much of `launch` and `launch_ros` as the launch files use, for where they are not installed.
+"""A stand-in for the parts of `launch` and `launch_ros` that the launch files use.
 
 Keywords are those of ROS 2 Jazzy's; one that is not there is an error.
 """
@@ -9,6 +9,7 @@ import sys
 import time
 from types import ModuleType, SimpleNamespace
 
+from forked import Forked, open_process
 from patience import PATIENCE
 
 POLL = 0.05
@@ -161,18 +162,18 @@ def run(actions: list, environment: dict[str, str]) -> dict[str, tuple[int, str,
             process.communicate()
 
 
-def _start(action: ExecuteProcess, environment: dict[str, str]) -> subprocess.Popen:
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    return subprocess.Popen(action.cmd, env=environment, **pipes)
+def _start(action: ExecuteProcess, environment: dict[str, str]) -> Forked | subprocess.Popen:
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    return open_process(action.cmd, env=environment, **pipes)
 
 
-def _wait_for_one(processes: list[subprocess.Popen]) -> None:
+def _wait_for_one(processes: list[Forked | subprocess.Popen]) -> None:
     until = time.monotonic() + PATIENCE
     while all(process.poll() is None for process in processes):
         assert time.monotonic() < until, "nothing ended that the launch should end with"
         time.sleep(POLL)
 
 
-def _ended(process: subprocess.Popen, patience: float) -> tuple[int, str, str]:
+def _ended(process: Forked | subprocess.Popen, patience: float) -> tuple[int, str, str]:
     out, err = process.communicate(timeout=patience)
     return process.returncode, out, err

@@ -1,4 +1,4 @@
-"""Other processes and other nodes for the tests: a simulator to talk to, a node that talks."""
+"""Other processes and nodes for the tests: a simulator, and a node that communicates with it."""
 
 import os
 import signal
@@ -8,6 +8,8 @@ import time
 from array import array
 
 import rclpy
+from fork_server import EXECUTABLES
+from forked import open_process
 from patience import PATIENCE
 from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
@@ -21,6 +23,9 @@ ASK_AGAIN = 5.0
 RACE_FOR_A_PORT = "RTPS_TRANSPORT_SHM Error"
 """Fast DDS says so where another process, of whatever domain, has just taken the port of shared
 memory that it wanted. It takes the next one."""
+EVERY_STATE = "qos_overrides./state.publisher.depth:=1000"
+"""A simulator that catches up sends some ten sets at once, as many as its queues hold by default:
+a peer that is held up just then would miss one."""
 TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED)}
 
 
@@ -155,17 +160,23 @@ def sets_of(received: dict[str, list], *names: str) -> list[dict]:
 
 
 class Process:
-    """An executable of the package as a process of its own, ended by its id."""
+    """An executable of the package, or a script, as a process of its own, ended by its id.
 
-    def __init__(self, domain: int, module: str, *words: str, program: str | None = None):
-        command = [program] if program else ["-m", "vehicle_roll_sim.ros.executables", module]
+    fresh: started from scratch, not forked from a process that has imported everything. A process
+    with another environment always is.
+    """
+
+    def __init__(
+        self, domain: int, module: str, *words: str, program: str | None = None, fresh: bool = False
+    ):
         environment = os.environ | {"ROS_DOMAIN_ID": str(domain)}
-        self.process = subprocess.Popen(
+        command = [program] if program else ["-m", EXECUTABLES, module]
+        self.process = open_process(
             [sys.executable, *command, *words],
             env=environment,
+            fresh=fresh,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
-            text=True,
         )
 
     def finish(self, signum: int | None = None) -> tuple[int, str, str]:

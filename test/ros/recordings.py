@@ -1,4 +1,4 @@
-"""Bags: while they are recorded, and read by a library that did not write them."""
+"""Bags: being recorded, and read by a library that did not write them."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""A controller, as a program: gives the same steering and torque 50 times a second to its end."""
+"""A controller program: publishes constant steering and torque 50 times per second."""
 
 from array import array
 

@@ -1,4 +1,4 @@
-"""The bag of an offline run and that of a recorded lockstep run of the same manoeuvre are one."""
+"""The bags of an offline run and a recorded lockstep run of one manoeuvre are equal."""
 
 import signal
 

@@ -1,4 +1,4 @@
-"""What a controller's script commands is read from it, without running it."""
+"""The topics that a controller script commands are read from it without running it."""
 
 import pytest
 

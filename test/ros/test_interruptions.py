@@ -1,4 +1,4 @@
-"""Nodes that are interrupted, disturbed or lack a library: one line, no orphans."""
+"""Nodes that are interrupted, disturbed or lack a library: one line, no orphan processes."""
 
 import signal
 import subprocess

@@ -1,4 +1,4 @@
-"""A parameter file of which nothing is for a node: one warning, exactly where ROS takes nothing."""
+"""A parameter file without a section for the node: one warning, exactly if ROS uses nothing."""
 
 from types import SimpleNamespace
 

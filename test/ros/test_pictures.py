@@ -1,4 +1,4 @@
-"""What the layouts name is there, and is what it is called: topics, fields, elements, frames."""
+"""The names in the layouts exist: topics, fields, elements and frames."""
 
 import json
 import re

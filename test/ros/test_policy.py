@@ -1,4 +1,4 @@
-"""The SROS2 policy allows exactly what the nodes use. Nothing here can enforce it."""
+"""The SROS2 policy allows exactly what the nodes use. It cannot be enforced here."""
 
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Qualities of service are overridden as they are given, or refused; none is ignored."""
+"""QoS overrides take effect or are refused; none is ignored."""
 
 from pathlib import Path
 

@@ -78,7 +78,7 @@ def test_a_node_that_is_starting_ends_as_cleanly_as_one_that_runs(
 
     def starting():
         number = next(tries)
-        node = start(module, *(word.format(tmp_path, number) for word in WORDS[module]))
+        node = start(module, *(word.format(tmp_path, number) for word in WORDS[module]), fresh=True)
         wait_for_library(node.process, moment)
         return node
 
@@ -91,7 +91,7 @@ def test_a_node_that_is_starting_ends_as_cleanly_as_one_that_runs(
 @pytest.mark.parametrize("name", CONTROLLERS)
 def test_a_controller_that_is_starting_ends_as_cleanly(start, name, moment, signum):
     def starting():
-        node = start("", program=str(EXAMPLES / f"{name}.py"))
+        node = start("", program=str(EXAMPLES / f"{name}.py"), fresh=True)
         wait_for_library(node.process, moment)
         return node
 

@@ -1,4 +1,4 @@
-"""The rows of a run: the columns that were promised, and a CSV file that loses no bit."""
+"""The rows of a run: the documented columns, and a CSV file that keeps every bit."""
 
 import csv
 import errno
@@ -37,7 +37,7 @@ AWKWARD = (float("nan"), -0.0, 5e-324, 1.7976931348623157e308, 0.1, 1 / 3, -1e-1
 
 @pytest.fixture
 def history() -> History:
-    """Rows of any doubles, the awkward ones among them."""
+    """Rows of arbitrary doubles, including special values."""
     size = 50 * len(COLUMNS)
     numbers = np.frombuffer(np.random.default_rng(1).bytes(8 * size))
     numbers = np.where(np.isfinite(numbers), numbers, 1.0)
@@ -144,7 +144,7 @@ def test_a_csv_file_has_one_line_for_each_row_and_ends_with_a_line_feed(history,
 
 
 class FullDisk:
-    """Rows of which the disk takes only the first."""
+    """Rows of which only the first fits on the disk."""
 
     def tolist(self):
         yield [1.0] * len(COLUMNS)

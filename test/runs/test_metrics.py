@@ -1,4 +1,4 @@
-"""The numbers read off a run, against signals for which they are known in closed form."""
+"""Metrics of a run, against signals with known values in closed form."""
 
 import itertools
 import math

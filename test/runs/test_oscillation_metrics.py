@@ -1,4 +1,4 @@
-"""Frequency and damping read off a run, against oscillations of known ones."""
+"""Frequency and damping of a run, against oscillations with known values."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""A run from beginning to end: rows where they were asked for, commands as they were asked for."""
+"""A run from start to end: rows at the requested times, commands as given."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Events as samples show them, against those that the simulation finds at every step."""
+"""Events found in samples, against those that the simulation finds at every step."""
 
 import math
 

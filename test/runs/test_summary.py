@@ -1,4 +1,4 @@
-"""The lines at the end of a run, against events that were made up."""
+"""The summary of a run, for given events."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What the tests of this folder compare and drive with."""
+"""Helpers to compare and drive simulations in this folder."""
 
 import math
 
@@ -8,7 +8,7 @@ from vehicle_roll_sim.model.records import COMMAND
 
 
 def everything(simulation) -> tuple:
-    """All that can be seen of a simulation, to the last bit."""
+    """Everything observable of a simulation, bit for bit."""
     records = (simulation.state, simulation.outputs, simulation.events)
     return simulation.time_ns, simulation.condition, b"".join(part.tobytes() for part in records)
 

@@ -1,4 +1,4 @@
-"""Vehicles on slopes that are commanded a speed, and how well they have to follow it."""
+"""Vehicles on slopes with a commanded speed, and the required accuracy."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The model is compiled once, whoever waits for it and whoever stops waiting."""
+"""The model is compiled once, even if waiting processes come and go."""
 
 import fcntl
 import os

@@ -1,4 +1,4 @@
-"""Drive and brakes of the speed controller: within their limits, never one against the other."""
+"""Drive and brakes of the speed controller: within limits, never both at once."""
 
 import numpy as np
 import pytest

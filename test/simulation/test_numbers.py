@@ -1,4 +1,4 @@
-"""What Python callers may give as numbers, and what is refused in one line that names the field."""
+"""Numbers accepted from Python callers, and refusals in one line that names the field."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""Models and options: which go together, and what they tell the equations."""
+"""Models and options: valid combinations, and the flags for the equations."""
 
 import dataclasses
 import itertools

@@ -1,4 +1,4 @@
-"""The road: gravity against a plane with grade and bank, and what a vehicle feels of it."""
+"""The road: gravity against a plane with grade and bank, and its effect on the vehicle."""
 
 import math
 

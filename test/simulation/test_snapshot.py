@@ -1,4 +1,4 @@
-"""Snapshots, copies and pickles: independent of the original, and the same to the bit after it."""
+"""Snapshots, copies and pickles: independent of the original, with bit-identical results."""
 
 import copy
 import dataclasses
@@ -153,7 +153,7 @@ def test_a_snapshot_of_a_version_with_other_arrays_is_refused(reference):
 
 
 class Named(Simulation):
-    """Of a user: its constructor takes something else, and it has members of its own."""
+    """A user's subclass with a different constructor and additional attributes."""
 
     def __init__(self, name: str):
         self.name = name

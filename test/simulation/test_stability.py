@@ -1,4 +1,4 @@
-"""The largest step: at it every mode decays as it should, beyond it one grows and it is refused."""
+"""The largest step: every mode decays at it; a larger one is unstable and refused."""
 
 import math
 

@@ -82,6 +82,14 @@ def test_the_summary_has_the_lateral_stiffness_of_each_axle():
     assert lines["contact patch shift"] == f"on, front {contained}, rear {contained}"
 
 
+def test_the_summary_says_so_if_the_tires_have_moments_that_do_not_count():
+    """Such as other tires on the reference vehicle, whose file has both options off."""
+    tire = preset().tire.with_coefficients(**MOMENTS)
+    vehicle = dataclasses.replace(preset(), tire=tire)
+    lines = choices(vehicle, Options().for_vehicle(vehicle))
+    assert lines == {"tire moments": "off", "contact patch shift": "off"}
+
+
 def rich() -> Vehicle:
     """A vehicle with all that a description could forget."""
     known = COEFFICIENTS["6.1"]

@@ -1,4 +1,4 @@
-"""Files that are damaged anyhow: read, or refused in one line that names the file."""
+"""Randomly damaged files: read, or refused in one line that names the file."""
 
 import pytest
 from hypothesis import HealthCheck, given, settings

@@ -1,4 +1,4 @@
-"""Files as they come in practice, and values that trip a parser: read right, or refused."""
+"""Unusual files, and values that trip a parser: read correctly, or refused."""
 
 import pytest
 from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, line_of, refused, write

@@ -1,11 +1,21 @@
-"""What is not plausible of a vehicle or of steering is warned of, with its figure."""
+"""Implausible values of a vehicle or of steering cause a warning with the number."""
 
+import dataclasses
 import functools
+import math
 import warnings
+from pathlib import Path
 
 import pytest
 
-from vehicle_roll_sim import Command, PlausibilityWarning, Simulation, plausibility, preset
+from vehicle_roll_sim import (
+    Command,
+    PlausibilityWarning,
+    Simulation,
+    load_tire,
+    plausibility,
+    preset,
+)
 from vehicle_roll_sim.analysis.trim import find_trim
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
 
@@ -129,6 +139,34 @@ def test_an_odd_value_is_told_by_name_in_one_line_with_its_figure_and_what_is_us
     assert found.isprintable()
     assert "typically" in found or "above the road" in found
     assert all(line.partition(":")[0] in {*ODD[told], told.partition(":")[0]} for line in lines)
+
+
+PRESSURIZED = Path(__file__).parents[1] / "model/tire/data/mf61.tir"
+OUTSIDE = "Pa is outside the range of the tire file (PRESMIN, PRESMAX)"
+TYPICALLY = "typically 100000 to 500000 Pa"
+
+
+@pytest.mark.parametrize(
+    ("given", "lines"),
+    [
+        ({}, []),
+        ({"tire_pressure": 1e5}, []),
+        ({"tire_pressure": 5e5}, []),
+        ({"tire_pressure": 2e4}, [f"tire_pressure: 20000 {OUTSIDE}: {TYPICALLY}"]),
+        ({"rear_tire_pressure": 6e5}, [f"rear_tire_pressure: 600000 {OUTSIDE}: {TYPICALLY}"]),
+    ],
+)
+def test_a_pressure_outside_the_range_of_the_tire_file_is_told_once(given, lines):
+    vehicle = dataclasses.replace(preset(), tire=load_tire(PRESSURIZED)).with_values(given)
+    assert plausibility(vehicle) == lines
+
+
+def test_a_range_of_pressures_without_an_end_is_told_as_such():
+    tire = load_tire(PRESSURIZED).with_coefficients(PRESMAX=math.inf)
+    vehicle = dataclasses.replace(preset(), tire=tire).with_values({"tire_pressure": 2e4})
+    assert plausibility(vehicle) == [
+        f"tire_pressure: 20000 {OUTSIDE}: typically at least 100000 Pa"
+    ]
 
 
 @pytest.mark.parametrize("use", [Simulation, functools.partial(find_trim, speed=20.0)])

@@ -1,4 +1,4 @@
-"""Roll centres as depths below the c.g. or as heights above the road: what is given is kept."""
+"""Roll centres as depths below the c.g. or heights above the road: the given value is kept."""
 
 import dataclasses
 
@@ -12,13 +12,13 @@ from vehicle_roll_sim.runs.run import run
 
 HEIGHTS = {"front_roll_centre_height": 0.1, "rear_roll_centre_height": 0.15}
 DEPTHS = {"front_roll_centre_depth": 0.65, "rear_roll_centre_depth": 0.60}
-"""Those of the reference vehicle, whose c.g. is at 0.75 m."""
+"""Roll centre heights of the reference vehicle, whose c.g. is at 0.75 m."""
 ROUNDING = 1e-15
-"""m, of a difference of numbers below 1."""
+"""Tolerance (m) of a difference of numbers below 1."""
 
 
 def depths(vehicle: Vehicle) -> list[float]:
-    """Of the front and of the rear axle, as the equations take them (m)."""
+    """Depths at the front and rear axle, as the equations use them (m)."""
     lf, rf, lr, rr = vehicle.record()[0].roll_centre_depth
     assert (lf, lr) == (rf, rr)
     return [lf, lr]
@@ -87,7 +87,7 @@ def test_both_for_an_axle_are_refused_by_both_names(vehicle_from, tmp_path, axle
 
 @pytest.mark.parametrize("height", [-3.0, 8.1])
 def test_a_height_whose_depth_could_not_be_given_is_refused(height):
-    """So that a recording, which has depths, can say every vehicle."""
+    """A recording contains depths and must be able to describe every vehicle."""
     values = {"cg_height": 48.0 if height < 0.0 else 3.0, "rear_roll_centre_height": height}
     with refused("rear_roll_centre_height", f"{height}", "with the c.g. at"):
         preset().with_values(values)

@@ -1,4 +1,4 @@
-"""The files to start from: the reference vehicle, to the bit, with a word on every value."""
+"""The template files: the reference vehicle, bit for bit, with a comment on every value."""
 
 import pytest
 from vehicle_files import REFERENCE_TIR, refused, write

@@ -1,4 +1,4 @@
-"""Vehicle files: every wrong value of every parameter is refused in one line that names it."""
+"""Vehicle files: every invalid value of every parameter is refused in one line that names it."""
 
 from dataclasses import MISSING
 

@@ -1,4 +1,4 @@
-"""Vehicle and tire files that the tests write, and what every refusal must look like."""
+"""Vehicle and tire files written by the tests, and the form of every refusal."""
 
 import contextlib
 from pathlib import Path

@@ -13,11 +13,4 @@ def processes(given):
 
 
 def generate_launch_description():
-    arguments = [
-        *start.controller_arguments(),
-        *start.manoeuvre_arguments(),
-        *start.recording_arguments(start.new_bag()),
-        *start.simulator_arguments(),
-        *start.name_arguments(),
-    ]
-    return start.launch_description(arguments, processes)
+    return start.launch_description("controller", processes)

@@ -8,10 +8,4 @@ def processes(given):
 
 
 def generate_launch_description():
-    arguments = [
-        *start.manoeuvre_arguments(),
-        *start.recording_arguments(),
-        *start.simulator_arguments(),
-        *start.name_arguments(),
-    ]
-    return start.launch_description(arguments, processes)
+    return start.launch_description("manoeuvre", processes)

@@ -9,9 +9,4 @@ def processes(given):
 
 
 def generate_launch_description():
-    arguments = [
-        *rviz.picture_arguments(),
-        *start.simulator_arguments(),
-        *start.name_arguments(),
-    ]
-    return start.launch_description(arguments, processes)
+    return start.launch_description("rviz", processes)

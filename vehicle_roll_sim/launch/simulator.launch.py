@@ -4,5 +4,4 @@ from vehicle_roll_sim.ros.launching import processes as start
 
 
 def generate_launch_description():
-    arguments = [*start.simulator_arguments(), *start.name_arguments()]
-    return start.launch_description(arguments, lambda given: [start.simulator(given)])
+    return start.launch_description("simulator", lambda given: [start.simulator(given)])

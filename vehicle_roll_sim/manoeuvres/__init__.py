@@ -1,1 +1,1 @@
-"""Manoeuvres: what is asked of the vehicle, as a function of time. No ROS."""
+"""Manoeuvres: commands to the vehicle as a function of time or state, without ROS."""

@@ -1,19 +1,29 @@
-"""Every topic of the package: name, type and QoS. Nodes and bags take them from here."""
+"""Every topic of the package: name, type, QoS, unit and meaning.
+
+Nodes, bags and the documentation take them from here.
+"""
 
 import dataclasses
 
 from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.command_limits import UNITS
 from vehicle_roll_sim.model.records import WHEELS
 
 
 @dataclasses.dataclass(frozen=True)
 class Topic:
-    """A topic: reliable, keep last `depth`; transient local if latched, else volatile."""
+    """A topic: reliable, keep last `depth`; transient local if latched, else volatile.
+
+    unit: that of its values, '' if they have none or several. meaning: what it carries, in one
+    phrase; a value for each wheel is in the order lf, rf, lr, rr.
+    """
 
     name: str
     type: str
     latched: bool = False
     depth: int = 10
+    unit: str = dataclasses.field(default="", compare=False)
+    meaning: str = dataclasses.field(default="", compare=False)
 
 
 FLOAT, ARRAY = "std_msgs/msg/Float64", "std_msgs/msg/Float64MultiArray"
@@ -22,31 +32,82 @@ JOINTS = "sensor_msgs/msg/JointState"
 WRENCH = "geometry_msgs/msg/WrenchStamped"
 
 
-def _latched(name: str, kind: str) -> Topic:
-    return Topic(name, kind, latched=True, depth=1)
+def _latched(name: str, kind: str, meaning: str) -> Topic:
+    return Topic(name, kind, latched=True, depth=1, meaning=meaning)
 
 
+COMMAND_MEANINGS = {
+    "steering_cmd": "road-wheel angle of both front wheels, left positive",
+    "rear_steering_cmd": "road-wheel angle of both rear wheels, left positive",
+    "wheel_torque_cmd": "external torque at each wheel, signed",
+    "brake_torque_cmd": "largest torque that the brake of each wheel can exert, not below 0; it "
+    "opposes the spin and holds a wheel that does not turn",
+    "normal_force_cmd": "active force at each suspension corner; positive pushes the body up and "
+    "the wheel down",
+    "speed_cmd": "forward speed for the speed controller; ignored while wheel torques are "
+    "commanded",
+}
 COMMANDS = tuple(
-    Topic(name, FLOAT if channel.size == 1 else ARRAY, depth=1)
+    Topic(
+        name,
+        FLOAT if channel.size == 1 else ARRAY,
+        depth=1,
+        unit=UNITS[channel.limit],
+        meaning=COMMAND_MEANINGS[name],
+    )
     for name, channel in channels().items()
 )
 """What the simulator subscribes to; the depth is that of publishers in this package."""
 STATE_SET = (
-    Topic("state", ARRAY),
-    Topic("applied_command", ARRAY),
-    Topic("odom", "nav_msgs/msg/Odometry"),
-    Topic("imu", "sensor_msgs/msg/Imu"),
-    Topic("joint_states", JOINTS),
-    Topic("tire_normal_forces", ARRAY),
-    *(Topic(f"tire_forces/{wheel}", WRENCH) for wheel in WHEELS),
-    Topic("lift_off", FLAGS),
-    Topic("load_transfer_ratio", FLOAT),
-    Topic("motion", ARRAY),
+    Topic("state", ARRAY, meaning="time since the reset, then the states of the model"),
+    Topic(
+        "applied_command",
+        ARRAY,
+        meaning="the commands that were applied in the period that ends with this set, after "
+        "limits and timeouts",
+    ),
+    Topic(
+        "odom",
+        "nav_msgs/msg/Odometry",
+        meaning="pose of base_link, the sprung c.g., in `odom`; twist in base_link",
+    ),
+    Topic(
+        "imu",
+        "sensor_msgs/msg/Imu",
+        meaning="attitude, body rates and specific force in base_link (REP-145: +g on z at rest)",
+    ),
+    Topic(
+        "joint_states",
+        JOINTS,
+        meaning="position and velocity of the suspension, steering and wheel joints",
+    ),
+    Topic("tire_normal_forces", ARRAY, unit="N", meaning="normal load Fz of each tire"),
+    *(
+        Topic(
+            f"tire_forces/{wheel}",
+            WRENCH,
+            unit="N",
+            meaning=f"contact force of tire {wheel} in base_footprint; the torque is 0",
+        )
+        for wheel in WHEELS
+    ),
+    Topic("lift_off", FLAGS, meaning="for each tire: 1 if its Fz is 0, else 0"),
+    Topic(
+        "load_transfer_ratio",
+        FLOAT,
+        meaning="(right - left) / total normal load, 0 when no tire carries load",
+    ),
+    Topic("motion", ARRAY, meaning="signals for handling controllers in one message"),
 )
 """The topics of a set, which is published every period in this order, beginning with `state`."""
 STAMPED_ENDING = "_stamped"
 STAMPED = tuple(
-    Topic(topic.name + STAMPED_ENDING, JOINTS)
+    Topic(
+        topic.name + STAMPED_ENDING,
+        JOINTS,
+        unit=topic.unit,
+        meaning=f"`{topic.name}` with a header: values in `position`, their names in `name`",
+    )
     for topic in STATE_SET
     if topic.type in (FLOAT, ARRAY, FLAGS)
 )
@@ -54,14 +115,26 @@ STAMPED = tuple(
 
 JointState is the only standard message with a header and named numbers, and plotting and bag tools
 show the numbers by these names."""
-TRANSFORMS = Topic("/tf", "tf2_msgs/msg/TFMessage")
+TRANSFORMS = Topic(
+    "/tf",
+    "tf2_msgs/msg/TFMessage",
+    meaning="transforms from `odom` to base_link and base_footprint",
+)
 """Also part of the set, if its type is installed."""
-CLOCK = Topic("/clock", "rosgraph_msgs/msg/Clock")
+CLOCK = Topic("/clock", "rosgraph_msgs/msg/Clock", meaning="simulated time")
 """Published before each set, if stamps are simulated time."""
-ROLLOVER = _latched("rollover", "std_msgs/msg/Bool")
-ROBOT_DESCRIPTION = _latched("robot_description", TEXT)
-SIMULATION_DESCRIPTION = _latched("simulation_description", TEXT)
-DIAGNOSTICS = Topic("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray")
+ROLLOVER = _latched("rollover", "std_msgs/msg/Bool", "true from a rollover until a reset")
+ROBOT_DESCRIPTION = _latched(
+    "robot_description", TEXT, "URDF, generated from the vehicle's parameters"
+)
+SIMULATION_DESCRIPTION = _latched(
+    "simulation_description", TEXT, "JSON from which the simulation can be rebuilt"
+)
+DIAGNOSTICS = Topic(
+    "/diagnostics",
+    "diagnostic_msgs/msg/DiagnosticArray",
+    meaning="status of the simulator, once per second",
+)
 PUBLISHED = (
     *STATE_SET,
     ROLLOVER,

@@ -1,9 +1,9 @@
-"""Moments at the contact point: those of the tire, and those of a contact patch that shifts.
+"""Moments at the contact point: those of the tire, and those due to the contact-patch shift.
 
 Tire moments are about the W axes of a wheel (x along it in the road plane, y to the left, z normal
-to the road), as are the forces of the tire. Under a lateral force the contact patch of a tire
-shifts sideways against its rim, by y = Fy / cy with the lateral stiffness cy. The forces then act
-beside the nominal contact point, with the moments y Fz about the x axis and -y Fx about the z axis.
+to the road), like the tire forces. Under a lateral force the contact patch of a tire shifts
+sideways relative to its rim, by y = Fy / cy with the lateral stiffness cy. The forces then act off
+the nominal contact point, with the moments y Fz about the x axis and -y Fx about the z axis.
 """
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math
@@ -13,10 +13,10 @@ from vehicle_roll_sim.model.records import WHEEL_COUNT
 
 @kernel
 def contact_moments(attitude, vehicle, outputs):
-    """Add the moments of the shift to those of the tires (N m), and express them in frame 1.
+    """Add the moments due to the shift to those of the tires (N m), and express them in frame 1.
 
-    Turned by the steering angle into frame 2, as the tire forces are (eqs 3, 4), and from there as
-    in equation 2.
+    They are rotated by the steering angle into frame 2, as the tire forces are (eqs 3, 4), and from
+    there into frame 1 as in equation 2.
     """
     for i in range(WHEEL_COUNT):
         shift = vehicle.tire_lateral_compliance[i] * outputs.tire_lateral[i]
@@ -32,9 +32,9 @@ def contact_moments(attitude, vehicle, outputs):
 
 @kernel
 def spin_moment(i, outputs):
-    """Part of the contact moment of wheel i that turns the wheel about its spin axis (N m).
+    """Component of the contact moment of wheel i about its spin axis (N m).
 
-    The axis is that of the W axes' y, inclined by gamma.
+    The spin axis is the y axis of the W axes, inclined by gamma.
     """
     inclination = outputs.inclination[i]
     turning = outputs.rolling_resistance_moment[i] * math.cos(inclination)

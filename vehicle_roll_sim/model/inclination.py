@@ -1,4 +1,4 @@
-"""Inclination of the wheels to the road (camber), from attitude, steering and static camber."""
+"""Inclination (camber) of the wheels to the road, from attitude, steering and static camber."""
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import FRONT, REAR, WHEEL_COUNT
@@ -6,7 +6,7 @@ from vehicle_roll_sim.model.records import FRONT, REAR, WHEEL_COUNT
 
 @kernel
 def inclinations(attitude, vehicle, tires, options, outputs):
-    """gamma of every wheel (rad), or 0 if nothing depends on it, which saves time."""
+    """gamma of every wheel (rad); 0 if nothing depends on it, to save time."""
     is_plain = tires[FRONT].plain != 0.0 and tires[REAR].plain != 0.0
     if options.contact_moments or not is_plain:
         actual_inclinations(attitude, vehicle, options, outputs)
@@ -17,14 +17,14 @@ def inclinations(attitude, vehicle, tires, options, outputs):
 
 @kernel
 def actual_inclinations(attitude, vehicle, options, outputs):
-    """gamma of every wheel (rad), positive with its top towards the right, as in the W axes.
+    """gamma of every wheel (rad), positive with the top leaning to the right, as in the W axes.
 
     The spin axis of a wheel that is fixed to the body and steered by delta points upwards by
 
         sin gamma = sin(theta) sin(delta) + cos(theta) sin(phi) cos(delta),
 
-    and its static camber is added. A tire that is kept normal to the ground has the tilt of its
-    axle in place of the roll angle.
+    to which the static camber is added. For tires kept normal to the ground, the tilt of the axle
+    takes the place of the roll angle.
     """
     s_roll, _, s_pitch, c_pitch = attitude
     for i in range(WHEEL_COUNT):

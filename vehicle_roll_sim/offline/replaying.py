@@ -56,7 +56,7 @@ def replays(folder: Path, namespace: str | None, told: Simulation | None) -> Ite
     runs = recorded_runs(folder, namespace)
     if not any(run.begins_at_a_reset for run in runs):
         allowed = "a recording of at least one run from its reset (time 0) on"
-        raise InputError(FIELD, str(folder), allowed, f"{folder}: it begins under way")
+        raise InputError(FIELD, str(folder), allowed, f"{folder}: the recording starts in mid-run")
     for run in runs:
         begin = float(run.states[0]["time"])
         if not run.begins_at_a_reset:

@@ -34,7 +34,7 @@ def no_roll_centre_in_step(study: Study) -> list[Measured]:
     return [
         Measured("steady roll", roll, "%", above=15.0),
         Measured("a steady outer load changed by", outer, "%", below=2.0),
-        Measured("rf's transient excess", excess, "%", above=20.0),
+        Measured("overshoot of rf's load", excess, "%", above=20.0),
     ]
 
 
@@ -67,7 +67,7 @@ def upright_tires_in_ramp(study: Study) -> list[Measured]:
     lift_offs = np.nan_to_num(one.lift_offs, nan=math.inf) - other.lift_offs
     rollover = np.nan_to_num(one.rollover, nan=math.inf) - other.rollover
     return [
-        Measured("a lift-off later by at least", float(lift_offs.min()), "s", above=0.0),
+        Measured("each lift-off later by at least", float(lift_offs.min()), "s", above=0.0),
         Measured("85° later", float(rollover), "s", above=0.0),
     ]
 

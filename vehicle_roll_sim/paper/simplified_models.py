@@ -45,7 +45,7 @@ def unsprung_inertia_in_step(study: Study) -> list[Measured]:
     roll = percent_more(one.peak_roll, other.peak_roll)
     transfer = percent_more(peak_load_transfer(one)[0], peak_load_transfer(other)[0])
     return [
-        Measured("peak roll over 1a's", roll, "%", 1.0, 10.0),
+        Measured("peak roll above 1a", roll, "%", 1.0, 10.0),
         Measured("peak front load transfer", transfer, "%", 0.0, 3.0),
     ]
 
@@ -66,7 +66,7 @@ def turning_kept(study: Study) -> list[Measured]:
 
 def mass_lumped(study: Study) -> list[Measured]:
     more = percent_more(study.step("1b-mass-lumped").peak_roll, study.step("1b").peak_roll)
-    return [Measured("peak roll over 1b's", more, "%", above=10.0)]
+    return [Measured("peak roll above 1b", more, "%", above=10.0)]
 
 
 def contact_forces_in_step(study: Study) -> list[Measured]:
@@ -74,7 +74,7 @@ def contact_forces_in_step(study: Study) -> list[Measured]:
     peaks = peak_load_transfer(one) / peak_load_transfer(other) - 1
     held = one.steady(one.load_transfer) / other.steady(other.load_transfer) - 1
     over = {
-        "peak roll over 1b's": percent_more(one.peak_roll, other.peak_roll),
+        "peak roll above 1b": percent_more(one.peak_roll, other.peak_roll),
         "steady roll": percent_more(one.steady_roll, other.steady_roll),
         "peak load transfer": 100 * peaks.max(),
         "steady load transfer": 100 * held.max(),

@@ -10,6 +10,7 @@ from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.options import SWITCHES, Options
 from vehicle_roll_sim.vehicle.derived_values import AXLES
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.tire.moments import moments_of
 
 RANGES = ("slip ratio", "slip angle", "tire load")
 LABEL_WIDTH = 28
@@ -35,10 +36,13 @@ def summary_lines(events: np.record, time: float, condition: Condition, note: st
 def choices(vehicle: Vehicle, options: Options) -> dict[str, str]:
     """Whether tire moments and contact patch shift count, one line each.
 
-    options: those of the simulation. Nothing for a vehicle without both, as that of the paper is.
+    options: those of the simulation. Nothing if the vehicle has both off and its tires have no
+    moments, as in the paper.
     """
-    chosen = {name: getattr(options, name) for name in SWITCHES}
-    if ON not in chosen.values() and not any(getattr(vehicle, name) for name in SWITCHES):
+    chosen = [getattr(options, name) for name in SWITCHES]
+    stated = [getattr(vehicle, name) for name in SWITCHES]
+    has_moments = any(moments_of(tire.coefficients) for tire in vehicle.axle_tires.values())
+    if ON not in chosen and not any(stated) and not has_moments:
         return {}
     return {name.replace("_", " "): _choice(name, vehicle, options) for name in SWITCHES}
 

@@ -20,7 +20,7 @@ from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
-COMPILING = "compiling the model, once for this version: up to 30 s"
+COMPILING = "compiling the model, once for this version: up to a minute"
 LOCK = "lock"
 """The file that a compiling process locks; the operating system unlocks it when it ends."""
 LOOK = 0.05

@@ -78,15 +78,15 @@ class Options:
         "include the gyroscopic terms that the paper omits from equations 32 to 34", default=False
     )
     tire_moments: str = parameter(
-        "overturning, rolling resistance and aligning moment of the tires act on wheels and body; "
-        "auto: as the vehicle file says, which is on unless it says otherwise",
+        "apply the overturning, rolling resistance and aligning moments of the tires; auto: as in "
+        "the vehicle file, where on is the default",
         choices=SWITCH,
         default=AUTO,
     )
     contact_patch_shift: str = parameter(
-        "contact patches shift sideways under lateral force, unless the moments of the tire file "
-        "count, which contain it; auto: as the vehicle file says, which is on unless it says "
-        "otherwise",
+        "shift the contact patches sideways under lateral force, unless an overturning moment of "
+        "the tire file is applied, which includes this; auto: as in the vehicle file, where on is "
+        "the default",
         choices=SWITCH,
         default=AUTO,
     )

@@ -1,4 +1,4 @@
-"""What a tire file says of a vehicle's tires: radius, and vertical and lateral stiffness."""
+"""Vehicle values taken from a tire file: radius, and vertical and lateral stiffness."""
 
 import math
 from typing import NamedTuple
@@ -7,12 +7,9 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 KEYS = {"tire_radius": "UNLOADED_RADIUS", "tire_stiffness": "VERTICAL_STIFFNESS"}
-"""Keys of a tire file that stand for parameters of a vehicle."""
-OVERTURNING = tuple(f"QSX{number}" for number in range(1, 15))
-ROLLING_RESISTANCE = tuple(f"QSY{number}" for number in range(1, 7))
-"""Coefficients of the overturning and of the rolling resistance moment."""
+"""Keys of a tire file that replace missing parameters of a vehicle."""
 SOFTEST, STIFFEST = 1e3, 1e8
-"""N/m: limits of a lateral stiffness that is computed."""
+"""N/m: limits of a computed lateral stiffness."""
 
 
 class FromTire(NamedTuple):
@@ -23,7 +20,7 @@ class FromTire(NamedTuple):
 
 
 def from_tire(name: str, axle: str, tire: Tire, pressure: float | None) -> FromTire:
-    """A radius (m) or vertical stiffness (N/m) that the vehicle leaves to its tire.
+    """A radius (m) or vertical stiffness (N/m) that the vehicle file leaves to its tire file.
 
     name: a key of KEYS. pressure: inflation pressure (Pa), None for that of the file. Raises
     InputError if the tire file does not have it.
@@ -55,9 +52,9 @@ def lateral_stiffness(
 ) -> FromTire:
     """Lateral stiffness of a tire (N/m) under its static load (N).
 
-    That of the file; otherwise the stiffness at which cornering stiffness and relaxation length of
-    the file agree, cy = Kya / sigma. radius: unloaded (m), which replaces a relaxation length that
-    the file does not have. shortest: lower limit of relaxation lengths (m).
+    That of the file; if it has none, cornering stiffness over relaxation length, cy = Kya / sigma.
+    radius: unloaded radius (m), used for the relaxation length if the file has none. shortest:
+    lower limit of relaxation lengths (m).
     """
     given = of_file(tire, "LATERAL_STIFFNESS")
     if given is not None:
@@ -73,7 +70,7 @@ def lateral_stiffness(
 
 
 def carcass_factor(tire: Tire, pressure: float | None, load: float) -> float:
-    """Lateral stiffness at a load (N) and pressure (Pa) over the nominal one (Pacejka, 2012)."""
+    """Ratio of the lateral stiffness at a load (N) and pressure (Pa) to the nominal one (A3.10)."""
     c, dp = tire.coefficients, pressure_change(tire, pressure)
     nominal = c["LFZO"] * c["FNOMIN"]
     dfz = (load - nominal) / nominal
@@ -97,18 +94,3 @@ def relaxation_length(tire: Tire, load: float, radius: float) -> float:
         return 0.0
     ratio = load / (c["PTY2"] * c["LFZO"] * c["FNOMIN"])
     return c["PTY1"] * math.sin(2.0 * math.atan(ratio)) * radius * c["LFZO"] * c["LSGAL"]
-
-
-def has_overturning_moment(tire: Tire) -> bool:
-    """Whether the file has an overturning moment, in which its contact patch shift is contained."""
-    return _has_any(tire, OVERTURNING, "LMX")
-
-
-def has_rolling_resistance(tire: Tire) -> bool:
-    """Whether the file has a rolling resistance moment."""
-    return _has_any(tire, ROLLING_RESISTANCE, "LMY")
-
-
-def _has_any(tire: Tire, names: tuple[str, ...], factor: str) -> bool:
-    values = tire.coefficients
-    return values[factor] != 0.0 and any(values[name] for name in names)

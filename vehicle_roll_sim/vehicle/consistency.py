@@ -1,4 +1,4 @@
-"""Checks of a vehicle's values against each other."""
+"""Consistency checks between the values of a vehicle."""
 
 import math
 
@@ -6,8 +6,9 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
-from vehicle_roll_sim.vehicle.axle_tires import has_rolling_resistance, of_file
+from vehicle_roll_sim.vehicle.axle_tires import of_file
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
+from vehicle_roll_sim.vehicle.tire.moments import ROLLING_RESISTANCE, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
 from vehicle_roll_sim.vehicle.travel_curves import check_knots
 
@@ -19,9 +20,9 @@ VERSION_WITHOUT_PRESSURE = "5.2"
 
 
 def check_consistency(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...]]) -> None:
-    """Raise InputError for values that do not agree with each other.
+    """Raise InputError for values that are inconsistent.
 
-    per_axle: names of parameters of both axles, and those of one axle that may replace them.
+    per_axle: parameters for both axles, each with those of a single axle that may replace it.
     """
     _check_tires(vehicle)
     _check_given_once(vehicle, per_axle)
@@ -61,7 +62,7 @@ def _check_tires(vehicle: DerivedValues) -> None:
 
 
 def _check_given_once(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...]]) -> None:
-    """A value is given either for both axles or for each."""
+    """A value is given either once for both axles or for each axle."""
     for both, single in per_axle.items():
         for name in single:
             if both in vehicle.given and name in vehicle.given:
@@ -72,7 +73,7 @@ def _check_given_once(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...
 
 
 def _check_pressures(vehicle: DerivedValues) -> None:
-    """Tires of Magic Formula 5.2, and those without nominal pressure, do not depend on it."""
+    """Tires of Magic Formula 5.2, and those without nominal pressure, accept no pressure."""
     for axle, tire in vehicle.axle_tires.items():
         pressure = vehicle.at_axle(axle, "tire_pressure")
         if pressure is not None and of_file(tire, "NOMPRES") is None:
@@ -81,12 +82,12 @@ def _check_pressures(vehicle: DerivedValues) -> None:
             file = f" {tire.file}" if tire.file else ""
             reason = "has no NOMPRES"
             if tire.version == VERSION_WITHOUT_PRESSURE:
-                reason = f"is of version {tire.version}, which does not depend on it"
+                reason = f"is of version {tire.version}, which has no pressure"
             raise InputError(name, pressure, f"no pressure, since the tire file{file} {reason}")
 
 
 def _check_taken_from_tires(vehicle: DerivedValues) -> None:
-    """What comes from a tire file must be within the range of the parameter it stands for."""
+    """A value from a tire file must be within the range of the parameter that it replaces."""
     known = parameters_of(type(vehicle))
     for name, found in vehicle.from_tires.items():
         axle = name.partition("_")[0]
@@ -164,11 +165,11 @@ def _check_springs_carry_it(vehicle: DerivedValues) -> None:
 
 
 def check_one_rolling_resistance(vehicle: DerivedValues) -> None:
-    """Raise InputError if a rolling resistance would count twice once tire moments count."""
+    """Raise InputError if rolling resistance would count twice with tire moments on."""
     coefficient = vehicle.rolling_resistance_coefficient
     for tire in vehicle.axle_tires.values():
-        if coefficient and has_rolling_resistance(tire):
+        if coefficient and has_moment(ROLLING_RESISTANCE, tire.coefficients):
             file = f" {tire.file}" if tire.file else ""
-            own = f"the tire file{file} has a rolling resistance of its own (QSY1 ...)"
+            own = f"the tire file{file} has its own rolling resistance (QSY1 ...)"
             allowed = f"0 with tire_moments, since {own}; or tire_moments off"
             raise InputError("rolling_resistance_coefficient", coefficient, allowed)

@@ -15,9 +15,9 @@ from vehicle_roll_sim.model.tire.coefficients import on_axles
 from vehicle_roll_sim.vehicle.axle_tires import (
     FromTire,
     from_tire,
-    has_overturning_moment,
     lateral_stiffness,
 )
+from vehicle_roll_sim.vehicle.tire.moments import OVERTURNING, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
 from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
@@ -225,7 +225,7 @@ class DerivedValues:
         for axle, tire in self.axle_tires.items():
             given = self.at_axle(axle, "tire_lateral_stiffness")
             stiffness = found[f"{axle}_tire_lateral_stiffness"].value if given is None else given
-            is_contained = tire_moments and has_overturning_moment(tire)
+            is_contained = tire_moments and has_moment(OVERTURNING, tire.coefficients)
             compliances += [0.0 if is_contained else 1.0 / stiffness] * 2
         return np.array(compliances)
 

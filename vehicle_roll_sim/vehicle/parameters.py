@@ -43,8 +43,8 @@ class Vehicle(DerivedValues):
 
     The tires are given either as one `tire` for all wheels, or as `front_tire` and `rear_tire`; the
     other attributes are None. `axle_tires` has both, whichever was given. tire_moments,
-    contact_patch_shift: what the options of these names mean by `auto`. longitudinal: how tire
-    files are read, `from_lateral` or ''.
+    contact_patch_shift: the values for which `auto` stands in the options of these names.
+    longitudinal: how tire files are read, `from_lateral` or ''.
 
     The roll centre of an axle is specified either as a depth below the c.g. or as a height above
     the ground; the other attribute is None. The specified value is kept when `cg_height` is
@@ -117,7 +117,7 @@ class Vehicle(DerivedValues):
         "unloaded radius of the rear tires, instead of one radius for all", **_LENGTH, default=None
     )
     tire_pressure: float | None = parameter(
-        "inflation pressure of all tires; by default that of the tire file (version 6)",
+        "inflation pressure of all tires (version 6 only); by default that of the tire file",
         **_PRESSURE,
         default=None,
     )
@@ -128,14 +128,14 @@ class Vehicle(DerivedValues):
         "inflation pressure of the rear tires, instead of one for all", **_PRESSURE, default=None
     )
     front_tire_lateral_stiffness: float | None = parameter(
-        "lateral stiffness of one front tire, by which its contact patch shifts; by default "
-        "LATERAL_STIFFNESS of the tire file, or cornering stiffness over relaxation length",
+        "lateral stiffness of one front tire, for the shift of its contact patch; by default "
+        "LATERAL_STIFFNESS of the tire file, else cornering stiffness over relaxation length",
         **_LATERAL,
         default=None,
     )
     rear_tire_lateral_stiffness: float | None = parameter(
-        "lateral stiffness of one rear tire, by which its contact patch shifts; by default "
-        "LATERAL_STIFFNESS of the tire file, or cornering stiffness over relaxation length",
+        "lateral stiffness of one rear tire, for the shift of its contact patch; by default "
+        "LATERAL_STIFFNESS of the tire file, else cornering stiffness over relaxation length",
         **_LATERAL,
         default=None,
     )

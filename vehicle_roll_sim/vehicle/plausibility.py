@@ -52,6 +52,7 @@ def plausibility(vehicle: Vehicle) -> list[str]:
         *(line for axle, wheel in AXLES.items() for line in _suspension(vehicle, axle, wheel)),
         *(line for axle, wheel in AXLES.items() for line in _roll_centre(vehicle, axle, wheel)),
         *_lowness(vehicle),
+        *_pressures(vehicle),
     ]
 
 
@@ -155,3 +156,21 @@ def _lowness(vehicle: Vehicle) -> Iterator[str]:
     if vehicle.cg_height < LOWEST_CENTRE * wheel_centre:
         figure = f"{vehicle.cg_height:g} m with wheel centres at {wheel_centre:.3g} m"
         yield f"cg_height: {figure}: typically at least {LOWEST_CENTRE:g} times their height"
+
+
+def _pressures(vehicle: Vehicle) -> Iterator[str]:
+    """Inflation pressures that are given, outside the range of their tire file."""
+    told = set()
+    for axle, tire in vehicle.axle_tires.items():
+        pressure = vehicle.at_axle(axle, "tire_pressure")
+        least, most = tire.coefficients["PRESMIN"], tire.coefficients["PRESMAX"]
+        if pressure is None or least <= pressure <= most:
+            continue
+        name = f"{axle}_tire_pressure"
+        name = name if name in vehicle.given else "tire_pressure"
+        figure = f"{pressure:g} Pa is outside the range of the tire file (PRESMIN, PRESMAX)"
+        usual = f"at least {least:g}" if math.isinf(most) else f"{least:g} to {most:g}"
+        line = f"{name}: {figure}: typically {usual} Pa"
+        if line not in told:
+            told.add(line)
+            yield line

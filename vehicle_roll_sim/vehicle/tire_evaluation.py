@@ -19,7 +19,7 @@ WHEELS = {"left": LF, "right": RF}
 
 class TireForces(NamedTuple):
     """Arrays of one shape: forces (N), moments (N m) and radii (m), in the axes of the contact
-    patch (ISO-W); nan where the version of the file or the file itself has none."""
+    patch (ISO-W); nan if the version or the file does not define the quantity."""
 
     longitudinal_force: np.ndarray
     lateral_force: np.ndarray
@@ -44,14 +44,13 @@ def evaluate(
 ) -> TireForces:
     """Evaluate a tire at loads (N), slip ratios, slip angles and inclinations (rad).
 
-    The four are numbers or arrays that are broadcast together, as is `speed`, that of the contact
+    These are numbers or arrays that are broadcast together with `speed`, the speed of the contact
     patch along the wheel (m/s), by default LONGVL of the file. pressure: inflation pressure (Pa),
-    by default that of the file. side: of the vehicle, left or right. as_published: let the weights
-    of combined slip become negative, as the published equations do, for comparison with other
-    implementations; a simulated tire never reverses a force in this way.
+    by default that of the file. side: of the vehicle, left or right. as_published: allow negative
+    weights of combined slip, as in the published equations, for comparison with other
+    implementations; in the simulation they never reverse a force.
 
-    Raises InputError for a side other than these, and for a pressure if the tire does not depend
-    on it.
+    Raises InputError for any other side, and for a pressure if the tire does not depend on it.
     """
     if side not in WHEELS:
         raise InputError("side", side, " or ".join(WHEELS))

@@ -12,7 +12,7 @@ from vehicle_roll_sim.vehicle.tire_record import MIRRORED, tire_record
 
 SIDES = tuple(MIRRORED)
 DEFAULTS = defaults()
-"""Values of coefficients that a tire does not give, with which their terms vanish."""
+"""Values of coefficients that a tire does not have, with which their terms vanish."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,11 +22,11 @@ class Tire:
     coefficients: by their names in the .tir file, in SI units and ISO signs; those not given have
     their neutral values. side: the side of the vehicle on which the tire was measured, left or
     right, or symmetric. file: where it was read from. version: of the Magic Formula, 5.2 (for 5.0
-    to 5.2), 6.1 or 6.2. combined: whether slip in one direction takes force from the other. notes:
-    what was decided when the file was read, and warnings, one line each.
+    to 5.2), 6.1 or 6.2. combined: whether slip in one direction reduces the force in the other.
+    notes: decisions made when the file was read, and warnings, one line each.
 
-    Raises InputError for a coefficient that is unknown, not a number, or not of the version, and
-    for an invalid side or version.
+    Raises InputError for a coefficient that is unknown, not a number, or not part of the version,
+    and for an invalid side or version.
     """
 
     coefficients: dict[str, float]
@@ -68,8 +68,8 @@ class Tire:
 def load_tire(path: str | Path, longitudinal: str = "") -> Tire:
     """Read a tire property file (.tir); raises InputError naming file, line and key.
 
-    longitudinal: `from_lateral` makes the longitudinal force of a file that has a side force alone
-    from that side force (see vehicle/tire/lateral_only.py).
+    longitudinal: `from_lateral` derives the longitudinal force of a file with lateral force only
+    from the lateral force (see vehicle/tire/lateral_only.py).
     """
     path = Path(path)
     data = tire_data(path, longitudinal)

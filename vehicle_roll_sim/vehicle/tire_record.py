@@ -1,4 +1,4 @@
-"""A tire as the equations take it: its coefficients, and what they do not need to compute."""
+"""The record of a tire for the equations: its coefficients, and values derived from them."""
 
 import numpy as np
 
@@ -7,9 +7,9 @@ from vehicle_roll_sim.model.records import LF, LR, RF, RR
 from vehicle_roll_sim.model.tire.coefficients import INCLINED, NEUTRAL, PRESSURE, TIRE
 
 MIRRORED = {"left": (RF, RR), "right": (LF, LR), "symmetric": (RF, RR)}
-"""Wheels at which a tire is mirrored, by the side of the vehicle that its file is for.
+"""Wheels at which a tire is mirrored, by the side of the vehicle for which its file was made.
 
-A file for either side is taken as one for the left: the wheels of an axle are mirror images.
+A symmetric tire is treated as one for the left: the wheels of an axle are mirror images.
 """
 
 

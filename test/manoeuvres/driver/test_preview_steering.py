@@ -1,4 +1,4 @@
-"""The driver's preview: the vehicle he expects, the angle he finds, and what his hands can do."""
+"""The driver's preview: predicted motion, optimal steering angle, and steering limits."""
 
 import math
 

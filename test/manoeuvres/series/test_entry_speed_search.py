@@ -1,4 +1,4 @@
-"""The highest entry speed: which speeds are driven, and that the one found is what it says."""
+"""The highest entry speed: the speeds that are driven, and the result."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""Test series: the runs that the standards want, stopped and judged as they should be."""
+"""Test series: the runs that the standards require, their end and their verdict."""
 
 import math
 

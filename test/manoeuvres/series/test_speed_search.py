@@ -1,4 +1,4 @@
-"""The search over entry speeds: which speeds are driven, and that events are where it says."""
+"""The search over entry speeds: the speeds that are driven, and the intervals of the events."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""Compiled code on disk: whatever is wrong with it, the program runs, is right, and says so."""
+"""Compiled code on disk: with any defect, the program still runs correctly and reports it."""
 
 import os
 import resource

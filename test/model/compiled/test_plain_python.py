@@ -1,4 +1,4 @@
-"""Compiled code and plain Python are one source, and give the same numbers."""
+"""Compiled code and plain Python share one source and give identical numbers."""
 
 import os
 import subprocess

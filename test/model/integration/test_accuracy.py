@@ -1,4 +1,4 @@
-"""The integration is of fourth order and keeps the wheels where the road and the body put them."""
+"""The integration is of fourth order and keeps tire compression consistent with the body."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""When a run stops: rolled over or too slow; it stays stopped until a reset."""
+"""End of a run: rolled over or too slow; it stays stopped until a reset."""
 
 import math
 

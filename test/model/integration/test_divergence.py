@@ -1,4 +1,4 @@
-"""Divergence: found before the next step, the state named, frozen where all was plausible."""
+"""Divergence: detected before the next step; names the state; freezes the last plausible state."""
 
 import dataclasses
 import math
@@ -21,11 +21,11 @@ KINDS = {
     "8dof-steady": dataclasses.replace(EIGHT_DOF, steady_state_slip=True),
 }
 WHEEL_ANGLES = tuple(f"wheel_angle_{wheel}" for wheel in WHEELS)
-"""Integrated by every model, without being a state of its equations."""
+"""Quantities that every model integrates but that do not occur in its equations."""
 SUMS = ("x", "y", "yaw", *WHEEL_ANGLES)
-"""States that only add up: distances and angles."""
+"""States that may grow without limit: distances and angles."""
 HUGE = (1e10, 1e308, -1e308)
-"""Finite; sums and products of the last ones are not."""
+"""Finite values; sums and products of the last ones overflow."""
 
 
 @pytest.fixture
@@ -39,12 +39,12 @@ def vector(simulation) -> np.ndarray:
 
 
 def integrated(simulation) -> list[int]:
-    """Places of all that is integrated."""
+    """Indices of everything that is integrated."""
     return [STATE_NAMES.index(name) for name in (*simulation.state_names, *WHEEL_ANGLES)]
 
 
 def is_finite(simulation) -> bool:
-    """Whether all that is told of a vehicle on a plane is finite: states, loads and forces."""
+    """Whether all published states, loads and forces are finite."""
     outputs = simulation.outputs
     numbers = [
         vector(simulation)[integrated(simulation)],
@@ -100,7 +100,7 @@ def test_distances_and_angles_may_be_those_of_months(simulation, name):
 
 @pytest.mark.parametrize("kind", ["transient", "steady-state"])
 def test_a_run_that_diverges_by_itself_stops_at_its_last_plausible_state(reference, kind):
-    """At a step of 0.1 s the J-turn is beyond what the integration can follow."""
+    """With a step of 0.1 s the integration of the J-turn is unstable."""
     simulation = Simulation(reference, KINDS[kind], step=0.1, check_step=False)
     assert simulation.step(j_turn(), 6.0) is Condition.DIVERGED
     assert 0.0 < simulation.time < 6.0
@@ -120,7 +120,7 @@ COMMANDS = {
     "hold": ("wheel_speed", lambda value: Command(speed_hold_gain=value, speed_hold_target=99.0)),
     "lift": ("unsprung_velocity", lambda value: Command(normal_force=(value, 0.0, 0.0, 0.0))),
 }
-"""Which states a command without bounds drives beyond any, in a model that has them."""
+"""The states that an unlimited command drives beyond any bound, by model."""
 
 
 @pytest.mark.parametrize("value", HUGE)
@@ -168,7 +168,7 @@ def test_a_step_into_a_state_without_a_rate_is_taken_back(reference, kind):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_vehicle_without_a_finite_rate_at_rest_is_refused_with_the_state(reference, kind):
-    """The slope of this tire, exp(PKX3 dfz), is infinite under less than its nominal load."""
+    """The slip stiffness of this tire, exp(PKX3 dfz), is infinite below its nominal load."""
     vehicle = with_tire(reference, PKX3=-1e7)
     for begin in (Simulation.reset, lambda simulation: simulation.step(Command(), STEP)):
         simulation = Simulation(vehicle, KINDS[kind], step=STEP)

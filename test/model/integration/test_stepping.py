@@ -1,4 +1,4 @@
-"""Stepping: time, commands, and that how a run is cut into steps does not matter."""
+"""Stepping: time, commands, and independence of how a run is divided into calls."""
 
 import math
 

@@ -4,7 +4,9 @@ import math
 import re
 from pathlib import Path
 
-DEFAULTS = {"PKY4": 2.0, "Q_RE0": 1.0}
+import numpy as np
+
+DEFAULTS = {"PKY4": 2.0, "Q_RE0": 1.0, "QSY7": 1.0, "LONGVL": 16.7}
 """Defaults that are neither 0 nor, for a scaling factor, 1."""
 ENTRY = re.compile(r"\s*(\w+)\s*=\s*'?([^'$!]*)")
 VERSIONS = {"5": "5.2", "6": "5.2", "51": "5.2", "52": "5.2", "61": "6.1", "62": "6.2"}
@@ -22,6 +24,12 @@ DIMENSIONS = {
     "LONGVL": ("LENGTH", "/TIME"),
     "FNOMIN": ("FORCE",),
     "VERTICAL_STIFFNESS": ("FORCE", "/LENGTH"),
+    "INFLPRES": ("FORCE", "/LENGTH", "/LENGTH"),
+    "NOMPRES": ("FORCE", "/LENGTH", "/LENGTH"),
+    "Q_CAM2": ("/LENGTH",),
+    "Q_FYS1": ("FORCE",),
+    "Q_FYS2": ("FORCE",),
+    "Q_FYS3": ("FORCE",),
 }
 """Units that the evaluated coefficients have; /X: to the power of -1. All others have none."""
 
@@ -34,13 +42,13 @@ class Coefficients(dict):
     """
 
     def __init__(self, given, version="5.2", lowest_weight=0.0):
-        super().__init__(given)
+        super().__init__({name: np.float64(value) for name, value in given.items()})
         self.version, self.lowest_weight = version, lowest_weight
 
     def __missing__(self, name):
         if name in DEFAULTS:
             return DEFAULTS[name]
-        return 1.0 if name.startswith("L") else 0.0
+        return np.float64(name.startswith("L"))
 
     def as_published(self):
         return Coefficients(self, self.version, -math.inf)
@@ -58,8 +66,8 @@ def read(path):
         if found := ENTRY.match(line):
             texts[found[1].upper()] = found[2].strip()
     numbers = {name: float(text) for name, text in texts.items() if is_number(text)}
-    for name, units in DIMENSIONS.items():
-        for unit in units:
+    for name in DIMENSIONS.keys() & numbers.keys():
+        for unit in DIMENSIONS[name]:
             size = UNITS[texts[unit.lstrip("/")].lower()]
             numbers[name] *= 1 / size if unit.startswith("/") else size
     return Coefficients(numbers, VERSIONS[texts["FITTYP"]]), texts["TYRESIDE"].lower()

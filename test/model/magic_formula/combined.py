@@ -2,10 +2,11 @@
 
 import numpy as np
 
+from magic_formula import lateral, longitudinal
 from magic_formula.coefficients import complete
 from magic_formula.curves import relative_load, weight
 from magic_formula.lateral import lateral_peak, pure_lateral
-from magic_formula.longitudinal import pure_longitudinal
+from magic_formula.longitudinal import longitudinal_peak, pure_longitudinal
 
 
 def longitudinal_weight(p, kappa, alpha, load, camber=0.0):
@@ -33,7 +34,7 @@ def ply_steer(p, kappa, alpha, load, camber=0.0, dp=0.0):
     """SVy kappa, the lateral force induced by longitudinal slip (N; E66, E67)."""
     p = complete(p)
     dfz = relative_load(p, load)
-    reach = p["RVY1"] + p["RVY2"] * dfz + p["RVY3"] * camber
+    reach = p["RVY1"] + p["RVY2"] * dfz + p["RVY3"] * p["LGAY"] * camber
     reach = lateral_peak(p, load, camber, dp) * reach
     reach = reach / np.sqrt(1 + (p["RVY4"] * alpha) ** 2) * p["LVYKA"]
     return reach * np.sin(p["RVY5"] * np.arctan(p["RVY6"] * kappa))
@@ -47,3 +48,21 @@ def combined(p, kappa, alpha, load, camber=0.0, dp=0.0):
     fx = fx * longitudinal_weight(p, kappa, alpha, load, camber)
     fy = fy * lateral_weight(p, kappa, alpha, load, camber)
     return fx, fy + ply_steer(p, kappa, alpha, load, camber, dp)
+
+
+def limits(p, kappa, alpha, load, dp=0.0):
+    """What the components of the force cannot exceed at a load, without inclination (N).
+
+    Peak and vertical shift of pure slip, by the largest weight there is, where the other slip makes
+    up for the shift; across, also the peak of the force that slip ratio induces.
+    """
+    p = complete(p)
+    dfz = relative_load(p, load)
+    ahead = np.abs(longitudinal_peak(p, load, 0.0, dp)) + np.abs(
+        longitudinal.vertical_shift(p, load)
+    )
+    ahead = ahead * longitudinal_weight(p, kappa, -p["RHX1"], load)
+    across = np.abs(lateral_peak(p, load, 0.0, dp)) + np.abs(lateral.vertical_shift(p, load))
+    across = across * lateral_weight(p, -p["RHY1"] - p["RHY2"] * dfz, alpha, load)
+    induced = lateral_peak(p, load, 0.0, dp) * (p["RVY1"] + p["RVY2"] * dfz) * p["LVYKA"]
+    return ahead, across + np.abs(induced)

@@ -32,15 +32,17 @@ def camber_thrust(p, load, camber):
     return slope * p["LGAY"] * camber * p["LKYC"] * p["LMUY"]
 
 
-def vertical_shift(p, load, camber):
+def vertical_shift(p, load, camber=0.0):
     """SVy (N; E29)."""
+    p = complete(p)
     dfz = relative_load(p, load)
     vertical = p["LVY"] * p["LMUY"] * load * (p["PVY1"] + p["PVY2"] * dfz)
     return vertical + camber_thrust(p, load, camber)
 
 
-def horizontal_shift(p, load, camber, dp):
+def horizontal_shift(p, load, camber=0.0, dp=0.0):
     """SHy (rad; E27)."""
+    p = complete(p)
     dfz = relative_load(p, load)
     shift = p["LHY"] * (p["PHY1"] + p["PHY2"] * dfz)
     if p.version == "5.2":

@@ -24,14 +24,26 @@ def longitudinal_peak(p, load, camber=0.0, dp=0.0):
     return mu * p["LMUX"] * load
 
 
+def horizontal_shift(p, load):
+    """SHx (-; E17)."""
+    p = complete(p)
+    return p["LHX"] * (p["PHX1"] + p["PHX2"] * relative_load(p, load))
+
+
+def vertical_shift(p, load):
+    """SVx (N; E18)."""
+    p = complete(p)
+    dfz = relative_load(p, load)
+    return p["LVX"] * p["LMUX"] * load * (p["PVX1"] + p["PVX2"] * dfz)
+
+
 def pure_longitudinal(p, kappa, load, camber=0.0, dp=0.0):
     """Fx0 (N; E9)."""
     p = complete(p)
     dfz = relative_load(p, load)
-    slip = kappa + p["LHX"] * (p["PHX1"] + p["PHX2"] * dfz)  # E10, E17
-    vertical = p["LVX"] * p["LMUX"] * load * (p["PVX1"] + p["PVX2"] * dfz)  # E18
+    slip = kappa + horizontal_shift(p, load)  # E10
     c = p["PCX1"] * p["LCX"]  # E11
     d = longitudinal_peak(p, load, camber, dp)
     e = (p["PEX1"] + p["PEX2"] * dfz + p["PEX3"] * dfz**2) * (1 - p["PEX4"] * np.sign(slip))  # E14
     slope = longitudinal_stiffness(p, load, dp)
-    return magic(slip, slope, c, d, np.minimum(e * p["LEX"], 1.0)) + vertical
+    return magic(slip, slope, c, d, np.minimum(e * p["LEX"], 1.0)) + vertical_shift(p, load)

@@ -84,6 +84,6 @@ def aligning_moment(p, kappa, alpha, load, fx, fy, camber, dp):
     inclined = camber if p.version == "5.2" else 0.0
     force = pure_lateral(p, alpha, load, inclined, dp)
     force = force * lateral_weight(p, kappa, alpha, load, camber)  # E74
-    arm = p["SSZ1"] + p["SSZ2"] * fy / p["FNOMIN"] + (p["SSZ3"] + p["SSZ4"] * dfz) * camber
+    arm = p["SSZ1"] + p["SSZ2"] * fy / p["FNOMIN"] + (p["SSZ3"] + p["SSZ4"] * dfz) * g
     arm = p["UNLOADED_RADIUS"] * arm * p["LS"]  # E76
     return -t * force + residual + arm * fx

@@ -4,12 +4,14 @@ import numpy as np
 
 SETTLED = 60
 """Steps after which the spin, which changes Re by its growth alone, is known to rounding."""
-GRID = 500
+GRID = 200
 """Steps from the free radius to 0, in the first of which that carries the load it is sought."""
 
 
 def free_radius(p, spin):
-    """R_omega (m): the unloaded radius of the spinning tire."""
+    """R_omega (m): the unloaded radius of the spinning tire; in 5.2 it does not grow."""
+    if p.version == "5.2":
+        return p["UNLOADED_RADIUS"]
     growth = p["Q_V1"] * (spin * p["UNLOADED_RADIUS"] / p["LONGVL"]) ** 2
     return p["UNLOADED_RADIUS"] * (p["Q_RE0"] + growth)
 
@@ -39,7 +41,8 @@ def load_at(p, radius, fx, fy, camber, dp, spin):
     if p.version == "6.2":
         width = (1.075 - 0.5 * p["ASPECT_RATIO"]) * p["WIDTH"]
         bulge = p["Q_CAM1"] * radius + p["Q_CAM2"] * radius**2
-        bulge = bulge / (p["Q_CAM1"] * free + p["Q_CAM2"] * free**2)
+        largest = p["Q_CAM1"] * free + p["Q_CAM2"] * free**2
+        bulge = np.divide(bulge, largest, out=np.zeros_like(radius), where=largest != 0)
         lean = bulge**2 * width / 8 * np.abs(np.tan(camber))
         deflection = deflection + lean - p["Q_CAM3"] * deflection * np.abs(camber)
         deflection = np.maximum(deflection, 0.0)

@@ -1,4 +1,4 @@
-"""The tire: Magic Formula against its closed forms and against a second evaluation of it."""
+"""The tire: Magic Formula against closed forms and a second implementation."""
 
 import functools
 import math
@@ -72,12 +72,12 @@ def test_slopes_at_zero_slip_are_the_stiffnesses(tire, load):
 
 @pytest.mark.parametrize("load", LOADS)
 def test_the_largest_force_of_pure_slip_is_the_friction_of_that_load(tire, load):
-    slips = np.linspace(0.0, 1.5, 3001)
+    slips = np.linspace(0.0, 1.0, 1001)
     fx = max(forces_of(tire, slip, 0.0, load)[0] for slip in slips)
     fy = min(forces_of(tire, 0.0, slip, load)[1] for slip in slips)
-    # a grid misses the top by less than 1e-5 of it
-    assert fx == pytest.approx(magic_formula.longitudinal_peak(tire.coefficients, load), rel=1e-5)
-    assert fy == pytest.approx(magic_formula.lateral_peak(tire.coefficients, load), rel=1e-5)
+    # a grid misses the top by less than 1e-4 of it
+    assert fx == pytest.approx(magic_formula.longitudinal_peak(tire.coefficients, load), rel=1e-4)
+    assert fy == pytest.approx(magic_formula.lateral_peak(tire.coefficients, load), rel=1e-4)
 
 
 @pytest.mark.parametrize("load", LOADS)

@@ -1,4 +1,4 @@
-"""The base of controllers: several topics of one set in, one answer for every set out."""
+"""The base class of controllers: several topics of a set in, one answer per set out."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""A recorder that is killed, or whose disk is full: what is left, and that nobody else suffers."""
+"""A recorder that is killed or whose disk is full: remaining data; other nodes unaffected."""
 
 import resource
 import signal

@@ -1,4 +1,4 @@
-"""`manoeuvre` in lockstep is the offline run, whoever answers beside it, and says what it lacks."""
+"""`manoeuvre` in lockstep equals the offline run, and reports what is missing."""
 
 import csv
 import dataclasses

@@ -1,4 +1,4 @@
-"""Whoever waits for messages lets every subscription have its turn, however much comes."""
+"""Receivers serve every subscription, however many messages arrive."""
 
 import time
 from collections import Counter
@@ -15,13 +15,13 @@ from vehicle_roll_sim.ros.simulator.lockstep import Lockstep, UnansweredError
 TOPICS = ("first", "second", "last")
 WAITING = 200
 """Messages on each."""
-A_WHILE = 0.6
-"""s, in which not all of them can be taken."""
+A_WHILE = 2.0
+"""Time (s), too short to receive all messages."""
 
 
 @pytest.fixture
 def taken(peer):
-    """How many messages of each topic a node has taken, for which many wait."""
+    """Number of messages that a node has received on each topic while many are queued."""
     counts = Counter()
 
     def take(topic):
@@ -35,7 +35,7 @@ def taken(peer):
 
 
 def send(peer, topics, kind):
-    """Many messages on each of them, until all have come to who listens."""
+    """Send many messages on each topic and wait until the subscriber's queues hold them."""
     publishers = [peer.node.create_publisher(kind, topic, WAITING) for topic in topics]
     peer.wait(lambda: all(p.get_subscription_count() for p in publishers), "a match")
     for publisher in publishers:

@@ -1,4 +1,4 @@
-"""Two simulators that publish on the same topics: a manoeuvre finds out, whenever that is."""
+"""Two simulators on the same topics: a manoeuvre detects the second one at any time."""
 
 import pytest
 from std_msgs.msg import Float64MultiArray, MultiArrayDimension
@@ -11,7 +11,7 @@ pytestmark = pytest.mark.unmeasured
 
 @pytest.fixture
 def refused():
-    """What a manoeuvre that ends beside two simulators says: one line, no summary, status 1."""
+    """Message of a manoeuvre that finds two simulators: one line, no summary, status 1."""
 
     def check(manoeuvre, *names: str) -> None:
         status, out, err = manoeuvre.finish()
@@ -51,7 +51,7 @@ def test_a_simulator_that_was_killed_and_started_anew_is_no_second_one(start, pe
 
 
 def test_messages_of_two_publishers_are_told_apart_however_they_mix(peer, make_peer):
-    """Also where both count from 1, and where the one that began later is heard last."""
+    """Even if both count from 1, and if the one that started later is received last."""
     seen = []
     collector = Collector(peer.node, seen.append)
     first, second = (

@@ -1,4 +1,4 @@
-"""Launch files: what they declare is documented, what they name is there, and they end."""
+"""Launch files: arguments are documented, names exist, and the launch ends."""
 
 import importlib.util
 import itertools

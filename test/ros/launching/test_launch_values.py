@@ -1,4 +1,4 @@
-"""Values of launch arguments as people spell them, and what reaches which process."""
+"""Spellings of launch arguments, and the values that reach each process."""
 
 import launch_files
 import launch_stand_in
@@ -25,7 +25,7 @@ def commands_of(name: str, **given: str) -> dict[str, list[str]]:
 
 
 def rows_of(actions) -> dict[str, tuple]:
-    """All that a process is told: its words and, of nodes, its parameters."""
+    """All arguments of a process and, for nodes, its parameters."""
     return {
         name: (action.cmd, [sorted(map(str, given)) for given in getattr(action, "parameters", ())])
         for name, action in actions.items()
@@ -36,7 +36,7 @@ def rows_of(actions) -> dict[str, tuple]:
 @pytest.mark.parametrize("name", launch_files.NAMES)
 @pytest.mark.parametrize("spelt", ["none", "None"])
 def test_whatever_can_be_switched_off_is_by_none(launching, name, spelt):
-    """As an empty value, which `ros2 launch` does not take, means it."""
+    """`none` replaces an empty value, which `ros2 launch` does not accept."""
     truths = {"lockstep", "use_rviz"}
     switched = [each for each in declared_in(name) if each not in {*ALWAYS_SET, *truths}]
     assert "params_file" in switched
@@ -96,7 +96,7 @@ def test_simulated_time_is_that_of_all_nodes_but_the_simulator_which_publishes_i
 
 
 def test_nodes_take_the_words_that_a_launch_gives_them(launching, domain, tmp_path):
-    """Level and clock are no parameters that a node of the package refuses."""
+    """No node of the package refuses the log level or the clock parameter."""
     results = launch_files.run(
         "manoeuvre",
         domain,

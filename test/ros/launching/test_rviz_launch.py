@@ -1,4 +1,4 @@
-"""What the launch file of RViz has shown, and by which clock."""
+"""The launch file of RViz: what is displayed, and the clock it uses."""
 
 import os
 import re

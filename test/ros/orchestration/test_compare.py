@@ -1,4 +1,4 @@
-"""`compare`: one's own controller against none, and nothing left of what was started for it."""
+"""`compare`: runs without and with a controller; all started processes end."""
 
 import os
 import re

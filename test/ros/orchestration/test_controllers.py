@@ -1,10 +1,13 @@
-"""The example controllers, in lockstep: what they prevent, and that docs/controllers.md says so."""
+"""The example controllers in lockstep: their effects, as stated in docs/controllers.md."""
 
 import re
+import subprocess
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from forked import open_process
 
 from benchmarks.controllers import (
     CONTROLLERS,
@@ -18,6 +21,7 @@ from vehicle_roll_sim import Condition, Options, Simulation, preset
 from vehicle_roll_sim.analysis.panels import SIDESLIP
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
 from vehicle_roll_sim.messages.topics import COMMANDS
+from vehicle_roll_sim.ros.orchestration import comparison, demo
 from vehicle_roll_sim.ros.orchestration.comparison import Chain, Scenario, drive
 from vehicle_roll_sim.ros.topics import message_class
 from vehicle_roll_sim.runs.run import run
@@ -30,6 +34,8 @@ PAGE = (ROOT / "docs" / "controllers.md").read_text(encoding="utf-8")
 NUMBER = re.compile(r"-?\d+\.\d+")
 LAST_DIGIT = 1.01
 """Of what is shown: another machine may round the other way."""
+STARTED_ELSEWHERE = ("active_roll_bar", "roll_braking", "rollover_warning", "yaw_control")
+"""From scratch, by the tests of signals."""
 PERIODS = 50
 ON_ITS_WHEELS = 2.5
 """s until which the vehicle without control is, in the sine with dwell."""
@@ -44,7 +50,11 @@ def manoeuvre(request) -> str:
 
 @pytest.fixture
 def in_domain(domain, monkeypatch):
+    """What is driven has a domain of its own, and its nodes are forked: `compare` has its tests."""
     monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
+    forking = SimpleNamespace(**vars(subprocess) | {"Popen": open_process})
+    for module in (comparison, demo):
+        monkeypatch.setattr(module, "subprocess", forking)
 
 
 _without = {}
@@ -109,7 +119,7 @@ def test_each_gives_one_answer_for_every_set(start, peer):
     lockstep = ("-p", "mode:=lockstep", "-p", f"lockstep_topics:=[{topics}]")
     start("simulator", "--ros-args", *lockstep)
     for name in sorted(PROGRAMS):
-        start("", program=str(EXAMPLES / f"{name}.py"))
+        start("", program=str(EXAMPLES / f"{name}.py"), fresh=name not in STARTED_ELSEWHERE)
     answers = {name: [] for name in ANSWERS}
     kinds = {topic.name: message_class(topic.type) for topic in COMMANDS}
     for name, kept in answers.items():

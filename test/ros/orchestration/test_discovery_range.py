@@ -1,4 +1,4 @@
-"""Whoever starts nodes keeps them off other machines, unless the environment says otherwise."""
+"""Programs that start nodes limit discovery to this machine unless the environment is set."""
 
 import shutil
 import subprocess

@@ -1,4 +1,4 @@
-"""Tests and benchmarks have ROS domains of their own."""
+"""Tests and benchmarks run in separate ROS domains."""
 
 import socket
 

@@ -1,4 +1,4 @@
-"""A controller in lockstep, as a program: answers every state, and tells what it has heard.
+"""A controller program in lockstep: answers every state and reports the messages received.
 
 usage: lockstep_controller.py PERIODS. Prints, by topic, how many messages came and a digest of
 all of them in order, and the last state.

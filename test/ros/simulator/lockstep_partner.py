@@ -1,4 +1,4 @@
-"""A simulator in lockstep, and the peer that answers it."""
+"""A simulator in lockstep, and a peer that answers it."""
 
 LOCKSTEP = ("simulator", "--ros-args", "-p", "mode:=lockstep")
 

@@ -1,4 +1,4 @@
-"""The node clamps what is beyond its limits, in real time and in lockstep, and says so."""
+"""The node clamps commands beyond its limits, in real time and lockstep, and reports it."""
 
 import pytest
 from rcl_interfaces.srv import SetParameters

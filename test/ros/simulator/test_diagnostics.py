@@ -1,4 +1,4 @@
-"""Diagnostics name who disturbs: two nodes with one command, a second clock, a silent one."""
+"""Diagnostics name the cause: two nodes with one command, a second clock, a silent one."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What no well-meaning node sends is refused or passed over, and life goes on."""
+"""Malformed or foreign messages are refused or ignored, and the simulator keeps running."""
 
 import pytest
 from rcl_interfaces.msg import Parameter, ParameterValue

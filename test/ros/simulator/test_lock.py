@@ -1,4 +1,4 @@
-"""Whoever uses the session holds the simulator's lock: messages and services as well."""
+"""Every use of the session holds the simulator's lock, also by messages and services."""
 
 import pytest
 import rclpy

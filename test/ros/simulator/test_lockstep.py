@@ -1,4 +1,4 @@
-"""In lockstep results depend on the commands alone, over pauses, resets and wrong answers."""
+"""In lockstep results depend only on the commands, across pauses, resets and bad answers."""
 
 import json
 import sys

@@ -1,4 +1,4 @@
-"""Parameters of the simulator: one line for a wrong one, ranges kept, structure read-only."""
+"""Parameters of the simulator: one line for an invalid one, ranges, read-only structure."""
 
 import math
 import xml.etree.ElementTree as ElementTree

@@ -1,4 +1,4 @@
-"""Without a /clock stamps are the times at which sets were due, on the node's clock, and rise."""
+"""Without /clock, stamps increase and are the times at which sets were due on the node's clock."""
 
 import itertools
 import os

@@ -1,4 +1,4 @@
-"""What is published, reported and played when the model has stopped, is paused or is reset."""
+"""Publications, status and replay after the model has stopped, been paused or been reset."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""A simulator's vehicle from its parameters: roll centres, and what is not plausible of it."""
+"""A simulator's vehicle from its parameters: roll centres and implausible values."""
 
 import pytest
 import rclpy

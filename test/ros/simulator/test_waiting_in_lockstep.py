@@ -1,4 +1,4 @@
-"""In lockstep nothing begins before all are there, and nobody waits for ever unawares."""
+"""In lockstep nothing starts before all are connected, and endless waits are reported."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""Tire files: what is understood is understood rightly, the rest is refused in one line."""
+"""Tire files: read correctly, or refused with one line."""
 
 import pytest
 from vehicle_files import REFERENCE_TIR, edited, line_of, refused, write
@@ -19,12 +19,12 @@ PUBLISHED = {
     "PKY2": 2.130,
     "RBY1": 6.461,
 }
-"""Of Pacejka (2002), table A3.1."""
+"""Coefficients from Pacejka (2002), table A3.1."""
 
 
 @pytest.fixture
 def tire_from(tmp_path):
-    """Loads a tire file with that content."""
+    """Load a tire file with the given content."""
     return lambda content: load_tire(write(tmp_path, "some.tir", content))
 
 

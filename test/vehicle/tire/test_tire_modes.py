@@ -139,7 +139,7 @@ def test_the_stand_in_for_its_longitudinal_force_is_the_side_force(read, kind):
     assert curves.slip_stiffness(c, 3 * at) > 0.0
     assert c["RBX1"] > 0.0
     assert (c["RBY1"], c["RCY1"]) == (7.5, 1.04)
-    assert any("stand-in" in note and "not measured" in note for note in tire.notes)
+    assert any("isotropic" in note and "not measured" in note for note in tire.notes)
 
 
 def test_the_stand_in_brings_typical_weights_where_a_file_has_none(read):

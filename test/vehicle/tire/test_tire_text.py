@@ -117,6 +117,13 @@ def test_text_behind_a_value_is_refused_with_its_line(read, line):
         read(text)
 
 
+@pytest.mark.parametrize("value", ["nan", "NaN", "inf"])
+def test_what_is_no_finite_number_is_refused_as_that(read, value):
+    text = changed({"FNOMIN": f"FNOMIN = {value}"})
+    with refused(line_of(text, "FNOMIN"), f"FNOMIN: '{value}'", "a finite number"):
+        read(text)
+
+
 SAME = ("PEY1 = -0.6", "PEY1 = -.60D0", "PEY1 = -0.6 $ again", "\n[EXTRA]\npey1 = -6e-1")
 
 
@@ -129,7 +136,7 @@ def test_a_key_with_the_same_value_twice_is_read_once(read, base, line):
 def test_a_key_with_two_values_is_refused_with_both_lines(read, section):
     text = BASE + section + "PEY1 = -0.5\n"
     first, second = (n for n, line in enumerate(text.splitlines(), 1) if line.startswith("PEY1"))
-    with refused("PEY1", "'-0.6'", "'-0.5'", f"line {first} of", f"line {second} of"):
+    with refused("PEY1", "'-0.6'", "'-0.5'", f"line {first} in", f"line {second} in"):
         read(text)
 
 

@@ -56,6 +56,7 @@ PRESSURES = {"bar": 1e5, "kPa": 1e3, "psi": 6894.757293168361, "pascal": 1.0, "k
 @pytest.mark.parametrize("unit", PRESSURES)
 def test_pressures_have_their_unit_or_that_of_force_and_length(read, unit):
     lines = {"TIME": f"TIME = 'sec'\nPRESSURE = '{unit}'", "INFLPRES": "INFLPRES = 2.2"}
+    lines["NOMPRES"] = "NOMPRES = 2"
     c = read(changed(lines, BASE_6_1)).coefficients
     assert c["INFLPRES"] == pytest.approx(2.2 * PRESSURES[unit], rel=1e-12)
     lines = {"LENGTH": "LENGTH = 'mm'", "INFLPRES": "INFLPRES = 0.22", "NOMPRES": "NOMPRES = 0.2"}
@@ -67,6 +68,14 @@ def test_a_radius_that_no_tire_has_is_noted(read):
     tire = read(changed({"LENGTH": "LENGTH = 'mm'"}))
     assert any("warning: UNLOADED_RADIUS" in note and "0.0003 m" in note for note in tire.notes)
     assert not any("warning" in note for note in read(BASE).notes)
+
+
+def test_units_that_are_converted_are_noted(read, base):
+    tire = read(
+        changed({"FORCE": "FORCE = 'kN'", "FNOMIN": "FNOMIN = 3.8", "FZMAX": "", "FZMIN": ""})
+    )
+    assert any(note == "converted to SI units: FORCE = kN (line 8)" for note in tire.notes)
+    assert not any("SI units" in note for note in base.notes)
 
 
 @pytest.mark.parametrize("quantity", UNITS)

@@ -44,6 +44,9 @@ FORMATS = {
     "MF61": "6.1",
     "MF_6.1": "6.1",
     "mf_62": "6.2",
+    "MF-Tyre 5.2": "5.2",
+    "MF-TYRE_61": "6.1",
+    "MF-Swift 6.2": "6.2",
 }
 
 
@@ -55,7 +58,9 @@ def test_a_format_of_one_version_says_it(read, format):
     assert FORMAT in tire.notes[0]
 
 
-@pytest.mark.parametrize("format", ["FTIRE", "PAC89", "PAC_MC", "MF_63", "", "6.1", "FIALA"])
+@pytest.mark.parametrize(
+    "format", ["FTIRE", "PAC89", "PAC_MC", "MF-MCTYRE", "MF_63", "", "6.1", "FIALA"]
+)
 def test_another_kind_of_tire_model_is_refused(read, format):
     text = with_line(of("5.2"), f"{FORMAT} = '{format}'")
     with refused(line_of(text, FORMAT), FORMAT, repr(format), "PAC2002"):
@@ -118,7 +123,7 @@ def test_a_file_that_says_nothing_of_its_version_is_refused(read, line):
 @pytest.mark.parametrize("lines", ["PKY4 = 1.5\nPHY3 = 0.1", "Q_CAM1 = 50\nPTX1 = 2"])
 def test_coefficients_of_two_versions_in_one_file_are_refused(read, lines):
     one, other = (line.split()[0] for line in lines.splitlines())
-    with refused("some.tir", one, other, "of version 6"):
+    with refused("some.tir", one, other, "to version 6"):
         read(of("5.2") + lines + "\n")
 
 
@@ -167,4 +172,28 @@ def test_pressure_terms_of_pac2002_pass_at_the_nominal_pressure_alone(read, base
         assert any("PPX1, PPY1, QPZ1" in note for note in tire.notes)
     text = BASE + terms + "[TIRE_CONDITIONS]\nIP = 180000\nIP_NOM = 200000\n"
     with refused(line_of(text, "IP ="), "180000", "IP_NOM = 200000", "PPX1"):
+        read(text)
+
+
+def test_without_a_nominal_pressure_its_terms_have_no_effect_and_that_is_noted(read):
+    tire = read(changed({"NOMPRES": ""}, BASE_6_1))
+    assert any("warning: NOMPRES is not given" in note for note in tire.notes)
+    assert tire.record()["pressure_change"][0] == 0.0
+    nominal = read(changed({"INFLPRES": ""}, BASE_6_1))
+    assert nominal.record()["pressure_change"][0] == 0.0
+    assert read(BASE_6_1).record()["pressure_change"][0] == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("line", ["INFLPRES = 2.2", "INFLPRES = 1e-300", "INFLPRES = 9e14"])
+def test_a_pressure_that_no_tire_has_is_refused(read, line):
+    """2.2 is likely to be in bar."""
+    text = changed({"INFLPRES": line}, BASE_6_1)
+    with refused(line_of(text, "INFLPRES"), "INFLPRES", "Pa", "times NOMPRES"):
+        read(text)
+
+
+@pytest.mark.parametrize("key", ["QSY7", "QSY8"])
+def test_a_power_that_no_tire_has_is_refused(read, key):
+    text = BASE_6_1 + f"{key} = 1e6\n"
+    with refused(line_of(text, key), key, "-20 to 20"):
         read(text)

@@ -1,1 +1,1 @@
-"""Tires: the forces of the contact patch from load and slip, and the slip that a tire reacts to."""
+"""Tires: contact-patch forces from load and slip, and the transient slip behind them."""

@@ -30,7 +30,7 @@ OPTIONAL = (
     *("RVY1", "RVY2", "RVY4", "RVY5", "RVY6"),
     *("PTX1", "PTX2", "PTX3", "PTY1", "PTY2"),
 )
-"""With these the forces of an upright tire at its nominal pressure and its lag are complete."""
+"""These suffice for the forces and lag of an upright tire at nominal pressure."""
 INCLINED = (
     *("LGAX", "LGAY", "LKYC", "PDX3", "RBX3", "PDY3", "PEY4", "PEY5"),
     *numbered("PKY", 3, 4, 5, 6, 7),
@@ -75,9 +75,9 @@ TIRE = record_dtype(*COEFFICIENTS, *STATE_OF_TIRE, *per_wheel("side"))
 
 version: of the Magic Formula, 5.2, 6.1 or 6.2. pressure_change: dp. pressure_effect:
 (p / p0)^QSY8. lowest_weight: of the forces at combined slip, 0. The others are 1 or 0.
-combined: whether slip in one direction takes force from the other.
+combined: whether slip in one direction reduces the force in the other.
 moments: whether moments are computed. plain: whether no term depends on inclination or
-pressure and no moment is computed, so that the forms without them suffice. rolls_on_own_radius:
+pressure and no moment is computed, so that the plain forms suffice. rolls_on_own_radius:
 whether the file gives the effective rolling radius. shared: whether both axles have this tire.
 side: -1 at the wheels where the tire is mirrored, else +1.
 """

@@ -34,7 +34,7 @@ def lateral_weight_curve(alpha, kappa, gamma, dfz, tire):
 
 @term
 def slip_ply_steer(alpha, gamma, dfz, peak, tire):
-    """DVy kappa: peak of the lateral force induced by longitudinal slip (N; E67)."""
+    """DVy kappa: peak of the lateral force induced by slip ratio (N; E67)."""
     reach = tire.RVY1 + tire.RVY2 * dfz
     if gamma is not None:
         reach = (reach + tire.RVY3 * tire.LGAY * gamma) * tire.combined
@@ -46,8 +46,8 @@ def slip_ply_steer(alpha, gamma, dfz, peak, tire):
 def weight(half, half_at_shift, lowest):
     """G, a ratio of cosines, from the sines of half the angles; 1 if the other slip is 0.
 
-    A cosine turns negative at large slip if its C is above 1, which would reverse the force: the
-    weight ends at its lowest value, 0 (E51, E59).
+    A cosine becomes negative at large slip if its C is above 1, which would reverse the force;
+    therefore the weight is limited to its lowest value, 0 (E51, E59).
     """
     value = (1 - 2 * half * half) / (1 - 2 * half_at_shift * half_at_shift)
     return value if value > lowest else lowest

@@ -1,9 +1,9 @@
 """The Magic Formula 5.2, 6.1 and 6.2 with combined slip (Pacejka, 2012, section 4.3.2).
 
-Steady-state slip, no turn slip. One set of equations, those of 6.2: what a version does not have is
-neutral. Coefficients and scaling factors have the names of the .tir file; a number such as E19 is
-that of equation 4.E19. ISO axes of the contact patch: positive lateral slip gives a negative
-lateral force. Angles are those of the tire, mirrored where it is.
+Steady-state slip, no turn slip. One set of equations, those of 6.2; coefficients that a version
+lacks are neutral. Coefficients and scaling factors have the names of the .tir file; a number such
+as E19 means equation 4.E19. ISO axes of the contact patch: positive lateral slip gives a negative
+lateral force. Angles are in the axes of the tire, mirrored if the tire is.
 
 Almost everything is built from one curve, sin[C atan{B x - E (B x - atan B x)}]: the forces at pure
 slip, their weighting functions and the trail (cosines, as 1 - 2 sin^2 of half the angle), and the
@@ -71,7 +71,7 @@ def peaks_and_shifts(tire, form, outputs):
         terms.longitudinal_shift[i] = shift * tire.LMUX
         shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY
         terms.lateral_shift[i] = shift * tire.LMUY
-        if gamma is not None:
+        if form is not None:  # an argument: older versions of numba prune by those alone
             terms.relative_load[i], terms.upright_shift[i] = dfz, terms.lateral_shift[i]
             terms.lateral_shift[i] += camber_shift(gamma, fz, dfz, tire)
 
@@ -90,8 +90,9 @@ def curves_of_forces(tire, form, outputs):
         kx = pure_slip.slip_stiffness(gamma, fz, dfz, terms.stiffening[i], tire)
         ky = pure_slip.cornering_stiffness(gamma, fz, tire)
         y_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, ky, tire)
-        terms.slip_stiffness[i], terms.cornering_stiffness[i] = kx, ky
-        terms.lateral_slip_shift[i] = y_shift
+        if form is not None:  # for the moments
+            terms.slip_stiffness[i], terms.cornering_stiffness[i] = kx, ky
+            terms.lateral_slip_shift[i] = y_shift
         fx = pure_slip.longitudinal_curve(kappa, dfz, kx, x_peak, tire)
         fy = pure_slip.lateral_curve(alpha, gamma, dfz, y_shift, ky, y_peak, tire)
         gx = longitudinal_weight_curve(alpha, kappa, gamma, dfz, tire)
@@ -167,17 +168,17 @@ def sine_of(curve, i, terms):
 
 @term
 def weight_of(curve, curve_at_shift, i, lowest, terms):
-    """The weight of a force of wheel i, from both curves of its weighting function."""
+    """The weight of a force of wheel i, from the two curves of its weighting function."""
     return weight(sine_of(curve, i, terms), sine_of(curve_at_shift, i, terms), lowest)
 
 
 @kernel
 def tire_forces(tires, outputs):
-    """Longitudinal and lateral force of every tire (N), along and across its wheel, and moments.
+    """Longitudinal and lateral force (N) and moments of every tire.
 
-    tires: the TIRE records of front and rear axle. From normal load, slip ratio, tangent of the
-    slip angle and inclination in `outputs`, for the moments also from the speeds of rolling and of
-    the tread; 0 without load. The moments (N m) are 0 if they are not wanted.
+    tires: the TIRE records of front and rear axle. Inputs in `outputs`: normal load, slip
+    ratio, tangent of the slip angle and inclination; for the moments also the speeds of rolling and
+    of the tread. All are 0 without load. Moments (N m) are 0 if they are switched off.
     """
     if tires[FRONT].shared != 0.0:
         forces_of_tire(tires[FRONT], 0, WHEEL_COUNT, outputs)
@@ -190,7 +191,7 @@ def tire_forces(tires, outputs):
 def forces_of_tire(tire, first, end, outputs):
     """Forces and moments of one kind of tire, at the wheels from `first` to before `end`.
 
-    Most loops are over all wheels nevertheless, so that they are vectorized.
+    Most loops run over all wheels nevertheless, so that they can be vectorized.
     """
     terms = outputs.tire_terms
     if tire.plain != 0.0:

@@ -2,7 +2,7 @@
 
 Axes of the contact patch (ISO-W): overturning moment Mx about the x axis (4.E69), rolling
 resistance My about the y axis (4.E70), aligning moment Mz about the z axis (4.E31-E49, E71-E78).
-gamma: inclination as the tire sees it (rad).
+gamma: inclination in the axes of the tire, mirrored if the tire is (rad).
 """
 
 from vehicle_roll_sim.model.compiled.elementary import (
@@ -16,22 +16,22 @@ from vehicle_roll_sim.model.compiled.elementary import (
 from vehicle_roll_sim.model.compiled.jit import math, term
 
 LOW_SPEED = 1.0
-"""m/s: below this speed the moments that reverse with the direction of rolling fade out."""
+"""m/s: below this speed, moments that depend on the rolling direction fade out."""
 
 
 @term
 def direction(speed):
-    """1 forwards, -1 backwards, and a smooth passage through 0 below LOW_SPEED (speed: m/s)."""
+    """1 forwards, -1 backwards, with a smooth transition below LOW_SPEED (speed: m/s)."""
     share = max(-1.0, min(1.0, speed / LOW_SPEED))
     return share * (1.5 - 0.5 * share * share)
 
 
 @term
 def equivalent_slip(angle, induced):
-    """Slip angle (rad) that with no slip ratio has the size of the combined slip (E77, E78).
+    """Equivalent slip angle (rad), as large as the combined slip (E77, E78).
 
-    angle: slip angle with its shift (rad). induced: Kx kappa / Ky, the tangent that corresponds to
-    the slip ratio.
+    angle: slip angle with its shift (rad). induced: Kx kappa / Ky, the tangent equivalent to the
+    slip ratio.
     """
     size = arctan(square_root(squared_tangent(angle) + induced * induced))
     return math.copysign(size, angle)
@@ -39,13 +39,13 @@ def equivalent_slip(angle, induced):
 
 @term
 def stiffness_over_friction(tire):
-    """LKY / LMUY, a factor of the stiffness of trail and residual moment; 0 without friction."""
+    """LKY / LMUY, a factor in B of trail and residual moment; 0 without friction."""
     return tire.LKY / tire.LMUY if tire.LMUY != 0.0 else 0.0
 
 
 @term
 def trail_peak(gamma, fz, dfz, forward, tire):
-    """Dt cos alpha' LFZO: pneumatic trail at no slip (m; E33, E42, E43)."""
+    """Dt cos alpha' LFZO: pneumatic trail at zero slip (m; E33, E42, E43)."""
     inclined = tire.LGAZ * gamma
     peak = fz * (tire.UNLOADED_RADIUS / (tire.LFZO * tire.FNOMIN))
     peak *= tire.QDZ1 + tire.QDZ2 * dfz
@@ -69,7 +69,7 @@ def trail_curve(alpha, induced, gamma, dfz, tire):
 
 @term
 def residual_moment(angle, induced, gamma, fz, dfz, slope, peak, forward, tire):
-    """Mzr: aligning moment that is left where the trail is 0 (N m; E36-E38, E45-E47).
+    """Mzr: residual aligning moment (N m; E36-E38, E45-E47).
 
     angle: slip angle with the shift at which the lateral force is 0 (rad). slope, peak: Ky and Dy.
     """
@@ -117,9 +117,9 @@ def load_power(fz, tire):
 
 @term
 def rolling_resistance_moment(gamma, fz, fx, speed, load_power, tire):
-    """My, which brakes a wheel that rolls forward (N m; E70).
+    """My, negative for a wheel rolling forward (N m; E70).
 
-    speed: of rolling (m/s). load_power: (Fz / Fz0)^QSY7.
+    speed: rolling speed (m/s). load_power: (Fz / Fz0)^QSY7.
     """
     ratio = speed * (1.0 / tire.LONGVL)
     part = tire.QSY1 + tire.QSY2 / tire.FNOMIN * fx + tire.QSY3 * abs(ratio)

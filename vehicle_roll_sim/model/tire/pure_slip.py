@@ -1,9 +1,9 @@
 """Forces at pure slip: terms of one wheel (Pacejka, 2012, section 4.3.2, equations 4.E1-4.E30).
 
-`gamma` is the inclination as the tire sees it (rad), or None: then the terms that depend on
-inclination and inflation pressure are left out, at compile time. Coefficients that a version of the
-Magic Formula does not have are neutral (`coefficients.NEUTRAL`); other differences between
-versions are stated where they occur.
+`gamma` is the inclination in the axes of the tire, mirrored if the tire is (rad). With None, the
+terms of inclination and inflation pressure are omitted at compile time. Coefficients that a version
+of the Magic Formula lacks are neutral (`coefficients.NEUTRAL`); other differences between versions
+are stated where they occur.
 """
 
 from vehicle_roll_sim.model.compiled.elementary import arctan, sine, sine_of_twice_arctan
@@ -17,7 +17,7 @@ def sign(value):
 
 @term
 def above_zero(factor):
-    """A factor that must not turn the sign of a force, however far outside its range it is."""
+    """A factor limited to at least 0, so that no force changes sign far outside the fit's range."""
     return factor if factor > 0.0 else 0.0
 
 
@@ -30,7 +30,7 @@ def relative_load(fz, tire):
 
 @term
 def friction(coefficient, load_slope, dfz):
-    """Friction coefficient at a load; clipped at 0, so that it keeps the sign of the file's."""
+    """Friction coefficient at a load, limited to 0 so that it keeps the sign given in the file."""
     value = coefficient + load_slope * dfz
     return value if value * coefficient > 0 else 0.0
 
@@ -59,7 +59,7 @@ def lateral_friction(gamma, dfz, tire):
 
 @term
 def camber_shift(gamma, fz, dfz, tire):
-    """SVyg: vertical shift of the lateral force by inclination (N; E28)."""
+    """SVyg: vertical shift of the lateral force due to inclination (N; E28)."""
     slope = fz * (tire.PVY3 + tire.PVY4 * dfz) * tire.LKYC * tire.LMUY
     return slope * tire.LGAY * gamma
 
@@ -108,8 +108,8 @@ def longitudinal_curve(kappa, dfz, slope, peak, tire):
 def lateral_slip_shift(gamma, fz, dfz, slope, tire):
     """SHy: horizontal shift of the lateral force (rad; E27, E30).
 
-    From version 6.1 on inclination gives a force, Kyg0 gamma, and the shift is what its slope
-    needs; in 5.2 it gives the shift itself, PHY3 gamma.
+    From version 6.1 on, the shift follows from the camber force Kyg0 gamma; in 5.2 it is given
+    directly, as PHY3 gamma.
     """
     shift = (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
     if gamma is not None:

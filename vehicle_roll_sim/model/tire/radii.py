@@ -1,7 +1,7 @@
-"""Radii of a tire that its file gives: rolling radius and loaded radius (Pacejka, 2012, A3).
+"""Rolling radius and loaded radius from the tire file (Pacejka, 2012, A3).
 
-The free radius of a turning tire is R_OMEGA = R0 (Q_RE0 + Q_V1 (omega R0 / V0)^2). The effective
-rolling radius is the forward speed of free rolling over the spin. The load rises with the
+The free radius of a rotating tire is R_OMEGA = R0 (Q_RE0 + Q_V1 (omega R0 / V0)^2). The effective
+rolling radius is forward speed over spin in free rolling. The load rises with the
 deflection r,
 
     Fz = F0 (1 + PFZ1 dp) (q1 r / R0 + Q_FZ2 (r / R0)^2)
@@ -15,11 +15,11 @@ from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import AXLE_COUNT, LR
 
 STEPS, HALVINGS = 200, 60
-"""Search for the loaded radius: steps over the radius, then bisections of the first that holds it;
-they end at the resolution of a double."""
+"""Search for the loaded radius: steps over the radius, then bisections of the step that brackets
+it, down to the resolution of a double."""
 
 ROUNDS = 30
-"""Iterations for spin and rolling radius, which depend on each other a little."""
+"""Iterations for spin and rolling radius, which depend weakly on each other."""
 
 
 @term
@@ -49,7 +49,7 @@ def free_spin(speed, fz, tire):
 
 @kernel
 def rolling_radii(spin, tires, outputs):
-    """Rolling radius of every wheel (m): the loaded radius if the file of its tire gives none.
+    """Rolling radius of every wheel (m); the loaded radius if its tire file gives none.
 
     spin: of every wheel (rad/s).
     """
@@ -64,7 +64,7 @@ def rolling_radii(spin, tires, outputs):
 
 @term
 def deflection(radius, free, gamma, tire):
-    """r (m) at a loaded radius (m); below 0 there is none."""
+    """r (m) at a loaded radius (m); negative values mean no deflection."""
     depth = free - radius
     if tire.version < 6.15:
         return depth
@@ -102,7 +102,7 @@ def load_at_radius(radius, spin, gamma, fx, fy, tire):
 def loaded_radius(fz, spin, gamma, fx, fy, tire):
     """RL (m): the largest radius that carries the load fz (N); nan if none does.
 
-    gamma, fy: as the tire sees them. spin: rad/s. fx, fy: N.
+    gamma (rad), fy: in the axes of the tire, mirrored if the tire is. spin: rad/s. fx, fy: N.
     """
     free = free_radius(spin, tire)
     for k in range(1, STEPS):

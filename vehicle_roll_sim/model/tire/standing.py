@@ -1,6 +1,6 @@
-"""The slip that a standing tire holds: up to the peak of its own curves, at its load.
+"""The slip that a tire holds at standstill: up to the peak of its own curves, at its load.
 
-A curve D sin[C atan{B x - E (B x - atan B x)}] has its peak where the angle is a right one, at
+A curve D sin[C atan{B x - E (B x - atan B x)}] peaks where the argument of the sine is pi / 2, at
 
     y - E (y - atan y) = tan[pi / (2 C)],  y = B x.
 
@@ -13,10 +13,10 @@ from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.tire import pure_slip
 
 LARGEST_HELD = 1.0
-"""Slip ratio, or slip angle (rad), that a tire holds if its curve has no peak below."""
+"""Limit of the slip ratio or slip angle (rad) held, if the curve has no peak below it."""
 ITERATIONS = 8
-"""Of Newton's method: to rounding, unless E is close to 1, where the result is too small by less
-than 1 %."""
+"""Iterations of Newton's method: exact to rounding, or less than 1 % too small if E is close to
+1."""
 
 
 @term
@@ -34,9 +34,20 @@ def slip_at_peak(stiffness, shape, curvature):
 
 
 @term
+def is_below_peak(x, stiffness, shape, curvature):
+    """Whether a slip is below that at the peak of its curve, without solving for the peak."""
+    if shape <= 1.0 or abs(x) > LARGEST_HELD:
+        return abs(x) <= LARGEST_HELD
+    y = abs(stiffness * x)
+    return y - curvature * (y - arctan(y)) <= math.tan(math.pi / (2 * shape))
+
+
+@term
 def held(parts, slip):
-    """The slip nearest to `slip` that a tire holds; parts: x, B, C and E of its curve there."""
+    """The nearest slip to `slip` that a tire holds; parts: x, B, C and E of its curve there."""
     x, stiffness, shape, curvature = parts
+    if is_below_peak(x, stiffness, shape, curvature):
+        return slip
     most = slip_at_peak(stiffness, shape, curvature)
     return slip - x + max(-most, min(most, x))
 
@@ -45,7 +56,7 @@ def held(parts, slip):
 def held_slips(along, across, gamma, side, fz, tire):
     """The slip ratio and the tangent of the slip angle that a tire holds.
 
-    along, across: those that it has now. gamma: inclination as the tire sees it (rad). side: -1 if
+    along, across: the present ones. gamma: inclination in the axes of the tire (rad). side: -1 if
     the tire is mirrored, else 1. fz: normal load (N).
     """
     dfz = pure_slip.relative_load(fz, tire)

@@ -8,9 +8,9 @@ angle. With the rolling speed V and a sliding speed Vs of the wheel (rw - V alon
 
 and the input of the Magic Formula is x + TAU w dx/dt. At speed w is 0: x approaches the
 steady-state slip Vs / |V| over the relaxation length SIGMA. Towards standstill, where there is no
-relaxation by rolling, w approaches 1: slip beyond that at the peak of the tire's own curve, so
-beyond XHELD, the nearest slip that is not, is released, and the tire's spring is damped with
-TAU = SIGMA / 15 m/s (longitudinally with less, where that would stop a light wheel within 1 ms).
+relaxation by rolling, w approaches 1: slip beyond the peak of the tire's own curve is released
+towards XHELD, the nearest slip up to the peak, and the tire's spring is damped with
+TAU = SIGMA / 15 m/s (less longitudinally, if that would stop a light wheel within 1 ms).
 """
 
 from vehicle_roll_sim.model import records as at
@@ -34,8 +34,8 @@ RELEASE_TIME = 0.02
 def relaxation_lengths(fz, radius, vehicle, tire):
     """Longitudinal and lateral relaxation length at load fz (m).
 
-    Files of version 5.2 give them (PTX1-PTX3, PTY1, PTY2); those of 6.1 and 6.2 give the stiffness
-    of the carcass, over which the tire's slip and cornering stiffness have to act (A3.9, A3.10).
+    Files of version 5.2 give them (PTX1-PTX3, PTY1, PTY2); in 6.1 and 6.2 they are slip stiffness
+    and cornering stiffness over the carcass stiffness (A3.9, A3.10).
     """
     nominal = tire.LFZO * tire.FNOMIN
     dfz = (fz - nominal) / nominal
@@ -54,7 +54,7 @@ def relaxation_lengths(fz, radius, vehicle, tire):
 
 @kernel
 def lengths_by_stiffness(fz, dfz, tire):
-    """Relaxation lengths (m) of the upright tire; 0 without the stiffness of its carcass."""
+    """Relaxation lengths (m) of the upright tire; 0 if the file gives no carcass stiffness."""
     dp, along, across = tire.pressure_change, 0.0, 0.0
     stiffness = 1 + tire.PCFX1 * dfz + tire.PCFX2 * dfz * dfz
     stiffness *= tire.LONGITUDINAL_STIFFNESS * (1 + tire.PCFX3 * dp)

@@ -1,4 +1,4 @@
-"""A tire that remains normal to the ground at any roll angle (section 7.2, eqs 67-69)."""
+"""Tires that remain normal to the ground at any roll angle (section 7.2, eqs 67-69)."""
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math

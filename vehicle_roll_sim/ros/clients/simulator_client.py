@@ -8,9 +8,9 @@ from rcl_interfaces.srv import GetParameters, SetParameters
 from rclpy.executors import Executor
 from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
-from std_srvs.srv import Trigger
 
 from vehicle_roll_sim.ros.node_main import LOOK
+from vehicle_roll_sim.ros.services import RESET
 from vehicle_roll_sim.ros.simulator.compile_status import Compilations
 
 PATIENCE = 10.0
@@ -59,8 +59,8 @@ class SimulatorClient:
         What the simulator publishes on a reset reaches every subscription that `node` had at the
         first request: endpoints are announced in order, that of the service client last.
         """
-        client = self._node.create_client(Trigger, f"{self.name}/reset")
-        answer = self._call(client, Trigger.Request(), "a reset", before)
+        client = self._node.create_client(RESET.kind, f"{self.name}/{RESET.name}")
+        answer = self._call(client, RESET.kind.Request(), "a reset", before)
         if not answer.success:
             raise NoAnswerError(f"`{self.name}` refused a reset: {answer.message}")
 

@@ -1,11 +1,9 @@
-"""The building blocks of the launch files: arguments, and the processes to start."""
+"""The building blocks of the launch files: their descriptions, and the processes to start."""
 
 import importlib.util
-import os
 import shlex
 import shutil
 import sys
-import time
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
@@ -22,13 +20,11 @@ from launch_ros.actions import Node
 
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.ros.controller_scripts import assigned, commanded_by, scripts_of
-from vehicle_roll_sim.ros.launching.values import NO, YES, log_words, ros_words, understood
+from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, DISCOVERY, Argument
+from vehicle_roll_sim.ros.launching.values import YES, log_words, ros_words, understood
 from vehicle_roll_sim.ros.simulator.settings import PUBLISHED_IN_SETS
 
 PACKAGE = "vehicle_roll_sim"
-DISCOVERY = "ROS_AUTOMATIC_DISCOVERY_RANGE"
-NEARBY = "LOCALHOST"
-"""Default: discovery stays on this machine."""
 TEXTS = ("model", "vehicle_file", "frame_prefix")
 NUMBERS = ("publish_rate", "initial_speed", "real_time_factor")
 """Arguments that are parameters of the simulator."""
@@ -36,92 +32,11 @@ TIME_TO_END = "10"
 """Time (s) that a process may take to end after SIGINT: a recorder has to close its bag."""
 
 
-def argument(name: str, description: str, default: str = "", choices: Iterable[str] = ()):
-    """A launch argument, with its description for `--show-args`."""
-    limited = {"choices": list(choices)} if choices else {}
-    return DeclareLaunchArgument(name, default_value=default, description=description, **limited)
-
-
-def simulator_arguments() -> list:
-    """Arguments of every launch file with a simulator."""
-    own = "; none: the simulator's default"
-    return [
-        argument("vehicle_file", "vehicle file (YAML); none: the reference vehicle"),
-        argument("model", "vehicle model, as in `vehicle_roll_sim run --model`" + own),
-        argument("initial_speed", "speed at the start and after a reset (m/s)" + own),
-        argument("publish_rate", "message sets per second of simulated time (Hz)" + own),
-        argument(
-            "real_time_factor", "ratio of simulated to real time, 0: as fast as possible" + own
-        ),
-        argument(
-            "params_file",
-            "ROS parameter file (YAML) for the simulator; the other arguments override it",
-        ),
-        argument(
-            "lockstep", "step when all commands have arrived, not by the clock: true or false", NO
-        ),
-        argument("log_level", "log level of all nodes: debug, info, warn, error or fatal"),
-        argument(
-            "use_sim_time",
-            "true: the simulator publishes /clock and the other nodes use it; false: they do "
-            "not use it; none: only robot_state_publisher and RViz do, if /clock is published",
-        ),
-        argument(
-            "discovery_range",
-            f"{DISCOVERY} of all nodes; default: from the environment, otherwise {NEARBY}",
-            os.environ.get(DISCOVERY, NEARBY),
-        ),
-    ]
-
-
-def name_arguments() -> list:
-    """Arguments that tell several vehicles apart."""
-    return [
-        argument("namespace", "namespace of all nodes, to run several vehicles"),
-        argument("frame_prefix", "prefix of the frame names in all messages"),
-    ]
-
-
-def manoeuvre_arguments() -> list:
-    """Arguments that choose the manoeuvre."""
-    options = argument("options", "options of the manoeuvre, such as '--amplitude 8 --speed 15'")
-    named = argument("manoeuvre", "manoeuvre to drive; the launch ends with it", "j_turn", STANDARD)
-    return [named, options]
-
-
-def recording_arguments(default: str = "") -> list:
-    """The argument for recording."""
-    return [argument("bag", "folder for the bag, must not exist yet; none: no bag", default)]
-
-
-def controller_arguments() -> list:
-    """Arguments that choose the controllers."""
-    return [
-        argument(
-            "controller",
-            "name of an example, or path of your own script; separate several by spaces",
-            "active_roll_bar",
-        ),
-        argument(
-            "parameters", "parameters of the controllers, such as 'share:=0.7 smoothing:=0.1'"
-        ),
-        argument(
-            "answers",
-            "command topics that the controllers publish (for lockstep), separated by spaces; "
-            "none: those that the scripts declare as `said`",
-        ),
-    ]
-
-
-def new_bag() -> str:
-    """A name for a new bag, from the current time."""
-    return time.strftime("bag_%Y-%m-%d-%H%M%S")
-
-
 def launch_description(
-    arguments: list, processes: Callable[[Mapping[str, str]], list]
+    name: str, processes: Callable[[Mapping[str, str]], list]
 ) -> LaunchDescription:
-    """A launch description: its arguments, and `processes`, a function of their values."""
+    """The launch description of a launch file: its arguments, and `processes` of their values."""
+    arguments = [_declared(each) for each in ARGUMENTS[name]]
 
     def start(context) -> list:
         given = {a.name: LaunchConfiguration(a.name).perform(context) for a in arguments}
@@ -129,6 +44,12 @@ def launch_description(
         return [SetEnvironmentVariable(DISCOVERY, given["discovery_range"]), *processes(given)]
 
     return LaunchDescription([*arguments, OpaqueFunction(function=start)])
+
+
+def _declared(argument: Argument) -> DeclareLaunchArgument:
+    limited = {"choices": list(argument.choices)} if argument.choices else {}
+    about = {"default_value": argument.value, "description": argument.description}
+    return DeclareLaunchArgument(argument.name, **about, **limited)
 
 
 def ends_all(what: str) -> Shutdown:

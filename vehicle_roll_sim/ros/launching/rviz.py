@@ -18,7 +18,7 @@ from launch_ros.parameter_descriptions import ParameterValue
 
 from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.messages.urdf import urdf
-from vehicle_roll_sim.ros.launching.processes import PACKAGE, argument, ends_all
+from vehicle_roll_sim.ros.launching.processes import PACKAGE, ends_all
 from vehicle_roll_sim.ros.launching.values import YES, log_words
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
@@ -27,11 +27,6 @@ WHEELS, RVIZ = "robot_state_publisher", "rviz2"
 """Packages; their executables have the same names."""
 FRAMES = ("odom", "base_footprint", "base_link")
 """Frames that occur in the RViz configuration."""
-
-
-def picture_arguments() -> list:
-    """The argument that switches RViz off."""
-    return [argument("use_rviz", "start RViz: true or false", YES)]
 
 
 def pictures(given: Mapping[str, str]) -> list[Node]:

@@ -21,6 +21,7 @@ from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.ros.node_main import lifetime, node_main
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
+from vehicle_roll_sim.ros.services import PAUSE, RESET, STEP
 from vehicle_roll_sim.ros.simulator import parameters
 from vehicle_roll_sim.ros.simulator.compile_status import compile_and_tell
 from vehicle_roll_sim.ros.simulator.diagnostics import Reporter
@@ -142,9 +143,9 @@ class Simulator(Node):
             self.get_logger().error(ending(self.session))
 
     def _serve(self) -> None:
-        self.create_service(Trigger, "~/reset", self._reset)
-        self.create_service(SetBool, "~/pause", self._pause)
-        self.create_service(Trigger, "~/step", self._step)
+        answers = {RESET: self._reset, PAUSE: self._pause, STEP: self._step}
+        for service, answer in answers.items():
+            self.create_service(service.kind, f"~/{service.name}", answer)
 
     def _reset(self, _, response: Trigger.Response) -> Trigger.Response:
         with self.lock:

@@ -37,7 +37,11 @@ class Settings:
     """How the simulator runs. Model options, road and vehicle are declared elsewhere."""
 
     publish_rate: float = parameter(
-        "message sets published per second of simulated time", "Hz", 0.1, 10_000.0, default=100.0
+        "message sets per second of simulated time; the period must be a multiple of step",
+        "Hz",
+        0.1,
+        10_000.0,
+        default=100.0,
     )
     step: float = parameter(
         "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
@@ -110,7 +114,7 @@ class Settings:
         default=("steering_cmd",),
     )
     lockstep_wait: tuple = parameter(
-        "topics that must have a subscriber before lockstep begins",
+        "topics of the set that must have a subscriber before lockstep begins",
         choices=(*PUBLISHED_IN_SETS, *NAMES_OF_STAMPED),
         default=("state",),
     )
@@ -118,7 +122,7 @@ class Settings:
         "wall time that lockstep waits for an answer; 0: forever", "s", 0.0, 3600.0, default=0.0
     )
     lockstep_timeout_policy: str = parameter(
-        "what lockstep does after lockstep_timeout: go on with the last command, or end the node",
+        "what lockstep does after lockstep_timeout: continue with the last command or end the node",
         choices=(HOLD, STOP),
         default=HOLD,
     )

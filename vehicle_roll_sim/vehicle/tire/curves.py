@@ -1,14 +1,14 @@
 """Slip stiffnesses and pure-slip curves of a tire in closed form, without inclination.
 
 Equations 4.E9 to 4.E30 of Pacejka (2012) with the coefficients of any version and without shifts;
-c: coefficients by name in SI units. A tire is asked with them before it is used; nothing is
-simulated with them.
+c: coefficients by name in SI units. They serve to check a tire before it is used; the simulation
+does not use them.
 """
 
 import math
 
 LARGEST_EXPONENT = 700.0
-"""Of numbers that a computer can hold."""
+"""Limit of the argument of exp, to prevent overflow."""
 
 
 def nominal_load(c: dict[str, float]) -> float:
@@ -17,13 +17,13 @@ def nominal_load(c: dict[str, float]) -> float:
 
 
 def pressure_change(c: dict[str, float]) -> float:
-    """dp: the relative change of the pressure; 0 if a file gives none."""
-    nominal = c["NOMPRES"]
-    return (c["INFLPRES"] - nominal) / nominal if nominal > 0.0 else 0.0
+    """dp: the relative change of pressure; 0 if the file gives no pressure."""
+    actual, nominal = c["INFLPRES"], c["NOMPRES"]
+    return (actual - nominal) / nominal if actual > 0.0 and nominal > 0.0 else 0.0
 
 
 def cornering_stiffness(c: dict[str, float], load: float) -> float:
-    """Ky, the slope of Fy at no slip (N/rad; 4.E25), below 0 in ISO signs."""
+    """Ky, the slope of Fy at zero slip (N/rad; 4.E25), negative in ISO signs."""
     change = pressure_change(c)
     peak = c["PKY1"] * nominal_load(c) * (1 + c["PPY1"] * change)
     at = c["PKY2"] * (1 + c["PPY2"] * change)
@@ -32,7 +32,7 @@ def cornering_stiffness(c: dict[str, float], load: float) -> float:
 
 
 def slip_stiffness(c: dict[str, float], load: float) -> float:
-    """Kx, the slope of Fx at no slip (N; 4.E15), above 0."""
+    """Kx, the slope of Fx at zero slip (N; 4.E15), positive."""
     change, dfz = pressure_change(c), load / nominal_load(c) - 1.0
     pressure = 1 + c["PPX1"] * change + c["PPX2"] * change * change
     slope = (c["PKX1"] + c["PKX2"] * dfz) * math.exp(min(c["PKX3"] * dfz, LARGEST_EXPONENT))

@@ -1,4 +1,4 @@
-"""Keys of tire files that are no terms of force or moment curves."""
+"""Keys of tire files other than the coefficients of force and moment curves."""
 
 import math
 
@@ -64,7 +64,7 @@ ASPECT = table(
 PRESSURE = table(
     {
         "INFLPRES": "inflation pressure (Pa)",
-        "NOMPRES": "pressure of the coefficients (Pa)",
+        "NOMPRES": "nominal pressure, to which the coefficients apply (Pa)",
     },
     NEW,
     OLD,
@@ -86,20 +86,20 @@ STIFFNESS = table(
 )
 EFFECTIVE_RADIUS = table(
     {
-        "BREFF": "rise of the effective rolling radius at low load",
+        "BREFF": "increase of the effective rolling radius at low load",
         "DREFF": "peak of the effective rolling radius",
-        "FREFF": "fall of the effective rolling radius at high load",
+        "FREFF": "decrease of the effective rolling radius at high load",
     },
     ALL,
 )
 FREE_RADIUS = table({"Q_RE0": "free radius over unloaded radius"}, NEW, OLD, default=1.0)
 LOADED_RADIUS = table(
     {
-        "Q_V1": "growth of the radius with speed",
-        "Q_V2": "growth of the vertical stiffness with speed",
+        "Q_V1": "increase of the radius with speed",
+        "Q_V2": "increase of the vertical stiffness with speed",
         "Q_FZ2": "quadratic term of load over deflection",
-        "Q_FCX": "fall of the vertical stiffness with longitudinal force",
-        "Q_FCY": "fall of the vertical stiffness with lateral force",
+        "Q_FCX": "decrease of the vertical stiffness with longitudinal force",
+        "Q_FCY": "decrease of the vertical stiffness with lateral force",
         "PFZ1": "variation of the vertical stiffness with pressure",
         "PCFX1": "variation of the longitudinal stiffness with deflection",
         "PCFX2": "variation of the longitudinal stiffness with deflection squared",
@@ -115,7 +115,7 @@ LARGE_CAMBER = table(
     {
         "Q_FCY2": "variation with deflection of the effect of lateral force on load",
         "Q_CAM1": "effect of inclination on load, constant term",
-        "Q_CAM3": "fall of the load with inclination",
+        "Q_CAM3": "decrease of the load with inclination",
     },
     NEWEST,
 )
@@ -126,9 +126,9 @@ CONTOUR = table(
 )
 CAMBER_FORCE = table(
     {
-        "Q_FYS1": "lateral force by inclination in the loaded radius, constant term (N)",
-        "Q_FYS2": "lateral force by inclination in the loaded radius, linear term (N)",
-        "Q_FYS3": "lateral force by inclination in the loaded radius, quadratic term (N)",
+        "Q_FYS1": "lateral force due to inclination, for the loaded radius, constant term (N)",
+        "Q_FYS2": "lateral force due to inclination, for the loaded radius, linear term (N)",
+        "Q_FYS3": "lateral force due to inclination, for the loaded radius, quadratic term (N)",
     },
     NEWEST,
     dimension="force",
@@ -171,4 +171,4 @@ GENERAL = (
     | CAMBER_FORCE
     | RANGES
 )
-"""Those of [UNITS] are apart: MASS is also a mass."""
+"""All but those of [UNITS], which are separate since MASS there is a unit."""

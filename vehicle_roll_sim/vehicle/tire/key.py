@@ -1,4 +1,4 @@
-"""What is known about one key of a tire file, and the tables of keys that share it."""
+"""The declaration of one key of a tire file, and tables of keys that share their properties."""
 
 from typing import NamedTuple
 
@@ -10,9 +10,9 @@ ALL = (*OLD, *NEW)
 class Key(NamedTuple):
     """A key of tire files.
 
-    acts: versions in which it is a coefficient of what is simulated. idle: versions in which it may
-    stand in a file but has no effect on what is simulated; in all others it may only have its
-    default, with which its term vanishes. dimension: see units.py.
+    acts: versions in which it is a simulated coefficient. idle: versions in which a file may have
+    it but it does not affect the simulation. In all other versions it may only have its default,
+    with which its term vanishes. dimension: see units.py.
     """
 
     meaning: str
@@ -29,6 +29,6 @@ def table(
     default: float = 0.0,
     dimension: str = "",
 ) -> dict[str, Key]:
-    """Keys that differ in their meaning only, by name."""
+    """Keys by name, which differ only in their meaning."""
     shared = (acts, idle, default, dimension)
     return {name: Key(meaning, *shared) for name, meaning in meanings.items()}

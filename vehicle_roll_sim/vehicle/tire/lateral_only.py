@@ -1,15 +1,15 @@
-"""A stand-in for the longitudinal force of files that have a side force alone.
+"""A substitute for the longitudinal force of files with lateral force only.
 
-Stated, not measured: the tire is taken as isotropic. Fx is the curve of Fy over slip ratio, with
+Assumed, not measured: the tire is taken as isotropic. Fx over slip ratio is the curve of Fy, with
 the same shape, curvature and friction, and with the cornering stiffness as slip stiffness:
 
     PCX1 = PCY1, PDX1..3 = PDY1..3, PEX1, 2 = PEY1, 2, LCX = LCY, LMUX = LMUY, LEX = LEY, LKX = LKY
     PKX1 = |PKY1 sin(n a)|,  PKX3 = e - 1,  a = atan(1 / PKY2),  n = PKY4
     e = n cot(n a) PKY2 / (1 + PKY2^2), the exponent of the cornering stiffness over load
 
-so that the slip stiffness and its slope over load are those of the cornering stiffness at nominal
-load. Without weighting functions of its own the tire has those of a passenger car tire (Pacejka,
-2002, table A3.1).
+so that at nominal load the slip stiffness and its slope over load are those of the cornering
+stiffness. A file without weighting functions gets those of a passenger-car tire (Pacejka, 2002,
+table A3.1).
 """
 
 import math
@@ -38,16 +38,16 @@ WITH_Y = {
     "LGAX": "LGAY",
     "LSGKP": "LSGAL",
 }
-"""Longitudinal coefficients that equal lateral ones."""
+"""Longitudinal coefficients and the lateral ones whose values they take."""
 OF_FX = ("PEX3", "PEX4", "PKX2", "PHX1", "PHX2", "PVX1", "PVX2", "PPX2", "RBX3", "RHX1")
-"""Longitudinal coefficients that are 0."""
+"""Longitudinal coefficients that are set to 0."""
 FROM_LATERAL = "from_lateral"
-NOTE = "longitudinal force: a stand-in, isotropic from the side force; not measured"
+NOTE = "longitudinal force: derived from the lateral force as for an isotropic tire; not measured"
 TYPICAL_WEIGHTS = "combined slip: typical weighting functions; not measured"
 
 
 def stand_in(c: dict[str, float], combined: bool) -> tuple[dict[str, float], list[str]]:
-    """The coefficients with those of Fx made from those of Fy, and notes that say so."""
+    """The coefficients with those of Fx derived from those of Fy, and notes that say so."""
     made = {x: c[y] for x, y in WITH_Y.items() if x in c} | {n: 0.0 for n in OF_FX if n in c}
     n, at = c.get("PKY4", 2.0), c["PKY2"]
     angle = n * math.atan(1.0 / at)

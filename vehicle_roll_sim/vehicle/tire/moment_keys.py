@@ -6,7 +6,7 @@ SCALING = table(
     {
         "LTR": "scales the pneumatic trail",
         "LRES": "scales the residual moment",
-        "LS": "scales the arm of Fx about the vertical",
+        "LS": "scales the moment arm of Fx about the vertical axis",
         "LMX": "scales the overturning moment",
         "LVMX": "scales the offset of the overturning moment",
         "LMY": "scales the rolling resistance moment",
@@ -17,41 +17,41 @@ SCALING = table(
 OVERTURNING = table(
     {
         "QSX1": "offset of the overturning moment",
-        "QSX2": "overturning moment by inclination",
-        "QSX3": "overturning moment by lateral force",
-        "QSX4": "overturning moment by load, lateral force and inclination",
+        "QSX2": "overturning moment due to inclination",
+        "QSX3": "overturning moment due to lateral force",
+        "QSX4": "overturning moment due to load, lateral force and inclination",
         "QSX5": "shape factor of that moment over load",
         "QSX6": "stiffness factor of that moment over load",
         "QSX7": "share of inclination in that moment",
         "QSX8": "share of lateral force in that moment",
         "QSX9": "stiffness factor of lateral force in that moment",
-        "QSX10": "overturning moment by load and inclination",
+        "QSX10": "overturning moment due to load and inclination",
         "QSX11": "stiffness factor of load in that moment",
     },
     ALL,
 )
 OVERTURNING_NEW = table(
     {
-        "QSX12": "overturning moment by inclination squared",
-        "QSX13": "overturning moment by lateral force, arm over radius",
-        "QSX14": "overturning moment by lateral force and inclination",
-        "PPMX1": "variation of the overturning moment by inclination with pressure",
+        "QSX12": "overturning moment due to inclination squared",
+        "QSX13": "overturning moment due to lateral force, arm over radius",
+        "QSX14": "overturning moment due to lateral force and inclination",
+        "PPMX1": "variation with pressure of the overturning moment due to inclination",
     },
     NEW,
 )
 ROLLING = table(
     {
         "QSY1": "rolling resistance",
-        "QSY2": "rolling resistance by longitudinal force",
-        "QSY3": "rolling resistance by speed",
-        "QSY4": "rolling resistance by the fourth power of speed",
+        "QSY2": "rolling resistance due to longitudinal force",
+        "QSY3": "rolling resistance due to speed",
+        "QSY4": "rolling resistance due to the fourth power of speed",
     },
     ALL,
 )
 ROLLING_NEW = table(
     {
-        "QSY5": "rolling resistance by inclination squared",
-        "QSY6": "rolling resistance by inclination squared and load",
+        "QSY5": "rolling resistance due to inclination squared",
+        "QSY6": "rolling resistance due to inclination squared and load",
         "QSY8": "exponent of pressure in the rolling resistance",
     },
     NEW,
@@ -62,7 +62,7 @@ ALIGNING = table(
         "QBZ2": "variation of the stiffness factor of the trail with load",
         "QBZ3": "variation of the stiffness factor of the trail with load squared",
         "QBZ4": "variation of the stiffness factor of the trail with inclination",
-        "QBZ5": "variation of the stiffness factor of the trail with its magnitude",
+        "QBZ5": "variation of the stiffness factor of the trail with the magnitude of inclination",
         "QBZ9": "stiffness factor of the residual moment",
         "QBZ10": "stiffness factor of the residual moment, share of Fy",
         "QCZ1": "shape factor of the trail",
@@ -95,7 +95,7 @@ ALIGNING_NEW = table(
         "QDZ10": "variation of the peak residual moment with inclination squared",
         "QDZ11": "variation of the peak residual moment with inclination squared and load",
         "PPZ1": "variation of the peak trail with pressure",
-        "PPZ2": "variation of the peak residual moment by inclination with pressure",
+        "PPZ2": "variation with pressure of the peak residual moment due to inclination",
     },
     NEW,
 )

@@ -1,4 +1,4 @@
-"""Pressure in files of PAC2002, which Adams gives a 5.2 with terms of pressure of its own."""
+"""Pressure in PAC2002 files: Adams adds pressure terms of its own to version 5.2."""
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.vehicle.tire.text import Entry
@@ -7,16 +7,16 @@ TERMS = (
     *("PPX1", "PPX2", "PPX3", "PPX4", "PPY1", "PPY2", "PPY3", "PPY4", "PPY5", "PPMX1"),
     *("PPZ1", "PPZ2", "QPX1", "QPY1", "QPZ1", "QPZ2", "QSY8"),
 )
-"""Coefficients that vanish at the pressure at which a tire was fitted."""
+"""Coefficients whose terms vanish at the pressure at which the tire was fitted."""
 ACTUAL, NOMINAL, SCALE = "IP", "IP_NOM", "LIP"
 
 
 def without_pressure(
     entries: dict[str, Entry], numbers: dict[str, float]
 ) -> tuple[dict[str, float], list[str]]:
-    """The coefficients without terms of pressure, if the tire has its nominal pressure.
+    """The coefficients without pressure terms, if the tire is at its nominal pressure; and notes.
 
-    For files with IP or IP_NOM or of the format PAC2002 only; others are returned as they are.
+    Applies to files with IP or IP_NOM or of format PAC2002; others are returned unchanged.
     Raises InputError if the pressure changes the forces.
     """
     is_pac2002 = "PAC2002" in _text(entries, "PROPERTY_FILE_FORMAT").upper()
@@ -27,10 +27,10 @@ def without_pressure(
         scale = entries[SCALE].number() if SCALE in entries else 1.0
         if entries[ACTUAL].number() != entries[NOMINAL].number() * scale:
             problem = f"{entries[ACTUAL].text} is not {entries[NOMINAL].said}"
-            allowed = f"the nominal pressure: {', '.join(terms)} of PAC2002 are not simulated"
+            allowed = f"the nominal pressure; PAC2002 terms {', '.join(terms)} are not simulated"
             raise InputError(entries[ACTUAL].where, entries[ACTUAL].text, allowed, problem)
     kept = {name: value for name, value in numbers.items() if name not in terms}
-    return kept, [f"pressure terms of PAC2002 vanish at the nominal pressure: {', '.join(terms)}"]
+    return kept, [f"PAC2002 pressure terms vanish at nominal pressure: {', '.join(terms)}"]
 
 
 def _text(entries: dict[str, Entry], key: str) -> str:

@@ -1,10 +1,11 @@
-"""From a tire file to coefficients in SI units and ISO signs, and what was decided on the way."""
+"""Reads a tire file: coefficients in SI units and ISO signs, and notes on the decisions made."""
 
 from pathlib import Path
 from typing import NamedTuple
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.vehicle.tire.checks import check_complete, check_numbers, warnings_of
+from vehicle_roll_sim.vehicle.tire.combined_slip import check_weights
 from vehicle_roll_sim.vehicle.tire.idle_keys import TURN_SLIP
 from vehicle_roll_sim.vehicle.tire.keys import (
     COEFFICIENTS,
@@ -19,7 +20,7 @@ from vehicle_roll_sim.vehicle.tire.pac2002_pressure import without_pressure
 from vehicle_roll_sim.vehicle.tire.resistance import within_resistance
 from vehicle_roll_sim.vehicle.tire.signs import in_iso, made_symmetric
 from vehicle_roll_sim.vehicle.tire.text import UNITS, Entry, first_of_each, read
-from vehicle_roll_sim.vehicle.tire.units import factors
+from vehicle_roll_sim.vehicle.tire.units import converted, factors
 from vehicle_roll_sim.vehicle.tire.unknown_keys import pass_over
 from vehicle_roll_sim.vehicle.tire.use_mode import Mode, mode_of, side_of
 from vehicle_roll_sim.vehicle.tire.version import version_of
@@ -38,13 +39,14 @@ class TireData(NamedTuple):
 def tire_data(path: Path, longitudinal: str = "") -> TireData:
     """Read a tire file; raises InputError naming file, line, key, value and what is allowed.
 
-    longitudinal: from_lateral, to make the longitudinal force of a file without one.
+    longitudinal: from_lateral, to derive the longitudinal force of a file that has none.
     """
     if longitudinal not in ("", FROM_LATERAL):
         raise InputError("longitudinal", longitudinal, FROM_LATERAL)
     text = read(path)
     notes = pass_over(text.entries)
-    units = factors(first_of_each(e for e in text.entries if e.section == UNITS))
+    units_given = first_of_each(e for e in text.entries if e.section == UNITS)
+    units = factors(units_given)
     entries = _known(text.entries)
     mode = mode_of(entries)
     numbers = {
@@ -63,14 +65,16 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
     if is_made:
         coefficients, replaced = stand_in(coefficients, mode.combined)
     side, about_side = side_of(entries, mode.mirrored)
-    coefficients, converted = in_iso(coefficients, entries, text.comments)
+    coefficients, turned = in_iso(coefficients, entries, text.comments)
     coefficients, cut = within_resistance(coefficients, entries)
+    if mode.combined and not is_made:
+        check_weights(coefficients, entries)
     if side == "symmetric":
         coefficients, symmetric = made_symmetric(coefficients)
         about_side = [*about_side, *symmetric]
-    decided = [version.reason, *dropped, *converted, *about_side, *mode.notes, *replaced]
+    decided = [version.reason, *dropped, *turned, *about_side, *mode.notes, *replaced]
     warned = warnings_of(coefficients, entries, mode.combined)
-    told = (*decided, *_turn_slip(entries), *notes, *cut, *warned)
+    told = (*decided, *converted(units_given), *_turn_slip(entries), *notes, *cut, *warned)
     return TireData(coefficients, side, version.name, mode.combined, told)
 
 
@@ -80,24 +84,24 @@ def _known(entries: list[Entry]) -> dict[str, Entry]:
 
 
 def _is_to_be_made(path: Path, numbers: dict[str, float], mode: Mode, longitudinal: str) -> bool:
-    """Whether the longitudinal force is to be made from the side force.
+    """Whether the longitudinal force is to be derived from the lateral force.
 
-    Raises InputError if there is none and none is to be made.
+    Raises InputError if the file has none and none is to be derived.
     """
     has_none = not any(numbers.get(name, 0.0) for name in LONGITUDINAL)
     if "PKY1" not in numbers or not (mode.lateral_only or has_none):
         return False
     if longitudinal == FROM_LATERAL:
         return True
-    problem = "USE_MODE is for side force alone" if mode.lateral_only else "missing or 0"
+    problem = "USE_MODE is for lateral force only" if mode.lateral_only else "missing or 0"
     allowed = (
         "`longitudinal: from_lateral` in the vehicle file, or load_tire(..., "
-        "longitudinal='from_lateral'), makes a longitudinal force from the side force"
+        "longitudinal='from_lateral'), which derives it from the lateral force"
     )
     raise InputError(f"{path}: {', '.join(LONGITUDINAL)}", None, allowed, problem)
 
 
 def _turn_slip(entries: dict[str, Entry]) -> list[str]:
-    """A note on the terms of turn slip that a file has."""
+    """A note on the turn-slip terms of a file."""
     given = [name for name in TURN_SLIP if name in entries and name != "LMP"]
-    return [f"turn slip is not simulated: {len(given)} coefficients left out"] if given else []
+    return [f"turn slip is not simulated: {len(given)} coefficients ignored"] if given else []

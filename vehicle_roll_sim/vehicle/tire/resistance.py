@@ -1,9 +1,9 @@
-"""A tire is asked before it is used: its forces must resist slip.
+"""A check of a tire before it is used: its forces must oppose slip.
 
-Asked is the upright tire at pure slip and without shifts, at loads and slips within the range of
-its file. The side force must resist slip at all of them, the longitudinal force at nominal load. If
-the latter fails elsewhere, as extrapolated fits do, the tire is read for the loads at which it
-holds.
+The upright tire is checked in pure slip, without shifts, at loads and slips within the ranges of
+its file. The lateral force must oppose slip at all of them, the longitudinal force at nominal load.
+If the longitudinal force fails elsewhere, as in extrapolated fits, the load range is narrowed to
+the loads at which it opposes slip.
 """
 
 import math
@@ -14,16 +14,16 @@ from vehicle_roll_sim.vehicle.tire import curves
 from vehicle_roll_sim.vehicle.tire.text import Entry
 
 LOWEST_LOAD, HIGHEST_LOAD, LOAD_STEPS = 0.02, 3.0, 40
-"""Loads at which a tire is asked: over the nominal load, where its file has no range."""
+"""Loads of the check, relative to the nominal load, if the file gives no range; their steps."""
 SLIPS = (0.002, 0.02, 0.1, 0.3, 1.0, 1.5)
-"""Slip ratios, and slip angles in radians, of either sign, within the range of the file."""
+"""Slip ratios and slip angles (rad) of the check, with both signs, within the file's range."""
 
 OF_SIDE_FORCE = ("PKY1", "PCY1")
-"""Coefficients that are blamed for a side force."""
+"""Coefficients named in errors about the lateral force."""
 
 
 class Fault(NamedTuple):
-    """A force that pushes with the slip: what to blame, what it does, and what is allowed."""
+    """A force that acts with the slip: its coefficient, what that does, and what is allowed."""
 
     name: str
     problem: str
@@ -42,10 +42,10 @@ def loads_of(c: dict[str, float]) -> list[float]:
 def within_resistance(
     c: dict[str, float], entries: dict[str, Entry]
 ) -> tuple[dict[str, float], list[str]]:
-    """The coefficients, with the range of loads in which the forces resist slip, and notes on it.
+    """The coefficients with the load range in which the forces oppose slip, and notes on it.
 
-    Raises InputError if a side force pushes with the slip, or a longitudinal force does so at
-    nominal load or at all loads of the range.
+    Raises InputError if the lateral force acts with the slip at any load, or the longitudinal force
+    does so at nominal load or at all loads of the range.
     """
     nominal, loads = curves.nominal_load(c), loads_of(c)
     if fault := _fault(c, nominal):
@@ -71,8 +71,8 @@ def within_resistance(
 
 def _cut(name: str, load: float, side: str, fault: Fault) -> str:
     return (
-        f"warning: {name} is taken as {load:.0f} N; {side} it {fault.name} {fault.problem}, and "
-        "forces would push with the slip"
+        f"warning: {name} is taken as {load:.0f} N; {side} that, {fault.name} {fault.problem}, and "
+        "the force would act with the slip"
     )
 
 
@@ -82,28 +82,28 @@ def _refused(fault: Fault, entries: dict[str, Entry]) -> InputError:
 
 
 def _fault(c: dict[str, float], load: float) -> Fault | None:
-    """The first force that pushes with the slip at a load (N)."""
+    """The first force found to act with the slip at a load (N); None if all oppose it."""
     side, brake = curves.cornering_stiffness(c, load), curves.slip_stiffness(c, load)
     if not side < 0.0:
         problem = f"makes the cornering stiffness {side:.0f} N/rad at {load:.0f} N"
         allowed = (
-            "a stiffness below 0, as ISO axes (TYDEX W) have it; for a fit in other axes write "
-            "SIGN_CONVENTION = 'ADAPTED_SAE' (or SAE, ADAPTED_ISO) in [MODEL], and it is converted"
+            "a stiffness below 0, as in ISO axes (TYDEX W); to convert a fit in other axes, add "
+            "SIGN_CONVENTION = 'ADAPTED_SAE' (or SAE, ADAPTED_ISO) to [MODEL]"
         )
         return Fault("PKY1", problem, allowed)
     if not brake > 0.0:
         problem = f"makes the slip stiffness {brake:.0f} N at {load:.0f} N"
-        allowed = "a slip stiffness above 0, so that brake slip gives brake force"
+        allowed = "a slip stiffness above 0, so that brake slip gives a braking force"
         return Fault("PKX1" if c["PKX1"] <= 0.0 else "PKX2", problem, allowed)
     return _turning(c, "X", 1.0, load) or _turning(c, "Y", -1.0, load)
 
 
 def _turning(c: dict[str, float], axis: str, sign: float, load: float) -> Fault | None:
-    """The fault of a curve of pure slip that changes its sign within the range of slip."""
+    """The fault of a pure-slip curve that changes sign within the file's slip range."""
     low, high = ("KPUMIN", "KPUMAX") if axis == "X" else ("ALPMIN", "ALPMAX")
     for slip in (s * way for s in SLIPS for way in (-1.0, 1.0)):
         if c[low] <= slip <= c[high] and sign * curves.curve(c, axis, load, slip) * slip < 0.0:
             problem = f"reverses F{axis.lower()} at a slip of {slip:g} and {load:.0f} N"
-            allowed = "a shape factor of at most 2, with which the force resists slip"
+            allowed = "a shape factor of at most 2, so that the force opposes slip"
             return Fault(f"PC{axis}1", problem, allowed)
     return None

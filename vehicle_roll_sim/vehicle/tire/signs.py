@@ -1,4 +1,4 @@
-"""Signs of the coefficients: other conventions are turned into ISO, and the tire is asked.
+"""Sign conventions of the coefficients, and their conversion to ISO.
 
 In the axes of the format (ISO, TYDEX W: x forward, y left, z up; slip angle atan(Vy / Vx)) a
 positive slip angle gives a negative lateral force. Two things can differ, alone or together:
@@ -7,8 +7,8 @@ positive slip angle gives a negative lateral force. Two things can differ, alone
 - ADAPTED_SAE: y points right and z down, so that Fy, My and Mz have the opposite sign;
 - SAE (J670e): y points right and z down, and the slip angle is atan(Vy / Vx) with that Vy.
 
-Each turns the sign of those coefficients with which the formula gives the same forces in ISO axes.
-A tire that is symmetric has none of those that a mirror would turn.
+For each, the signs of certain coefficients are changed so that the formula gives the same forces in
+ISO axes. A symmetric tire has none of the coefficients that would differ in its mirror image.
 """
 
 import re
@@ -24,7 +24,7 @@ SLIP_ANGLE = frozenset(
         *("RVY1", "RVY2", "RVY3", "QHZ1", "QHZ2", "QHZ3", "QHZ4", "QEZ4", "QEZ5"),
     }
 )
-"""Coefficients that change sign with the sign of the slip angle alone."""
+"""Coefficients that change sign if only the slip angle changes sign."""
 AXES = frozenset(
     {
         *("PKY1", "PDY1", "PDY2", "PKY6", "PKY7", "PVY1", "PVY2", "PVY3", "PVY4"),
@@ -32,7 +32,7 @@ AXES = frozenset(
         *("QSX3", "QSX8", "QSX13", "QSX14", "Q_FYS1", "Q_FYS2", "Q_FYS3"),
     }
 )
-"""Coefficients that change sign with the signs of Fy and Mz alone."""
+"""Coefficients that change sign if only Fy, My and Mz change sign."""
 CONVENTIONS = {
     "ADAPTED_ISO": SLIP_ANGLE,
     "ADAPTED_SAE": AXES,
@@ -52,7 +52,7 @@ NAMES = {
     "SAE": ("SAE", "ADAPTED_SAE"),
     "ADAMS": ("SAE", "ADAPTED_SAE"),
 }
-"""What a file may call its signs, and the conventions that may be meant, the likeliest first."""
+"""Names of sign conventions in files, and the conventions they may mean, likeliest first."""
 IN_COMMENT = re.compile(
     r"(?:coordinate|axis|axes|sign)[ _-]*(?:system|convention)s?\s*[:=]\s*'?(?P<name>[\w -]+)",
     re.IGNORECASE,
@@ -69,8 +69,8 @@ def in_iso(
 ) -> tuple[dict[str, float], list[str]]:
     """The coefficients in ISO signs, and notes; raises InputError for an unknown convention.
 
-    A file that says nothing is taken as ISO. One whose cornering stiffness has the wrong sign in
-    every convention that it may mean is refused for that later.
+    A file that names no convention is taken as ISO. If the cornering stiffness has the wrong sign
+    in every convention that the name may mean, a later check refuses the file.
     """
     name, said, where = _stated(entries, comments)
     if not said:
@@ -80,7 +80,7 @@ def in_iso(
         raise InputError(where, name, f"one of ISO, {', '.join(CONVENTIONS)}, ADAMS")
     turned = [(each, _turned(coefficients, CONVENTIONS[each])) for each in meant]
     if not turned:
-        return coefficients, [f"{said}: as the format has it"]
+        return coefficients, [f"{said}: the signs of the format"]
     at = nominal_load(coefficients)
     right = [pair for pair in turned if cornering_stiffness(pair[1], at) < 0.0]
     convention, converted = (right or turned)[0]
@@ -88,7 +88,7 @@ def in_iso(
 
 
 def _stated(entries: dict[str, Entry], comments: list[str]) -> tuple[str, str, str]:
-    """What a file calls its signs, and where, for notes and for errors; empty if nothing."""
+    """The sign convention that a file names, and its place for notes and for errors; else empty."""
     for key in KEYS_OF_SIGNS:
         if key in entries:
             return entries[key].text, entries[key].said, entries[key].where
@@ -101,7 +101,7 @@ def _stated(entries: dict[str, Entry], comments: list[str]) -> tuple[str, str, s
 
 
 def _turned(coefficients: dict[str, float], names: frozenset[str]) -> dict[str, float]:
-    """The coefficients with the sign of some changed, and the range of slip angles with them."""
+    """The coefficients with the signs of some changed, and the slip-angle range accordingly."""
     turned = {n: -v if n in names and v else v for n, v in coefficients.items()}
     if "RHX1" in names:
         turned["ALPMIN"], turned["ALPMAX"] = -coefficients["ALPMAX"], -coefficients["ALPMIN"]
@@ -109,7 +109,7 @@ def _turned(coefficients: dict[str, float], names: frozenset[str]) -> dict[str, 
 
 
 def made_symmetric(coefficients: dict[str, float]) -> tuple[dict[str, float], list[str]]:
-    """The coefficients of the tire that is its own mirror image, and a note on what was dropped."""
+    """The coefficients of a tire equal to its mirror image, and a note on what was dropped."""
     dropped = [name for name in ASYMMETRIC if coefficients.get(name, 0.0)]
     notes = [f"TYRESIDE is SYMMETRIC: {', '.join(dropped)} dropped"] if dropped else []
     return coefficients | dict.fromkeys(dropped, 0.0), notes

@@ -1,4 +1,4 @@
-"""The text of a tire file as entries, past comments, sub-blocks and tables."""
+"""Splits the text of a tire file into entries, skipping comments, sub-blocks and tables."""
 
 import re
 from collections.abc import Iterable
@@ -15,17 +15,17 @@ KEY = re.compile(r"\s*(?P<key>[A-Za-z_]\w*)\s*=\s*(?P<rest>.*)$")
 QUOTED = re.compile(rf"(?P<quote>['\"])(?P<text>.*?)(?P=quote)\s*(?P<after>{COMMENT}.*)?$")
 ROW = r"[-+.\d][-+.\deEdD\s]*"
 IGNORED = re.compile(rf"[\s\x1a]*({COMMENT}.*|\{{.*|'.*|\".*|{ROW}({COMMENT}.*)?)?$")
-"""Empty lines, comments, quoted lines, and the heads and rows of tables such as [SHAPE]."""
+"""Empty lines, comments, quoted lines, and headers and rows of tables such as [SHAPE]."""
 BLOCK = re.compile(rf"\s*\(\s*(?P<name>\w+)\s*\)\s*({COMMENT}.*)?$")
-"""The head of a sub-block of the TeimOrbit format, such as (COMMENTS)."""
+"""The header of a sub-block of the TeimOrbit format, such as (COMMENTS)."""
 FORTRAN_EXPONENT = re.compile(r"(?<=[\d.])[dD](?=[-+]?\d)")
 UNITS = "UNITS"
 LARGEST = 1e15
-"""Smallest magnitude that is no coefficient in any unit."""
+"""Numbers must be below this in magnitude, whatever their unit."""
 
 
 class Entry(NamedTuple):
-    """KEY = VALUE in a section: the key in upper case, the text without quotes, and its place."""
+    """KEY = VALUE in a section: key in upper case, text without quotes, line and file."""
 
     section: str
     key: str
@@ -85,38 +85,40 @@ def read(path: Path) -> Text:
 
 
 def _value(rest: str, where: str) -> str:
-    """The text of a value, without quotes and without a comment behind it."""
+    """The text of a value, without quotes and without a trailing comment."""
     if rest[:1] in ("'", '"'):
         if quoted := QUOTED.match(rest):
             return quoted["text"].strip()
-        allowed = "a value in quotes; $ or ! begins a comment behind it"
+        allowed = "a value in quotes; $ or ! begins a comment after it"
         raise InputError(where, rest[:40], allowed)
     return re.split(COMMENT, rest, maxsplit=1)[0].strip().strip("'\"")
 
 
 def first_of_each(entries: Iterable[Entry]) -> dict[str, Entry]:
-    """The entries by key; one that comes twice must have the same value.
+    """The entries by key; a repeated key must have the same value.
 
-    Raises InputError naming both lines.
+    Raises InputError naming both lines if it has not.
     """
     found: dict[str, Entry] = {}
     for entry in entries:
         first = found.setdefault(entry.key, entry)
         if not _same(first.text, entry.text):
-            again = f"given twice, in line {first.line} of [{first.section}] as {first.text!r}"
-            again += f" and in line {entry.line} of [{entry.section}] as {entry.text!r}"
+            again = f"given twice, on line {first.line} in [{first.section}] as {first.text!r}"
+            again += f" and on line {entry.line} in [{entry.section}] as {entry.text!r}"
             raise InputError(entry.where, entry.text, "one value for each key", again)
     return found
 
 
 def _same(one: str, other: str) -> bool:
     """Whether two texts are the same word or number."""
+    if one.casefold() == other.casefold():
+        return True
     try:
         return _number_in(one) == _number_in(other)
     except ValueError:
-        return one.casefold() == other.casefold()
+        return False
 
 
 def _number_in(text: str) -> float:
-    """A decimal number, also with the exponent D of Fortran; raises ValueError."""
+    """A decimal number, also with a Fortran exponent (D); raises ValueError."""
     return number_in(FORTRAN_EXPONENT.sub("e", text))

@@ -1,4 +1,4 @@
-"""Units of tire files: the names that Adams and other programs use, and the factors to SI."""
+"""Units of tire files: the names used by Adams and other programs, and the factors to SI."""
 
 import math
 
@@ -73,14 +73,14 @@ UNITS = {
     "TIME": TIMES,
     "PRESSURE": PRESSURES,
 }
-"""By quantity: the value in SI units, and the names of the unit in lower case."""
+"""By quantity: the unit in SI, and its names in lower case."""
 
 
 def factors(units: dict[str, Entry]) -> dict[str, float]:
-    """Factors to SI units by dimension, from the entries of [UNITS]; SI where it says nothing.
+    """Factors to SI units by dimension, from the entries of [UNITS]; SI where none is given.
 
-    A coefficient without a dimension has the factor 1, also one that is an angle or per angle: no
-    fit gives coefficients per degree. Raises InputError for an unknown unit.
+    Coefficients without a dimension have the factor 1, including angles and those per angle: no fit
+    gives coefficients per degree. Raises InputError for an unknown unit.
     """
     values = {name: _value_of(units[name]) if name in units else 1.0 for name in UNITS}
     length, force = values["LENGTH"], values["FORCE"]
@@ -94,6 +94,12 @@ def factors(units: dict[str, Entry]) -> dict[str, float]:
         "angle": values["ANGLE"],
         "pressure": values["PRESSURE"] if "PRESSURE" in units else force / length**2,
     }
+
+
+def converted(units: dict[str, Entry]) -> list[str]:
+    """A note on the units of a file that are not SI."""
+    others = [e.said for e in units.values() if e.key in UNITS and _value_of(e) != 1.0]
+    return [f"converted to SI units: {', '.join(others)}"] if others else []
 
 
 def _value_of(entry: Entry) -> float:

@@ -1,4 +1,4 @@
-"""USE_MODE, FE_METHOD and TYRESIDE: which forces a file is meant for, and on which side."""
+"""USE_MODE, FE_METHOD and TYRESIDE: which forces a file is for, and which side."""
 
 from typing import NamedTuple
 
@@ -7,16 +7,16 @@ from vehicle_roll_sim.vehicle.tire.text import Entry
 
 LARGEST = 999
 LATERAL, UNCOMBINED, COMBINED, TURNING = 2, 3, 4, 5
-"""Last digits of USE_MODE; those before it are about transients and the contact with the road."""
+"""Last digits of USE_MODE; the others select transients and the contact with the road."""
 SIDES = ("left", "right", "symmetric")
 MIRRORED = {"left": "right", "right": "left", "symmetric": "symmetric"}
 
 
 class Mode(NamedTuple):
-    """Which forces a file is meant for.
+    """Which forces a file is for.
 
-    lateral_only: it has no longitudinal force. combined: slip in one direction weakens the force in
-    the other. mirrored: it is used as the tire of the other side.
+    lateral_only: it has no longitudinal force. combined: slip in one direction reduces the force in
+    the other. mirrored: it is used as a tire of the other side.
     """
 
     lateral_only: bool = False
@@ -26,7 +26,7 @@ class Mode(NamedTuple):
 
 
 def mode_of(entries: dict[str, Entry]) -> Mode:
-    """The mode of a file; combined slip without USE_MODE. Raises InputError."""
+    """The mode of a file; combined slip if there is no USE_MODE. Raises InputError."""
     mode = _mode(entries["USE_MODE"]) if "USE_MODE" in entries else Mode()
     ellipse = entries.get("FE_METHOD")
     if ellipse is None:
@@ -35,7 +35,7 @@ def mode_of(entries: dict[str, Entry]) -> Mode:
         raise InputError(ellipse.where, ellipse.text, "YES or NO")
     if ellipse.text.upper() == "YES" and mode.combined:
         problem = f"{ellipse.text!r}, combined slip by a friction ellipse, is not simulated"
-        allowed = "NO, with RBX1, RCX1, RBY1 and RCY1 for combined slip, or USE_MODE = 3 without"
+        allowed = "NO with RBX1, RCX1, RBY1 and RCY1 for combined slip, or USE_MODE = 3 without it"
         raise InputError(ellipse.where, ellipse.text, allowed, problem)
     return mode
 
@@ -45,19 +45,19 @@ def _mode(entry: Entry) -> Mode:
     if number != int(number) or abs(number) > LARGEST:
         raise InputError(entry.where, entry.text, f"a whole number from {-LARGEST} to {LARGEST}")
     digit, mirrored = int(abs(number)) % 10, number < 0
-    notes = [f"{entry.said}: the tire of the other side"] if mirrored else []
+    notes = [f"{entry.said}: mirrored for the other side"] if mirrored else []
     if digit not in (LATERAL, UNCOMBINED, COMBINED, TURNING):
-        allowed = "last digit 4 (combined slip), 3 (without) or 2 (side force alone)"
-        raise InputError(entry.where, entry.text, allowed, f"{entry.text} has no side force")
+        allowed = "last digit 4 (combined slip), 3 (uncombined) or 2 (lateral force only)"
+        raise InputError(entry.where, entry.text, allowed, f"{entry.text} has no lateral force")
     if digit == UNCOMBINED:
-        notes.append(f"{entry.said}: no combined slip, a locked wheel keeps its side force")
+        notes.append(f"{entry.said}: no combined slip; a locked wheel keeps its lateral force")
     if digit == TURNING:
         notes.append(f"{entry.said}: turn slip is not simulated")
     return Mode(digit == LATERAL, digit != UNCOMBINED, mirrored, tuple(notes))
 
 
 def side_of(entries: dict[str, Entry], mirrored: bool) -> tuple[str, list[str]]:
-    """The side that a tire was measured on, or symmetric, and notes on it. Raises InputError."""
+    """The side for which a tire was measured, or symmetric, and notes. Raises InputError."""
     if "TYRESIDE" not in entries:
         return MIRRORED["left"] if mirrored else "left", ["TYRESIDE is not given: taken as LEFT"]
     entry = entries["TYRESIDE"]

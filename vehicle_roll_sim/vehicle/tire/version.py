@@ -1,5 +1,6 @@
-"""Which Magic Formula a tire file is written for, and why."""
+"""The Magic Formula version of a tire file, and how it was found."""
 
+import re
 from typing import NamedTuple
 
 from vehicle_roll_sim.declaration import InputError
@@ -23,19 +24,16 @@ FORMATS = {
     "MF60": "6.1",
     "MF61": "6.1",
     "MF62": "6.2",
-    "MFTYRE": "",
-    "MFTIRE": "",
-    "MFSWIFT": "",
+    "MF": "",
     "USER": "",
 }
-"""The version that a PROPERTY_FILE_FORMAT stands for, if it stands for one; in capitals and digits
-alone."""
-OF_5_2_IF_NOTHING_ELSE = ("MFTYRE", "MFTIRE", "MFSWIFT")
+"""The version that a PROPERTY_FILE_FORMAT implies, by its plain name; empty if none."""
+MF_TYRE = "MF"
 SHOWN = "PAC2002, MF_05, MF52, MF61, MF62, MF-TYRE, MF_SWIFT, USER"
 GIVE = "give FITTYP = 52 (Magic Formula 5.0 to 5.2), 61 (6.0, 6.1) or 62 (6.2) in [MODEL]"
 OTHERS = "a Magic Formula for cars: FITTYP 5, 6, 51, 52 (5.0 to 5.2), 60, 61 (6.1) or 62 (6.2)"
 SWIFT_1 = 21
-SWIFT = "; 21 is MF-Swift 1 with Magic Formula 5.2: its slip forces are read with FITTYP = 52"
+SWIFT = "; 21 is MF-Swift 1 with Magic Formula 5.2: write FITTYP = 52 to use its slip forces"
 
 
 class Version(NamedTuple):
@@ -46,14 +44,14 @@ class Version(NamedTuple):
 
 
 def version_of(entries: dict[str, Entry], numbers: dict[str, float]) -> Version | None:
-    """The version of a file; None if nothing in it says.
+    """The version of a file; None if nothing in it reveals the version.
 
-    numbers: its coefficients in SI units. Raises InputError if it contradicts itself.
+    numbers: its coefficients in SI units. Raises InputError if the file contradicts itself.
     """
     stated = [s for s in (_fitted(entries), _formatted(entries)) if s]
     if len({name for name, _ in stated}) > 1:
         (name, by), (other, entry) = stated
-        problem = f"{by.text!r} stands for {name}, but {entry.said} for {other}"
+        problem = f"{by.text!r} means version {name}, but {entry.said} means {other}"
         raise InputError(by.where, by.text, "one version; correct the wrong one", problem)
     if not stated:
         return _by_coefficients(entries, numbers)
@@ -64,7 +62,7 @@ def version_of(entries: dict[str, Entry], numbers: dict[str, float]) -> Version 
 
 
 def _fitted(entries: dict[str, Entry]) -> tuple[str, Entry] | None:
-    """The version that FITTYP says."""
+    """The version given by FITTYP."""
     if FITTYP not in entries:
         return None
     entry = entries[FITTYP]
@@ -79,7 +77,7 @@ def _fitted(entries: dict[str, Entry]) -> tuple[str, Entry] | None:
 
 
 def _formatted(entries: dict[str, Entry]) -> tuple[str, Entry] | None:
-    """The version that PROPERTY_FILE_FORMAT stands for."""
+    """The version implied by PROPERTY_FILE_FORMAT."""
     if FORMAT not in entries:
         return None
     entry = entries[FORMAT]
@@ -91,12 +89,13 @@ def _formatted(entries: dict[str, Entry]) -> tuple[str, Entry] | None:
 
 
 def _plain(text: str) -> str:
-    """Capitals and digits of a name: MF_6.1, MF-61 and mf61 are one."""
-    return "".join(char for char in text.upper() if char.isalnum())
+    """Letters and digits of a format: MF_6.1, MF-Tyre 6.1, MF-Swift 6.1 and mf61 are the same."""
+    name = "".join(char for char in text.upper() if char.isalnum())
+    return re.sub("^MF(TYRE|TIRE|SWIFT)", MF_TYRE, name)
 
 
 def foreign_to(version: str, numbers: dict[str, float]) -> list[str]:
-    """Coefficients that would act in another version, but are no term of this one."""
+    """Coefficients that would act in another version but do not exist in this one."""
     return [name for name, value in numbers.items() if not _fits(name, value, version)]
 
 
@@ -105,17 +104,17 @@ def _fits(name: str, value: float, version: str) -> bool:
 
 
 def _foreign(version: str, by: Entry, foreign: list[Entry]) -> InputError:
-    """The error for a coefficient that is no term of the version that a file states."""
+    """The error for a coefficient that does not exist in the version that a file states."""
     entry, key = foreign[0], KEYS[foreign[0].key]
     others = f" and {len(foreign) - 1} more" if len(foreign) > 1 else ""
-    home = f"of Magic Formula {' and '.join(key.acts)}" if key.acts else "not simulated"
-    problem = f"{entry.text}{others} is {home}, but {by.said} stands for {version}"
-    allowed = f"{key.default:g}, with which it has no effect, or the right version"
+    home = f"for Magic Formula {' and '.join(key.acts)}" if key.acts else "not simulated"
+    problem = f"{entry.text}{others} is {home}, but {by.said} means {version}"
+    allowed = f"{key.default:g}, with which it has no effect; or correct the version"
     return InputError(entry.where, entry.text, allowed, problem)
 
 
 def _by_coefficients(entries: dict[str, Entry], numbers: dict[str, float]) -> Version | None:
-    """The only version that has all coefficients of a file."""
+    """The one version that has all coefficients of a file."""
     possible = [version for version in ALL if not foreign_to(version, numbers)]
     if not possible:
         raise _contradicting(entries, numbers)
@@ -126,8 +125,8 @@ def _by_coefficients(entries: dict[str, Entry], numbers: dict[str, float]) -> Ve
         given = _plain(entries[FORMAT].text) if FORMAT in entries else ""
         if old:
             return _without_fittyp("5.2", old)
-        reason = "Magic Formula 5.2: FITTYP is not given, and no coefficient is of version 6"
-        return Version("5.2", reason) if given in OF_5_2_IF_NOTHING_ELSE else None
+        reason = "Magic Formula 5.2: FITTYP is not given, and no coefficient belongs to version 6"
+        return Version("5.2", reason) if given == MF_TYRE else None
     if "6.1" in possible and (not old or "5.2" not in possible):
         return _without_fittyp("6.2" if newest else "6.1", newest or new)
     if "5.2" in possible and "6.1" in possible:
@@ -136,24 +135,24 @@ def _by_coefficients(entries: dict[str, Entry], numbers: dict[str, float]) -> Ve
 
 
 def _only_new(name: str) -> bool:
-    """Whether a coefficient is one of version 6 only."""
+    """Whether a coefficient belongs to version 6 only."""
     key = KEYS[name]
     return bool(key.acts) and "5.2" not in (*key.acts, *key.idle) and {*key.acts} <= {*NEW}
 
 
 def _without_fittyp(version: str, entries: list[Entry]) -> Version:
-    """The version of coefficients that no other has; the first that is not neutral is shown."""
+    """The version found from coefficients that only it has; the first non-neutral one is shown."""
     acting = [e for e in entries if not is_neutral(e.key, e.number())]
     shown = (acting or entries)[0].said
-    reason = f"Magic Formula {version}: FITTYP is not given, but {shown} is of {version}"
+    reason = f"Magic Formula {version}: FITTYP is not given, but {shown} belongs to {version}"
     return Version(version, reason)
 
 
 def _contradicting(entries: dict[str, Entry], numbers: dict[str, float]) -> InputError:
-    """The error for coefficients that no single version has."""
+    """The error for coefficients that belong to no single version."""
     one = entries[foreign_to("5.2", numbers)[0]]
     other = entries[foreign_to("6.2", numbers)[0]]
     if one == other:
-        return InputError(one.where, one.text, "0: it is simulated in no version")
-    problem = f"{one.text} is of version 6, but {other.said} of 5.2"
+        return InputError(one.where, one.text, "0; it is not simulated in any version")
+    problem = f"{one.text} belongs to version 6, but {other.said} to 5.2"
     return InputError(one.where, one.text, f"coefficients of one version; {GIVE}", problem)

@@ -1,0 +1,223 @@
+"""Tables of the documentation that are made from declarations: `python docs/_extensions/tables.py`.
+
+On a page, the line `<!-- table: NAME -->` stands above the table of that name; what follows, up to
+the next empty line, is replaced. `make tables` writes them, and
+test/package/test_generated_tables.py tells whether they are up to date.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+
+from definitions import definitions, usual_values
+
+from vehicle_roll_sim import preset
+from vehicle_roll_sim.command_line.parameters import parameter_table
+from vehicle_roll_sim.declaration import Parameter, parameters_of
+from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.command_limits import CommandLimits
+from vehicle_roll_sim.messages import topics
+from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariances
+from vehicle_roll_sim.messages.sets import COMMAND_LABELS, MOTION_LABELS
+from vehicle_roll_sim.messages.topics import Topic
+from vehicle_roll_sim.model.records import WHEELS, element_names
+from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, Argument
+from vehicle_roll_sim.ros.services import SERVICES
+from vehicle_roll_sim.ros.simulator.parameters import IMU_PREFIX, ODOM_PREFIX
+from vehicle_roll_sim.ros.simulator.settings import Settings
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.signals import as_markdown
+
+DOCS = Path(__file__).parents[1]
+NAME = re.compile(r"(?<![\w`/])(/\w+|\w+_\w+)")
+"""In a sentence of a declaration: the name of a topic, a parameter or a frame."""
+MARKED = re.compile(r"(?P<mark><!-- table: (?P<name>[\w ]+) -->\n)(?P<table>(?:[^\n]+\n)*)")
+
+
+def table(*rows: Iterable[str]) -> str:
+    """A Markdown table whose first row is its header."""
+    head, *body = map(list, rows)
+    return "\n".join("| " + " | ".join(row) + " |" for row in [head, ["---"] * len(head), *body])
+
+
+def with_names(text: str) -> str:
+    """A sentence with the names in it as code."""
+    return NAME.sub(r"`\1`", text)
+
+
+def command_table() -> str:
+    """The commands, each with the parameter that limits it."""
+    limits = {name: channel.limit for name, channel in channels().items()}
+    return table(
+        ("topic", "type", "unit", "limit", "meaning"),
+        *(
+            (
+                f"`{each.name}`",
+                type_of(each),
+                each.unit,
+                f"`{limits[each.name]}`",
+                with_names(each.meaning),
+            )
+            for each in topics.COMMANDS
+        ),
+    )
+
+
+def topic_table(shown: Iterable[Topic]) -> str:
+    return table(
+        ("topic", "type", "depth", "unit", "meaning"),
+        *(
+            (f"`{each.name}`", type_of(each), _depth(each), each.unit, with_names(each.meaning))
+            for each in shown
+        ),
+    )
+
+
+def type_of(topic: Topic) -> str:
+    """As it is written in sentences: std_msgs/Float64."""
+    return topic.type.replace("/msg/", "/")
+
+
+def _depth(topic: Topic) -> str:
+    return f"{topic.depth}, latched" if topic.latched else str(topic.depth)
+
+
+def label_table() -> str:
+    """What the labels of the multi-arrays say."""
+    states = {
+        "`state`": Options(),
+        "`state` with `steady_state_slip`": Options(steady_state_slip=True),
+        "`state` with the models `8dof…`": Options(model="8dof"),
+    }
+    labels = {name: ("time", *element_names(each.states)) for name, each in states.items()}
+    labels |= {"`applied_command`": COMMAND_LABELS, "`motion`": MOTION_LABELS}
+    labels["`tire_normal_forces`, `lift_off`"] = WHEELS
+    return table(
+        ("topic", "values", "names"),
+        *((name, str(len(each)), ", ".join(abridged(each))) for name, each in labels.items()),
+    )
+
+
+def abridged(names: Iterable[str]) -> list[str]:
+    """The names; four that end in the names of the wheels are one."""
+    first, last = f"_{WHEELS[0]}", {f"_{wheel}" for wheel in WHEELS[1:]}
+    shown = (name for name in names if name[-3:] not in last)
+    return [f"`{name}` … `{WHEELS[-1]}`" if name.endswith(first) else f"`{name}`" for name in shown]
+
+
+def service_table() -> str:
+    return table(
+        ("service", "type", "effect"),
+        *(
+            (f"`~/{each.name}`", each.type.replace("/srv/", "/"), with_names(each.effect))
+            for each in SERVICES
+        ),
+    )
+
+
+def node_parameter_table(declaring: Mapping[str, type]) -> str:
+    """Parameters of the simulator. declaring: their classes by the prefix of the names."""
+    return table(
+        ("name", "default", "allowed", "tunable", "meaning"),
+        *(
+            (
+                f"`{prefix}{name}`",
+                default(declared),
+                allowed(declared),
+                "yes" if declared.tunable else "",
+                with_names(declared.description),
+            )
+            for prefix, each in declaring.items()
+            for name, declared in parameters_of(each).items()
+        ),
+    )
+
+
+def default(declared: Parameter) -> str:
+    value = declared.default
+    if isinstance(value, bool):
+        return f"`{value}`".lower()
+    if isinstance(value, tuple):
+        return "`[" + ", ".join(map(str, value)) + "]`"
+    if isinstance(value, float):
+        return f"{value:.6g} {declared.unit}".strip()
+    return f"`{value}`" if value else "empty"
+
+
+def allowed(declared: Parameter) -> str:
+    """Like `declared.allowed`, in fewer words, since a cell is narrow."""
+    if declared.kind is tuple and not declared.size:
+        return "one or more"
+    if declared.kind is bool:
+        return "`true`, `false`"
+    if declared.choices:
+        return ", ".join(f"`{each}`" for each in declared.choices)
+    if declared.kind is str:
+        return "any text"
+    number = f"{declared.minimum:g} … {declared.maximum:g} {declared.unit}".strip()
+    return f"{declared.size} numbers, {number}" if declared.size else number
+
+
+def argument_table() -> str:
+    """The arguments of the launch files, and which of these have each."""
+    of: dict[Argument, list[str]] = {}
+    for name, arguments in ARGUMENTS.items():
+        for each in arguments:
+            of.setdefault(each, []).append(name)
+    everywhere = len(ARGUMENTS)
+    rows = (
+        (
+            f"`{each.name}`",
+            "all" if len(names) == everywhere else ", ".join(f"`{name}`" for name in names),
+            each.default or "empty",
+            with_names(each.description),
+        )
+        for each, names in sorted(of.items(), key=lambda item: len(item[1]) == everywhere)
+    )
+    return table(("argument", "launch file", "default", "meaning"), *rows)
+
+
+def manoeuvre_table() -> str:
+    rows = ((f"`{name}`", text) for name, text in definitions().items())
+    return table(("name", "definition"), *rows)
+
+
+TABLES: dict[str, Callable[[], str]] = {
+    "commands": command_table,
+    "set": lambda: topic_table(topics.STATE_SET),
+    "stamped": lambda: topic_table(topics.STAMPED),
+    "others": lambda: topic_table(t for t in topics.PUBLISHED if t not in topics.STATE_SET),
+    "labels": label_table,
+    "services": service_table,
+    "simulator": lambda: node_parameter_table({"": Settings}),
+    "limits": lambda: node_parameter_table({"": CommandLimits}),
+    "model": lambda: node_parameter_table({"": Options}),
+    "road": lambda: node_parameter_table({"": Road}),
+    "covariances": lambda: node_parameter_table(
+        {IMU_PREFIX: ImuCovariances, ODOM_PREFIX: OdomCovariances}
+    ),
+    "launch arguments": argument_table,
+    "manoeuvres": manoeuvre_table,
+    "plausibility": lambda: table(("quantity", "usual"), *usual_values()),
+    "vehicle": lambda: parameter_table(preset()),
+    "fields of state": lambda: as_markdown("state"),
+    "fields of outputs": lambda: as_markdown("outputs"),
+}
+
+
+def up_to_date(text: str) -> str:
+    """The text of a page with every marked table as the declarations have it."""
+    return MARKED.sub(lambda found: f"{found['mark']}{TABLES[found['name']]()}\n", text)
+
+
+def main() -> None:
+    for page in sorted(DOCS.glob("**/*.md")):
+        text = page.read_text(encoding="utf-8")
+        if (new := up_to_date(text)) != text:
+            page.write_text(new, encoding="utf-8")
+            print(page.relative_to(DOCS.parent))
+
+
+if __name__ == "__main__":
+    main()
