@@ -126,21 +126,23 @@ KNOTS, COEFFICIENTS = 63, 6
 """Most knots of the curves of an axle; coefficients of a polynomial of fifth degree."""
 
 STOPS = ("bump_stop", "rebound_stop")
+DETAIL_CURVES = ("spring", "damper", "toe_change")
 DETAILS = record_dtype(
     *("struts", "steering", "compliance"),
     *per_wheel(*(f"{stop}_{of}" for stop in STOPS for of in ("clearance", "stiffness"))),
     *per_wheel(*(f"{stop}_progression" for stop in STOPS)),
     *per_wheel("toe", "roll_steer", "lateral_force_steer", "aligning_moment_steer", "ackermann"),
-    *((f"{curve}_knots", (AXLE_COUNT, KNOTS)) for curve in ("spring", "damper")),
-    *((f"{curve}_origins", (AXLE_COUNT, KNOTS + 1)) for curve in ("spring", "damper")),
-    *((curve, (AXLE_COUNT, KNOTS + 1, COEFFICIENTS)) for curve in ("spring", "damper")),
+    *((f"{curve}_knots", (AXLE_COUNT, KNOTS)) for curve in DETAIL_CURVES),
+    *((f"{curve}_origins", (AXLE_COUNT, KNOTS + 1)) for curve in DETAIL_CURVES),
+    *((curve, (AXLE_COUNT, KNOTS + 1, COEFFICIENTS)) for curve in DETAIL_CURVES),
 )
 """What a vehicle may have beyond linear springs and dampers and parallel steering.
 
 struts, steering, compliance: 1 if the terms of the forces of the struts, of the steering angles and
 of compliance steer are computed, else 0. toe: to the left (rad). ackermann: share of Ackermann
 geometry, times y over the wheelbase. spring, damper: force (N) over compression (m) and its rate
-(m/s) at one wheel of each axle, as polynomials between knots like the curves over wheel travel.
+(m/s), toe_change: angle of a left wheel (rad) over travel (m), at one wheel of each axle, as
+polynomials between knots like the curves over wheel travel.
 """
 
 VEHICLE = record_dtype(

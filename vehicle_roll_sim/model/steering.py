@@ -9,8 +9,8 @@ to agree: each wheel has one equation in one unknown, which the secant method so
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.contact import contact_forces
-from vehicle_roll_sim.model.kinematic.guidance import interval
-from vehicle_roll_sim.model.records import FRONT, LR, REAR, TOE, WHEEL_COUNT
+from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
+from vehicle_roll_sim.model.suspension.strut_details import value_at
 
 MOST_ITERATIONS = 30
 AGREEMENT = 1e-12
@@ -59,16 +59,19 @@ def suspension_steer(i, state, vehicle, options):
     Roll steer goes by the roll angle of the suspension, (q_right - q_left) / track. In model 2 the
     change of toe is one of the carrier.
     """
-    xs, left = state[at.SUSPENSION_COMPRESSION], i - i % 2
+    details, xs, left = vehicle.details, state[at.SUSPENSION_COMPRESSION], i - i % 2
     rolled = (xs[left + 1] - xs[left]) / (vehicle.y[left] - vehicle.y[left + 1])
-    angle = vehicle.details.roll_steer[i] * rolled
+    angle = details.roll_steer[i] * rolled
     if not options.kinematic:
         axle, side = FRONT if i < LR else REAR, 1.0 if i % 2 == 0 else -1.0
         travel = xs[i] - vehicle.static_suspension_compression[i]
-        row = interval(travel, vehicle.travel_knots[axle])
-        d, p = travel - vehicle.travel_origins[axle, row], vehicle.travel_curves[axle, row]
-        toe = p[3, TOE] + d * (p[4, TOE] + d * p[5, TOE])
-        angle += side * (p[0, TOE] + d * (p[1, TOE] + d * (p[2, TOE] + d * toe)))
+        toe = value_at(
+            travel,
+            details.toe_change_knots[axle],
+            details.toe_change_origins[axle],
+            details.toe_change[axle],
+        )
+        angle += side * toe
     return angle
 
 

@@ -4,12 +4,19 @@ import numpy as np
 from scipy.optimize import brentq
 
 from vehicle_roll_sim.model.equilibrium import static_suspension_compression
-from vehicle_roll_sim.model.records import COEFFICIENTS, DETAILS, LR, STOPS, WHEEL_COUNT
+from vehicle_roll_sim.model.records import (
+    COEFFICIENTS,
+    DETAIL_CURVES,
+    DETAILS,
+    LR,
+    STOPS,
+    WHEEL_COUNT,
+)
 from vehicle_roll_sim.vehicle.suspension_parameters import AXLES, OF_COMPLIANCE, OF_STRUTS
 from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
 FINEST = 4 * np.finfo(float).eps
-"""Relative tolerance of a static compression."""
+"""Tolerance of a static compression: m, and relative."""
 SLOW = 1e-9
 """m/s: below which the damping of a linear model is meant."""
 PERCENT = 0.01
@@ -70,7 +77,9 @@ def compression_under(spring: TravelCurve, load: float) -> float:
         return first + (load - lowest) / before
     if load >= highest:
         return last + (load - highest) / beyond
-    return brentq(lambda x: force_and_slope(spring, x)[0] - load, first, last, rtol=FINEST)
+    return brentq(
+        lambda x: force_and_slope(spring, x)[0] - load, first, last, xtol=FINEST, rtol=FINEST
+    )
 
 
 def compressions_at_rest(vehicle, gravity: float) -> np.ndarray:
@@ -94,6 +103,14 @@ def stiffnesses_at(vehicle, compressions: np.ndarray) -> np.ndarray:
     return np.array([force_and_slope(spring, x)[1] for spring, x in pairs])
 
 
+def toe_change_of(vehicle, axle: str) -> TravelCurve:
+    """Angle of a left wheel (rad, to the left) over its travel (m)."""
+    return vehicle.travel_curves[axle][f"{axle}_toe_change"]
+
+
+CURVES = dict(zip(DETAIL_CURVES, (spring_of, damper_of, toe_change_of), strict=True))
+
+
 def has_any(vehicle, names: tuple[str, ...]) -> bool:
     """Whether one of these parameters of an axle is given."""
     return any(getattr(vehicle, f"{axle}_{n}") is not None for axle in AXLES for n in names)
@@ -112,7 +129,7 @@ def details_of(vehicle) -> np.ndarray:
         for stop in STOPS:
             if getattr(vehicle, f"{axle}_{stop}_clearance") is None:
                 details[f"{stop}_clearance"][both] = np.inf
-    for name, curve in (("spring", spring_of), ("damper", damper_of)):
+    for name, curve in CURVES.items():
         parts = zip(*(tabulated([curve(vehicle, axle)]) for axle in AXLES), strict=True)
         knots, origins, pieces = map(np.array, parts)
         details[f"{name}_knots"], details[f"{name}_origins"] = knots, origins

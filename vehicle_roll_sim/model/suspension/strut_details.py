@@ -9,7 +9,7 @@ from vehicle_roll_sim.model.kinematic.guidance import interval
 from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
 
 
-@term
+@kernel
 def value_at(x, knots, origins, pieces):
     """The value at x of a curve made of polynomials of fifth degree."""
     row = interval(x, knots)
