@@ -66,9 +66,7 @@ def random_command(rng: np.random.Generator) -> np.ndarray:
 
 def strut_lengths(vehicle: Vehicle, compression: np.ndarray) -> np.ndarray:
     """Distance from the plane of the sprung c.g. down to each wheel centre (m)."""
-    static = 9.81 * vehicle.sprung_mass * vehicle.axle_load_share
-    drop = compression - static / vehicle.per_wheel("spring_stiffness")
-    return vehicle.static_strut_length - drop
+    return vehicle.static_strut_length - (compression - vehicle.static_suspension_compression)
 
 
 def wheel_centres(vehicle: Vehicle, state) -> np.ndarray:
