@@ -29,6 +29,8 @@ from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
 GRAVITY = 9.81
 """m/s^2, the value used in the paper."""
+LINEAR = {"spring_stiffness": "stiffness_at_rest", "damping": "mean_damping"}
+"""Parameters of each axle that may be tables, and the values of linear models in their place."""
 BAR_SPELLINGS = tuple(
     (f"{axle}_anti_roll_bar_stiffness", f"{axle}_anti_roll_bar_rate") for axle in AXLES
 )
@@ -149,12 +151,12 @@ class DerivedValues:
         return compressions_at_rest(self, GRAVITY)
 
     @functools.cached_property
-    def spring_stiffness(self) -> np.ndarray:
+    def stiffness_at_rest(self) -> np.ndarray:
         """Stiffness of the spring at each wheel at rest, shape (4,) (N/m)."""
         return stiffnesses_at(self, self.static_suspension_compression)
 
-    @property
-    def damping(self) -> np.ndarray:
+    @functools.cached_property
+    def mean_damping(self) -> np.ndarray:
         """Damping coefficient at each wheel, shape (4,) (N s/m): mean of bump and rebound."""
         return np.repeat([mean_damping(self, axle) for axle in AXLES], WHEEL_COUNT // 2)
 
@@ -222,8 +224,8 @@ class DerivedValues:
         Those that are not given are those of the tires. Springs and dampers that are tables have
         the stiffness and damping of linear models.
         """
-        if name in ("spring_stiffness", "damping"):
-            return getattr(self, name)
+        if name in LINEAR:
+            return getattr(self, LINEAR[name])
         front, rear = (self._known_at_axle(axle, name) for axle in AXLES)
         return np.array([front, front, rear, rear])
 
