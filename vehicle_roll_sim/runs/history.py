@@ -76,7 +76,7 @@ def row_of(simulation: Simulation) -> np.ndarray:
             [simulation.time],
             simulation.state_vector[:MODEL_STATE_SIZE],
             *(outputs[quantity] for quantity in OUTPUT_QUANTITIES),
-            outputs["steering"][:1],
+            outputs["commanded_steering"][:1],
             outputs["acceleration"][: len(ACCELERATIONS)],
         )
     )
