@@ -33,8 +33,8 @@ ABOUT_SWITCHES = """\
 # force (true or false; true if left out, but the vehicle of the paper has neither).
 """
 ABOUT_THE_MODEL = f"""\
-# The model with which the vehicle is simulated unless another is asked for; by default {PAPER}, that
-# of the paper. 2 is recommended for a vehicle of your own.
+# The model with which the vehicle is simulated unless another is asked for. By default it is
+# {PAPER}, that of the paper; 2 is recommended for a vehicle of your own.
 # {MODEL}: "2"
 """
 ABOUT_THE_TIRE = f"""\
