@@ -2,6 +2,7 @@
 
 import argparse
 import io
+import json
 import os
 import re
 import sys
@@ -132,11 +133,16 @@ def declared_values(arguments: argparse.Namespace, declaring) -> dict:
     return values
 
 
-def number(text: str, field: str, parameter: Parameter) -> float:
-    """Parse a number given on the command line; raises InputError naming `field`."""
+def number(text: str, field: str, parameter: Parameter) -> float | list:
+    """Parse a number, or the table of a Curve, given on the command line.
+
+    Raises InputError naming `field`.
+    """
     try:
+        if parameter.is_curve and text.lstrip().startswith("["):
+            return json.loads(text)
         return number_in(text)
-    except ValueError:
+    except (ValueError, RecursionError):
         raise InputError(field, text, parameter.allowed) from None
 
 

@@ -7,6 +7,7 @@ documentation all read these declarations.
 import array
 import dataclasses
 import difflib
+import itertools
 import math
 import numbers
 import reprlib
@@ -16,8 +17,25 @@ from collections.abc import Iterable, Mapping
 
 AUTO, ON, OFF = SWITCH = ("auto", "on", "off")
 """Choices of a parameter that says whether something counts."""
+FEWEST_POINTS, MOST_POINTS = 2, 63
+CLOSEST = 1e-5
+"""Between two points of a Curve."""
+TRAVEL = ("travel", 2.0)
+"""What a Curve is over, and the largest magnitude of it (SI units)."""
 LONGEST_SHOWN = 60
 """Maximum number of characters of an invalid value shown in an error message."""
+
+
+class Curve:
+    """Kind of a parameter that changes with wheel travel.
+
+    Its values are a float, the change per metre of travel, or a tuple of pairs of floats: travel
+    (m, increasing) and value.
+    """
+
+
+class Table(Curve):
+    """Kind of a parameter that is a tuple of such pairs only, over travel or something else."""
 
 
 class InputError(ValueError):
@@ -82,7 +100,8 @@ class Parameter:
 
     kind: float, bool, str, or tuple for a list of `size` numbers or of some of the `choices`.
     alternative: name of the parameter that specifies the same quantity in another way; exactly one
-    of the two is given. tunable: may be changed while a simulation runs.
+    of the two is given. tunable: may be changed while a simulation runs. over: what a Curve is
+    over, and the largest magnitude of it.
     """
 
     name: str
@@ -97,6 +116,12 @@ class Parameter:
     tunable: bool
     size: int
     alternative: str
+    over: tuple[str, float]
+
+    @property
+    def is_curve(self) -> bool:
+        """Whether the value may be a list of pairs of numbers."""
+        return issubclass(self.kind, Curve)
 
     def validate(self, value, field: str | None = None):
         """Convert `value` to this parameter's type.
@@ -109,6 +134,8 @@ class Parameter:
         if self.kind is tuple:
             check = self._validate_numbers if self.size else self._validate_names
             return check(value, field)
+        if self.is_curve:
+            return self._validate_curve(value, field)
         if isinstance(value, bool) and ON in self.choices:
             return ON if value else OFF  # YAML reads `on` and `off` as true and false
         if self.choices and str(value) in self.choices:
@@ -133,6 +160,33 @@ class Parameter:
         except InputError:
             raise InputError(field, value, self.allowed) from None
 
+    def _validate_curve(self, value, field: str) -> float | tuple[tuple[float, float], ...]:
+        if not isinstance(value, (list, tuple, array.array)):
+            if self.kind is Table:
+                raise InputError(field, value, self.allowed)
+            return self._validate_number(value, field)
+        try:
+            points = self._points(value, field)
+        except (TypeError, ValueError, IndexError):  # InputError is a ValueError
+            raise InputError(field, value, self.allowed) from None
+        travels = [travel for travel, _ in points]
+        gaps = [after - before for before, after in itertools.pairwise(travels)]
+        if not (max(map(abs, travels)) <= self.over[1] and min(gaps) >= CLOSEST):
+            raise InputError(field, value, self.allowed)
+        return points
+
+    def _points(self, values, field: str) -> tuple[tuple[float, float], ...]:
+        """Pairs from a list of pairs, or from their numbers in a row."""
+        if not isinstance(values[0], (list, tuple)):
+            values = list(zip(values[::2], values[1::2], strict=True))
+        points = tuple(
+            (number_of(travel, field, ""), self._validate_number(value, field))
+            for travel, value in values
+        )
+        if not FEWEST_POINTS <= len(points) <= MOST_POINTS:
+            raise ValueError
+        return points
+
     def _validate_names(self, value, field: str) -> tuple[str, ...]:
         is_list = isinstance(value, (list, tuple)) and len(value) > 0
         if not is_list or any(name not in self.choices for name in value):
@@ -146,6 +200,12 @@ class Parameter:
             return "a list of one or more of " + ", ".join(self.choices)
         if self.kind is bool:
             return "true or false"
+        if self.is_curve:
+            span = f"from {self.minimum:g} to {self.maximum:g}"
+            points = f"{FEWEST_POINTS} to {MOST_POINTS} pairs [{self.over[0]}, value]"
+            if self.kind is Table:
+                return f"{points}, the first increasing, values {span} {self.unit}"
+            return f"a number {span} {self.unit}, or {points}, travels increasing, values {span}"
         if self.choices:
             return " or ".join(self.choices)
         if self.kind is str:
@@ -165,6 +225,7 @@ def parameter(
     tunable: bool = False,
     size: int = 0,
     alternative: str = "",
+    over: tuple[str, float] = TRAVEL,
     default=dataclasses.MISSING,
 ):
     """Declare a parameter as a dataclass field; it is required if it has no `default`.
@@ -182,6 +243,7 @@ def parameter(
         "tunable": tunable,
         "size": size,
         "alternative": alternative,
+        "over": over,
     }
     if alternative or default is None:
         return dataclasses.field(default=None, metadata=about, kw_only=True)

@@ -40,9 +40,9 @@ def table(command):
 
 
 def values(cells: list[list[str]]) -> dict[str, float]:
-    """The values but for pressures, which a vehicle need not have, and what its tires give."""
+    """The values but for those that a vehicle need not have, and what its tires give."""
     shown = {row[NAME].strip("`"): row[VALUE] for row in cells[2:]}
-    return {n: float(v) for n, v in shown.items() if n not in (*PRESSURES, *FROM_TIRE)}
+    return {n: float(v) for n, v in shown.items() if v != "–" and n not in FROM_TIRE}
 
 
 def test_it_is_a_markdown_table_of_equally_wide_rows(table):

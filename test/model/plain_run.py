@@ -11,8 +11,9 @@ if sys.argv[3:] == ["without-numba"]:
 
 import numpy as np
 from programmes import j_turn, ramp_and_hold, record_run
+from swing_axles import on_swing_axles
 
-from vehicle_roll_sim import Options, Simulation, preset
+from vehicle_roll_sim import Options, Simulation, Vehicle, preset
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS
 from vehicle_roll_sim.simulation.road import Road
@@ -45,11 +46,18 @@ def run(steps: int, options: Options = FULL):
     return record_run(simulation, j_turn(**HELD), steps * STEP)
 
 
+def vehicle_for(options: Options) -> Vehicle:
+    """The reference vehicle; model 2 on swing axles, so that it looks up tables."""
+    return on_swing_axles(preset()) if options.is_kinematic else preset()
+
+
 def run_variants(steps: int) -> dict[str, np.ndarray]:
     """STATE and OUTPUTS records of a swerve of each variant, one after the other."""
     swerve = ramp_and_hold(0.0, 80.0, 6.0, **HELD)
     runs = [
-        record_run(Simulation(preset(), options, step=STEP, road=SLOPE), swerve, steps * STEP)
+        record_run(
+            Simulation(vehicle_for(options), options, step=STEP, road=SLOPE), swerve, steps * STEP
+        )
         for options in VARIANTS
     ]
     return {part: np.concatenate([getattr(r, part) for r in runs]) for part in ("state", "outputs")}

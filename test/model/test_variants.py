@@ -24,7 +24,7 @@ VARIANTS = [
     *(
         {"model": model, "no_roll_centre": none}
         for model in MODELS
-        if not model.startswith("8dof")
+        if model != "2" and not model.startswith("8dof")
         for none in (False, True)
     ),
     {"tire_normal_to_ground": True},

@@ -12,7 +12,7 @@ from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.simulation.options import MODELS
 
 EIGHT_DOF = [model for model in MODELS if model.startswith("8dof")]
-SIMPLIFIED = [model for model in MODELS if model not in ("1", *EIGHT_DOF)]
+SIMPLIFIED = [model for model in MODELS if model not in ("1", "2", *EIGHT_DOF)]
 MODEL_1_ONLY = {
     "tire_normal_to_ground": True,
     "link_load_transfer": "asymmetric",
@@ -43,7 +43,11 @@ DEFINED = [
         for none in (False, True)
         for steady in (False, True)
     ),
-    *({"model": m, "steady_state_slip": steady} for m in EIGHT_DOF for steady in (False, True)),
+    *(
+        {"model": model, "steady_state_slip": steady}
+        for model in ("2", *EIGHT_DOF)
+        for steady in (False, True)
+    ),
 ]
 
 
@@ -62,7 +66,7 @@ def test_an_option_that_the_equations_do_not_have_is_not_ignored_in_silence():
         made().record()
 
 
-@pytest.mark.parametrize("model", SIMPLIFIED + EIGHT_DOF)
+@pytest.mark.parametrize("model", ["2", *SIMPLIFIED, *EIGHT_DOF])
 @pytest.mark.parametrize("name", MODEL_1_ONLY)
 def test_simplified_models_refuse_the_options_of_model_1(model, name):
     with pytest.raises(InputError) as refusal:
@@ -84,7 +88,7 @@ def test_without_a_roll_centre_there_is_no_asymmetric_link_load_transfer(combina
 @pytest.mark.parametrize(
     ("name", "value"),
     [
-        ("model", "2"),
+        ("model", "3"),
         ("model", "1A"),
         ("model", ""),
         ("model", 1.5),
@@ -119,6 +123,7 @@ def test_the_default_is_model_1_of_the_source_on_tires_with_transient_slip():
         "link_load_transfer": "symmetric",
         "euler_terms": False,
         "steady_state_slip": False,
+        "wheel_gyroscopics": False,
         "tire_moments": "auto",
         "contact_patch_shift": "auto",
     }
@@ -129,8 +134,8 @@ def test_the_default_is_model_1_of_the_source_on_tires_with_transient_slip():
     assert everything(named) == everything(unnamed)
 
 
-@pytest.mark.parametrize("model", EIGHT_DOF)
-def test_the_8_dof_model_refuses_the_option_of_the_others(model):
+@pytest.mark.parametrize("model", ["2", *EIGHT_DOF])
+def test_models_without_fixed_roll_centres_of_an_axle_refuse_to_do_without(model):
     with pytest.raises(InputError, match="does not have it") as refusal:
         Options(model=model, no_roll_centre=True)
     assert refusal.value.field == "no_roll_centre"

@@ -101,7 +101,7 @@ def linearize(trim: Trim) -> LinearModel:
     model = trim.plant
     names = (*model.state_names, *(() if model.options.has_eight_dof else TIRE_NAMES))
     places = np.array([STATE_NAMES.index(name) for name in names])
-    scale = typical((*names, *INPUT_NAMES))
+    scale = typical((*names, *INPUT_NAMES), model.typical_roll)
     count = len(names)
 
     def response(change: np.ndarray) -> np.ndarray:

@@ -17,6 +17,7 @@ from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
+from vehicle_roll_sim.model.kinematic.contact import note_tire_compression
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
@@ -30,7 +31,7 @@ from vehicle_roll_sim.model.records import (
 )
 from vehicle_roll_sim.model.tire.transient_slip import LOW_SPEED
 from vehicle_roll_sim.model.wheel import note_turning
-from vehicle_roll_sim.simulation.options import MODELS, Options
+from vehicle_roll_sim.simulation.options import MODELS, Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -79,9 +80,18 @@ STEADY = 1e-8
 """Largest rate that counts as steady, in typical changes per second; rounding is about 1e-10."""
 
 
-def typical(names: tuple[str, ...]) -> np.ndarray:
+ROLL_ON_TIRES = 0.01
+"""rad: typical change of the roll angle where it acts through the compression of the tires, as in
+model 2; in the others that is a state of its own."""
+
+
+def typical(names: tuple[str, ...], roll: float = TYPICAL["roll"]) -> np.ndarray:
     """The typical change of each element, by field name, possibly with a wheel; shape (n,)."""
-    sizes = TYPICAL | {f"{name}_{wheel}": TYPICAL[name] for name in TYPICAL for wheel in WHEELS}
+    sizes = (
+        TYPICAL
+        | {"roll": roll}
+        | {f"{name}_{wheel}": TYPICAL[name] for name in TYPICAL for wheel in WHEELS}
+    )
     return np.array([sizes[name] for name in names])
 
 
@@ -90,6 +100,7 @@ class LevelRoadModel:
 
     state_names: the states on which the motion depends, without tire compressions, which follow
     from height, attitude and suspension compression. places: their indices in the state vector.
+    typical_roll: typical change of the roll angle (rad).
     Raises InputError for model 1c-iii, in which they do not follow: its turns are not steady.
     """
 
@@ -104,6 +115,7 @@ class LevelRoadModel:
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))
+        self.typical_roll = ROLL_ON_TIRES if options.is_kinematic else TYPICAL["roll"]
         self.places = np.array([STATE_NAMES.index(name) for name in self.state_names])
 
     @property
@@ -114,6 +126,7 @@ class LevelRoadModel:
     def rates(self, state: np.ndarray, inputs: np.ndarray) -> np.ndarray:
         """Time derivative of a flat state vector, shape (STATE_SIZE,); also updates `outputs`.
 
+        In model 2 also the compression of the tires in `state`, which follows from the others.
         inputs: named by INPUT_NAMES, shape (10,) (rad, N m, N). Rates of states that the model does
         not have are nan.
         """
@@ -124,6 +137,7 @@ class LevelRoadModel:
         with silently():
             note_turning(state, outputs)
             derivatives(state, kernel_argument(command)[0], *self._plant, outputs, rates)
+            note_tire_compression(state, self._plant[-1], outputs)
         return rates
 
     def on_flat_road(self, state: np.ndarray) -> np.ndarray:
@@ -173,7 +187,7 @@ def find_trim(
     given, the steering is determined. Raises InputError if there is no such steady state with four
     wheels on the ground, or if it is too slow for the tire model to be smooth.
     """
-    model = LevelRoadModel(vehicle, options or Options())
+    model = LevelRoadModel(vehicle, options or options_for(vehicle))
     slowest = MINIMUM_SPEED if model.options.steady_state_slip else LOW_SPEED
     if not slowest <= speed <= MAXIMUM_SPEED:
         raise InputError("speed", speed, f"from {slowest:g} to {MAXIMUM_SPEED:g} m/s")
@@ -212,7 +226,7 @@ def _solution(
     """
     state, inputs = state.copy(), inputs.copy()
     free = model.places[model.places != U]
-    states = typical(model.state_names)
+    states = typical(model.state_names, model.typical_roll)
     torque, angle = TYPICAL["wheel_torque"], TYPICAL["steering"]
     scale = np.array([*states[model.places != U], torque, angle])
 

@@ -26,10 +26,17 @@ def parameter_table(vehicle: Vehicle) -> str:
     for name, parameter in parameters_of(Vehicle).items():
         allowed = f"{parameter.minimum:g} … {parameter.maximum:g}"
         value, source = _value(vehicle, name)
-        shown = UNKNOWN if value is None else f"{value:.10g}"
+        shown = UNKNOWN if value is None else in_words(value)
         meaning = parameter.description + (f" (here: {source})" if source else "")
         rows.append((f"`{name}`", parameter.symbol, shown, parameter.unit, allowed, meaning))
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
+
+
+def in_words(value: float | tuple) -> str:
+    """A number, or the points of a table over wheel travel."""
+    if isinstance(value, tuple):
+        return "[" + ", ".join(f"[{travel:.10g}, {at:.10g}]" for travel, at in value) + "]"
+    return f"{value:.10g}"
 
 
 def _value(vehicle: Vehicle, name: str) -> tuple[float | None, str]:

@@ -28,6 +28,11 @@ def record_dtype(*fields) -> np.dtype:
     return np.dtype((np.record, [_field(field) for field in fields]))
 
 
+def vectors(*names: str) -> tuple:
+    """Fields with a vector (x, y, z) per wheel, shape (3, 4)."""
+    return tuple((name, (3, WHEEL_COUNT)) for name in names)
+
+
 def _field(field):
     if isinstance(field, str):
         return (field, np.float64)
@@ -109,6 +114,39 @@ COMMAND = record_dtype(
 each wheel (N m), active force at each corner (N), and a speed hold, a torque gain * (target - u)
 added at each rear wheel (N m per m/s, m/s)."""
 
+TRAVEL_CURVE_COUNT = 5
+HALF_TRACK, AHEAD, CAMBER, TOE, CARRIER_PITCH = range(
+    0, TRAVEL_CURVE_COUNT * WHEEL_COUNT, WHEEL_COUNT
+)
+"""First places of the curves, each of all wheels.
+
+What changes with the travel of a left wheel: place of its contact point (m, outwards), place of its
+centre (m, forward), and angles of its carrier about x, z and y of frame 1 (rad)."""
+KNOTS, COEFFICIENTS = 63, 6
+"""Most knots of the curves of an axle; coefficients of a polynomial of fifth degree."""
+
+STOPS = ("bump_stop", "rebound_stop")
+DETAIL_CURVES = ("spring", "damper", "toe_change", "spring_travel", "damper_travel")
+DETAILS = record_dtype(
+    *("struts", "steering", "compliance"),
+    *per_wheel(*(f"{stop}_{of}" for stop in STOPS for of in ("clearance", "stiffness"))),
+    *per_wheel(*(f"{stop}_progression" for stop in STOPS)),
+    *per_wheel("toe", "roll_steer", "lateral_force_steer", "aligning_moment_steer", "ackermann"),
+    *per_wheel("spring_compression_at_rest"),
+    *((f"{curve}_knots", (AXLE_COUNT, KNOTS)) for curve in DETAIL_CURVES),
+    *((f"{curve}_origins", (AXLE_COUNT, KNOTS + 1)) for curve in DETAIL_CURVES),
+    *((curve, (AXLE_COUNT, KNOTS + 1, COEFFICIENTS)) for curve in DETAIL_CURVES),
+)
+"""What a vehicle may have beyond linear springs and dampers and parallel steering.
+
+struts, steering, compliance: 1 if the terms of the forces of the struts, of the steering angles and
+of compliance steer are computed, else 0. toe: to the left (rad). ackermann: share of Ackermann
+geometry, times y over the wheelbase. spring, damper: force (N) over compression (m) and its rate
+(m/s), toe_change: angle of a left wheel (rad) over travel (m), spring_travel, damper_travel:
+compression of spring and damper since rest (m) over travel (m), at one wheel of each axle, as
+polynomials between knots like the curves over wheel travel.
+"""
+
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
     *("wheel_inertia", "gravity", "gravity_along", "gravity_across"),
@@ -119,11 +157,22 @@ VEHICLE = record_dtype(
     *per_wheel("static_strut_length", "static_suspension_compression"),
     *per_wheel("static_tire_compression", "tire_radius", "tire_lateral_compliance"),
     *per_wheel("camber", "camber_sine", "camber_cosine"),
+    *per_wheel("bar_rate", "engine_drag", "static_loaded_radius", "static_wheel_height"),
+    ("travel_knots", (2, KNOTS)),
+    ("travel_origins", (2, KNOTS + 1)),
+    ("travel_curves", (2, KNOTS + 1, COEFFICIENTS, TRAVEL_CURVE_COUNT)),
+    ("details", DETAILS),
 )
-"""The vehicle as input to the equations: front and rear values are laid out per wheel."""
+"""The vehicle as input to the equations: front and rear values are laid out per wheel.
+
+travel_knots, travel_origins, travel_curves: of each axle the ends of the intervals of travel (m,
+inf for those that are not used), and for each interval the travel from which the polynomials of its
+curves are counted (m), and their coefficients, lowest power first.
+"""
 
 VehicleConstants = namedtuple(
-    "VehicleConstants", [name for name in VEHICLE.names if not VEHICLE[name].shape]
+    "VehicleConstants",
+    [name for name in VEHICLE.names if not VEHICLE[name].shape and not VEHICLE[name].names],
 )
 vehicle_constants = constants(VehicleConstants)
 """Copies the scalar fields of a VEHICLE record, those that are not per wheel."""
@@ -147,6 +196,8 @@ OPTION_NAMES = (
     "rigid_tires",
     "steady_state_slip",
     "contact_moments",
+    "kinematic",
+    "wheel_gyroscopics",
 )
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 """Forms of terms in the equations; all off is model 1. Each is explained where it is used."""
@@ -169,6 +220,11 @@ def per_curve(*names: str) -> tuple:
     return tuple((name, CURVE_COUNT * WHEEL_COUNT) for name in names)
 
 
+def per_curve_of_travel(*names: str) -> tuple:
+    """Fields with one value per curve over travel and wheel; wheels of a curve are adjacent."""
+    return tuple((name, TRAVEL_CURVE_COUNT * WHEEL_COUNT) for name in names)
+
+
 TIRE_TERMS = record_dtype(
     *per_wheel("rolling_depth", "relative_load", "stiffening", "slip_stiffness", "cornering_wave"),
     *per_wheel("upright_stiffness", "load_power"),
@@ -182,6 +238,33 @@ TIRE_TERMS = record_dtype(
     *per_curve("curve_bend", "curve_angle", "curve_sine"),
 )
 """Work space of model/tire; explained where it is written."""
+
+PARTS = 27
+"""Elements of the lower triangle of the mass matrix of model 2 and of its right-hand side."""
+SUSPENSION_TERMS = record_dtype(
+    *per_wheel("tire_compression", "travel", "travel_force", "pull"),
+    *per_curve_of_travel("part", "value", "slope", "bend"),
+    ("coefficients", (COEFFICIENTS, TRAVEL_CURVE_COUNT * WHEEL_COUNT)),
+    *((name, 3 * WHEEL_COUNT) for name in ("carrier_angle", "carrier_sine", "carrier_cosine")),
+    *per_wheel("leaning", "nodding", "turning_in", "lean", "resisting_mass"),
+    *vectors("wheel", "carrier_turn", "spin_axis", "arm", "contact_path"),
+    ("path", (2, WHEEL_COUNT)),
+    ("path_bend", (2, WHEEL_COUNT)),
+    ("of_wheels", (PARTS, WHEEL_COUNT)),
+)
+"""Work space of model/kinematic, per wheel and in frame 1; also explained where it is written.
+
+tire_compression: that of the state. travel: of the wheel centre, up from rest (m). wheel, arm: from
+the c.g. to the wheel centre, from there to the contact point (m). path, contact_path: derivatives
+of wheel centre and contact point by the travel (m/m).
+"""
+
+COMPLIANCE_TERMS = record_dtype(*per_wheel("sine", "cosine", "angle", "gap", "step"))
+"""Work space of model/steering.
+
+sine, cosine: of the direction of a wheel without compliance steer. angle: of compliance steer
+(rad). gap: between that of the forces and this one (rad). step: change of the angle (rad).
+"""
 
 OUTPUTS = record_dtype(
     *per_wheel("normal_force", "longitudinal_force", "lateral_force", "support"),
@@ -203,6 +286,12 @@ OUTPUTS = record_dtype(
     ("tire_terms", TIRE_TERMS),
     *per_wheel("contact_x", "contact_y", "strut_force", "link_load_transfer"),
     *per_wheel("applied_x", "applied_y", "link_x", "link_y"),
+    *per_wheel("contact_z"),
+    ("roll_centre_height", 2),
+    ("roll_centre_place", 2),
+    ("suspension_terms", SUSPENSION_TERMS),
+    ("compliance_terms", COMPLIANCE_TERMS),
+    ("commanded_steering", AXLE_COUNT),
     ("body_acceleration", DEGREES_OF_ACCELERATION),
     ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
 )
@@ -211,6 +300,7 @@ OUTPUTS = record_dtype(
 normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N). support: normal load
 before clipping at 0 (N), negative off the ground. acceleration: of the sprung c.g. along the axes
 of frame 2 (m/s^2). specific_force: reading of an accelerometer at the c.g., in frame 1 (m/s^2).
+commanded_steering: front and rear (rad).
 body_acceleration: derivatives of u, v, w and the body rates. The others are terms of the equations,
 described where they are computed. Outputs that a model does not have are nan.
 """

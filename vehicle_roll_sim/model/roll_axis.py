@@ -23,18 +23,27 @@ def roll_axis_depth(vehicle):
 def strut_share(i, vehicle, options):
     """Share of the strut in the travel of corner i relative to the ground; the rest is the tire's.
 
-    kt / (ks + kt): strut and tire in series. 1 for rigid tires.
+    kt / (ks + kt): strut and tire in series, in roll. 1 for rigid tires.
     """
     if options.rigid_tires:
         return 1.0
     tire_stiffness = vehicle.tire_stiffness[i]
-    return tire_stiffness / (vehicle.spring_stiffness[i] + tire_stiffness)
+    return tire_stiffness / (stiffness_in_roll(i, vehicle) + tire_stiffness)
+
+
+@kernel
+def stiffness_in_roll(i, vehicle):
+    """Force of spring and anti-roll bar per travel of corner i in roll (N/m): ks + 2 kb.
+
+    The other wheel of the axle then moves the other way.
+    """
+    return vehicle.spring_stiffness[i] + 2 * vehicle.bar_rate[i]
 
 
 @kernel
 def corner_stiffness(i, vehicle, options):
-    """Vertical stiffness between body and ground at corner i (N/m): ks kt / (ks + kt)."""
-    return vehicle.spring_stiffness[i] * strut_share(i, vehicle, options)
+    """Vertical stiffness between body and ground at corner i in roll (N/m): ks kt / (ks + kt)."""
+    return stiffness_in_roll(i, vehicle) * strut_share(i, vehicle, options)
 
 
 @kernel

@@ -23,7 +23,7 @@ from vehicle_roll_sim.model.integration.events import (
     note_peaks,
     note_rollover,
 )
-from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
+from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.model.tire.radii import rolling_radii
@@ -47,6 +47,8 @@ SPEEDS = slice(PLACES.stop, PLACES.stop + TWIST + WHEEL_COUNT)
 SPINS = slice(SPEEDS.stop, SPEEDS.stop + WHEEL_COUNT)
 """Parts of the integrated vector: the engine's positions and velocities, and the wheel spins
 (rad/s)."""
+OTHER_SIDE = [RF, LF, RR, LR]
+"""The wheel on the other side of each wheel's axle."""
 BODY, FIRST_WHEEL = 1, 2
 """Indices of the bodies in the engine."""
 
@@ -176,10 +178,12 @@ class Multibody(Simulation):
         return rates
 
     def _strut_forces(self, command: np.record) -> np.ndarray:
-        """Strut forces: spring, damper and active force, positive in compression (N; eq. 23)."""
+        """Spring, damper, bar and active force, positive in compression (N; eq. 23)."""
         car, slides, speeds = self._car, self._data.qpos[POSE:], self._data.qvel[TWIST:]
         compression = car.static_suspension_compression + slides
-        return car.spring_stiffness * compression + car.damping * speeds + command["normal_force"]
+        bars = car.bar_rate * (slides - slides[OTHER_SIDE])
+        passive = car.spring_stiffness * compression + car.damping * speeds + bars
+        return passive + command["normal_force"]
 
     def _apply_contact_forces(self, spins: np.ndarray, command: np.record) -> np.ndarray:
         """Apply the contact forces to the bodies; returns the spin accelerations (rad/s^2)."""

@@ -1,5 +1,6 @@
 """The history of a run: one row of named signals per sample, in memory and as CSV."""
 
+import itertools
 import math
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,7 +10,13 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.table_file import read_table
-from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, OUTPUTS, STATE_NAMES, WHEELS
+from vehicle_roll_sim.model.records import (
+    AXLE_COUNT,
+    MODEL_STATE_SIZE,
+    OUTPUTS,
+    STATE_NAMES,
+    WHEELS,
+)
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, field_of
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -52,6 +59,11 @@ COMMANDS = (
 If commands are held over periods, those of the period that ends with the row; else those at the
 time of the row.
 """
+ROLL_CENTRES = tuple(
+    f"{axle}_roll_centre_{measure}" for measure in ("height", "place") for axle in ("front", "rear")
+)
+"""Names of further columns of model 2: height above the road, and place to the left of the c.g., of
+the roll centre of each axle (m); nan where there is none."""
 WITH_COMMANDS = "add all commands to the CSV, not only the steering; `plot` then draws them"
 """Help text of the option of that name."""
 
@@ -66,8 +78,8 @@ def _places_of_outputs() -> np.ndarray:
     """Where the outputs among COLUMNS are in the flat vector of OUTPUTS."""
     places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
     quantities = (places[quantity] for quantity in OUTPUT_QUANTITIES)
-    accelerations = places["acceleration"][: len(ACCELERATIONS)]
-    return np.concatenate((*quantities, places["steering"][:1], accelerations)).astype(int)
+    steering, accelerations = places["commanded_steering"][:1], places["acceleration"]
+    return np.concatenate((*quantities, steering, accelerations[: len(ACCELERATIONS)])).astype(int)
 
 
 _OF_OUTPUTS = _places_of_outputs()
@@ -82,27 +94,39 @@ def row_of(simulation: Simulation) -> np.ndarray:
     return row
 
 
+def roll_centres_of(simulation: Simulation) -> np.ndarray:
+    """The values of ROLL_CENTRES at the present simulated time; nan in models without them."""
+    outputs = simulation.outputs
+    return np.concatenate((outputs["roll_centre_height"], outputs["roll_centre_place"]))
+
+
 class History:
     """Samples of a run; `history["roll"]` is one column, shape (rows,).
 
     rows: values of COLUMNS, shape (rows, columns). commands: values of COMMANDS, shape (rows,
-    commands), or None if they are unknown.
+    commands), or None if they are unknown. roll_centres: values of ROLL_CENTRES, shape (rows, 4),
+    or None if the model has none or they are unknown.
     """
 
-    def __init__(self, rows: list[np.ndarray] | np.ndarray, commands: np.ndarray | None = None):
-        self.rows, self.commands = np.array(rows), commands
+    def __init__(
+        self,
+        rows: list[np.ndarray] | np.ndarray,
+        commands: np.ndarray | None = None,
+        roll_centres: np.ndarray | None = None,
+    ):
+        self.rows, self.commands, self.roll_centres = np.array(rows), commands, roll_centres
 
     @classmethod
     def read_csv(cls, path: Path) -> "History":
         """Read a file written by `write_csv`; raises InputError naming line and column.
 
         Columns may be in any order, and further columns are ignored. COMMANDS are read if all of
-        them are present. All values except the time may be nan. Times must not decrease; a time may
-        occur twice, like the last one of a run that diverged.
+        them are present, likewise ROLL_CENTRES. All values except the time may be nan. Times must
+        not decrease; a time may occur twice, like the last one of a run that diverged.
         """
         header, lines = read_table(path, LARGEST_FILE)
-        has_commands = set(COMMANDS) <= set(header)
-        places = _places(path, header, (*COLUMNS, *COMMANDS) if has_commands else COLUMNS)
+        further = [names for names in (COMMANDS, ROLL_CENTRES) if set(names) <= set(header)]
+        places = _places(path, header, tuple(itertools.chain(COLUMNS, *further)))
         rows, time = [], -math.inf
         for line, texts in lines:
             row = [_number(path, line, header[place], texts[place]) for place in places]
@@ -113,12 +137,20 @@ class History:
             time = row[0]
         if not rows:
             raise InputError(f"file {path}", "", "a header and at least one row", "no rows")
-        rows = np.array(rows)
-        of_states = len(COLUMNS)
-        return cls(rows[:, :of_states], rows[:, of_states:] if has_commands else None)
+        ends = np.cumsum([len(names) for names in (COLUMNS, *further)])[:-1]
+        own, *others = np.split(np.array(rows), ends, axis=1)
+        found = dict(zip(further, others, strict=True))
+        return cls(own, found.get(COMMANDS), found.get(ROLL_CENTRES))
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.rows[:, COLUMNS.index(name)]
+
+    def roll_centre(self, measure: str) -> np.ndarray:
+        """Height or place of the roll centre of each axle, shape (rows, 2) (m); nan if unknown."""
+        if self.roll_centres is None:
+            return np.full((len(self.rows), AXLE_COUNT), np.nan)
+        names = [f"{axle}_roll_centre_{measure}" for axle in ("front", "rear")]
+        return self.roll_centres[:, [ROLL_CENTRES.index(name) for name in names]]
 
     def wheels(self, quantity: str) -> np.ndarray:
         """A quantity at all wheels (lf, rf, lr, rr), shape (rows, 4)."""
@@ -140,16 +172,20 @@ class History:
     def part(self, chosen: np.ndarray) -> "History":
         """The selected rows; chosen: a boolean for each row, shape (rows,)."""
         commands = None if self.commands is None else self.commands[chosen]
-        return History(self.rows[chosen], commands)
+        centres = None if self.roll_centres is None else self.roll_centres[chosen]
+        return History(self.rows[chosen], commands, centres)
 
     def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
         """Write all rows in full precision; the file is written completely or not at all.
 
-        with_commands: append COMMANDS to the columns; nan if they are unknown.
+        Columns of ROLL_CENTRES follow if they are known. with_commands: append COMMANDS to the
+        columns; nan if they are unknown.
         """
         names, rows = COLUMNS, self.rows
+        if self.roll_centres is not None:
+            names, rows = (*names, *ROLL_CENTRES), np.hstack((rows, self.roll_centres))
         if with_commands:
-            names, rows = (*COLUMNS, *COMMANDS), np.hstack((rows, self._known_commands()))
+            names, rows = (*names, *COMMANDS), np.hstack((rows, self._known_commands()))
         with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
             file.write(",".join(names) + "\n")
             for row in rows.tolist():

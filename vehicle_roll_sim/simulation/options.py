@@ -14,32 +14,9 @@ from vehicle_roll_sim.declaration import (
     parameter,
 )
 from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, OPTIONS, SLIP_STATES
+from vehicle_roll_sim.model.variants import MODELS, PAPER
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-_1A = ("small_angles",)
-_1B = (*_1A, "no_link_inertia", "no_unsprung_turning")
-MODELS = {
-    "1": (),
-    "1a": _1A,
-    "1b": _1B,
-    "1c-i": (*_1B, "contact_forces_not_rotated"),
-    "1c-ii": (*_1B, "unsprung_forces_not_rotated"),
-    "1c-iii": (*_1B, "rates_not_rotated"),
-    "1c-iv": (*_1B, "contact_moves_with_corner"),
-    "1b-static-strut": (*_1B, "fixed_strut_length"),
-    "1b-no-strut": (*_1B, "fixed_strut_length", "unsprung_moves_with_corner"),
-    "1b-turning-kept": (*_1A, "no_link_inertia"),
-    "1b-mass-lumped": (*_1B, "lumped_unsprung_mass"),
-    "8dof": ("eight_dof",),
-    "8dof-rigid-tires": ("eight_dof", "rigid_tires"),
-}
-"""The simplifications that define each model.
-
-After 1c-iv: the admissible simplification of section 6.4 in its two steps, and the two errors of
-section 5 (equation 58 omitted; unsprung mass lumped into equations 48 and 49). Last: the 8 DOF
-model of section 8, with the tires in series with the springs, and with rigid tires, that is, with
-the roll stiffness of the springs alone.
-"""
 SWITCHES = ("tire_moments", "contact_patch_shift")
 """Options that a vehicle file decides unless they are given."""
 SYMMETRIC, ASYMMETRIC = "symmetric", "asymmetric"
@@ -50,11 +27,15 @@ class Options:
     """The model and its variants. The default is model 1 of the paper.
 
     Raises InputError for a combination that the paper does not define: the simplified models have
-    only the variant `no_roll_centre`, the 8 DOF model has none; without roll centres there is no
-    link load transfer that could be asymmetric.
+    only the variant `no_roll_centre`, the 8 DOF model and model 2 have none; without roll centres
+    there is no link load transfer that could be asymmetric.
     """
 
-    model: str = parameter("model of the paper", choices=tuple(MODELS), default="1")
+    model: str = parameter(
+        "model of the paper, or 2; a vehicle file can name another default",
+        choices=tuple(MODELS),
+        default=PAPER,
+    )
     no_roll_centre: bool = parameter(
         "no roll centres: lateral link forces act at the strut tops (eq. 24 instead of 25), and "
         "there is no link load transfer",
@@ -76,6 +57,9 @@ class Options:
     euler_terms: bool = parameter(
         "include the gyroscopic terms that the paper omits from equations 32 to 34", default=False
     )
+    wheel_gyroscopics: bool = parameter(
+        "include the gyroscopic moments of the spinning wheels", default=False
+    )
     tire_moments: str = parameter(
         "apply the overturning, rolling resistance and aligning moments of the tires; auto: as in "
         "the vehicle file, where on is the default",
@@ -94,7 +78,10 @@ class Options:
         keep_validated(self)  # converts 1 to model "1"
         if self.model != "1":
             self._refuse("of model 1", "tire_normal_to_ground", "link_load_transfer", "euler_terms")
-            self._refuse("of model 1", *SWITCHES)
+        if not self.has_tire_moments:
+            self._refuse("of models 1 and 2", *SWITCHES, "wheel_gyroscopics")
+        if self.is_kinematic:
+            self._refuse("of models with a fixed roll centre", "no_roll_centre")
         if self.has_eight_dof:
             self._refuse("of the 14 DOF models", "no_roll_centre")
         if self.no_roll_centre and self.link_load_transfer == ASYMMETRIC:
@@ -113,6 +100,16 @@ class Options:
         return "eight_dof" in MODELS[self.model]
 
     @property
+    def is_kinematic(self) -> bool:
+        """Whether the suspension guides the wheels along paths, as in model 2."""
+        return "kinematic" in MODELS[self.model]
+
+    @property
+    def has_tire_moments(self) -> bool:
+        """Whether the equations have terms for the moments of the tires."""
+        return self.model == "1" or self.is_kinematic
+
+    @property
     def states(self) -> tuple[str, ...]:
         """The fields of records.STATE that the model uses, in the order of its equations."""
         states = EIGHT_DOF_STATES if self.has_eight_dof else MODEL_STATE.names
@@ -125,17 +122,26 @@ class Options:
         for name in (*MODELS[self.model], *chosen):
             options[name] = True
         options["asymmetric_link_load_transfer"] = self.link_load_transfer == ASYMMETRIC
-        options["contact_moments"] = ON in (self.tire_moments, self.contact_patch_shift)
+        of_tires = ON in (self.tire_moments, self.contact_patch_shift)
+        options["contact_moments"] = of_tires or self.wheel_gyroscopics
         return options
 
     def for_vehicle(self, vehicle: Vehicle) -> "Options":
         """The same options with on or off in place of auto, as a vehicle has it."""
         chosen = {
-            name: ON if self.model == "1" and getattr(vehicle, name) else OFF
+            name: ON if self.has_tire_moments and getattr(vehicle, name) else OFF
             for name in SWITCHES
             if getattr(self, name) == AUTO
         }
         return dataclasses.replace(self, **chosen)
+
+
+def options_for(vehicle: Vehicle, **values) -> Options:
+    """Options with these values; the model is that of the vehicle unless it is among them.
+
+    Raises InputError.
+    """
+    return Options(**{"model": vehicle.model} | values)
 
 
 MULTIBODY = Options(no_roll_centre=True, euler_terms=True, steady_state_slip=True)

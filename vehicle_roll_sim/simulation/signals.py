@@ -96,6 +96,10 @@ OUTPUT_SIGNALS = {
     "applied_y": Signal("N", BODY, "force at the strut top for an unaccelerated body, to the left"),
     "link_x": Signal("N", BODY, "force of the suspension links, forward"),
     "link_y": Signal("N", BODY, "force of the suspension links, to the left"),
+    "contact_z": Signal("N", BODY, "model 2: contact force, up"),
+    "roll_centre_height": Signal("m", ROAD, "model 2: roll centre of each axle above the road"),
+    "roll_centre_place": Signal("m", BODY, "model 2: the same, to the left of the c.g."),
+    "suspension_terms": Signal("", BODY, "model 2: path and carrier of the wheels (work space)"),
     "body_acceleration": Signal(
         "m/s^2, rad/s^2", BODY, "derivatives of u, v, w and of the three body rates"
     ),

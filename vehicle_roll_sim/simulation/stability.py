@@ -64,7 +64,8 @@ class Modes:
             size = DIFFERENCE * max(1.0, abs(state[place]))
             back[place] -= size
             ahead[place] += size
-            columns.append((rates(ahead) - rates(back)) / (ahead[place] - back[place]))
+            width = ahead[place] - back[place]
+            columns.append((rates(ahead) - rates(back)) / width)
         return rates(state), np.array(columns).T
 
     def _rates_under(self, command: Command) -> Callable[[np.ndarray], np.ndarray]:

@@ -6,13 +6,18 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
+from vehicle_roll_sim.model.variants import MODELS
 from vehicle_roll_sim.vehicle.axle_tires import of_file
-from vehicle_roll_sim.vehicle.derived_values import AXLES, DerivedValues
+from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
+from vehicle_roll_sim.vehicle.suspension_checks import check_suspension
 from vehicle_roll_sim.vehicle.tire.moments import ROLLING_RESISTANCE, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
+from vehicle_roll_sim.vehicle.travel_curves import check_knots
 
 ROLL_CENTRES = {"minimum": -5.0, "maximum": 50.0}
 """m: allowed range of the depth, and of the height, of a roll centre."""
+LARGEST_TURN = 1.0
+"""rad: of a wheel carrier, in a table over wheel travel."""
 VERSION_WITHOUT_PRESSURE = "5.2"
 
 
@@ -27,8 +32,13 @@ def check_consistency(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...
     _check_taken_from_tires(vehicle)
     _check_roll_centres(vehicle)
     _check_inertias(vehicle)
+    _check_anti_roll_bars(vehicle)
+    _check_carriers(vehicle)
+    check_suspension(vehicle)
     _check_fits_on_its_wheels(vehicle)
     _check_springs_carry_it(vehicle)
+    for curves in vehicle.travel_curves.values():
+        check_knots(curves)
 
 
 def _check_tires(vehicle: DerivedValues) -> None:
@@ -52,6 +62,8 @@ def _check_tires(vehicle: DerivedValues) -> None:
             raise InputError(name, getattr(vehicle, name), "true or false")
     if vehicle.longitudinal not in ("", "from_lateral"):
         raise InputError("longitudinal", vehicle.longitudinal, "from_lateral, or nothing")
+    if vehicle.model not in MODELS:
+        raise InputError("model", vehicle.model, " or ".join(MODELS))
 
 
 def _check_given_once(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...]]) -> None:
@@ -100,6 +112,25 @@ def _check_roll_centres(vehicle: DerivedValues) -> None:
             raise InputError(name, vehicle.given[name], limit)
 
 
+def _check_anti_roll_bars(vehicle: DerivedValues) -> None:
+    """A bar has one stiffness, given at the wheels or in roll."""
+    for name, other in BAR_SPELLINGS:
+        if name in vehicle.given and other in vehicle.given:
+            value = vehicle.given[name]
+            problem = f"{value:g} together with {other} {vehicle.given[other]:g}"
+            raise InputError(name, value, "only one of the two may be given", problem)
+
+
+def _check_carriers(vehicle: DerivedValues) -> None:
+    """The equations hold for carriers that turn by less than a quarter turn."""
+    for axle in AXLES:
+        for quantity in ("camber_change", "toe_change", "carrier_pitch_change"):
+            table = vehicle.given.get(f"{axle}_{quantity}", 0.0)
+            if isinstance(table, tuple) and max(abs(v) for _, v in table) > LARGEST_TURN:
+                allowed = f"a table of angles from {-LARGEST_TURN:g} to {LARGEST_TURN:g} rad"
+                raise InputError(f"{axle}_{quantity}", table, allowed)
+
+
 def _check_inertias(vehicle: DerivedValues) -> None:
     """No principal moment of inertia of a rigid body exceeds the sum of the other two."""
     names = ("roll_inertia", "pitch_inertia", "yaw_inertia")
@@ -133,7 +164,11 @@ def _check_springs_carry_it(vehicle: DerivedValues) -> None:
         name = f"{axle}_spring_stiffness"
         compression = float(vehicle.static_suspension_compression[wheel])
         if compression > most:
-            stiffness = vehicle.given[name]
+            stiffness = vehicle.given.get(name)
+            if stiffness is None:
+                table = f"{axle}_spring_force"
+                allowed = f"forces that carry the sprung mass within {most:g} m of compression"
+                raise InputError(table, vehicle.given[table], allowed)
             limit = f"at least {stiffness * compression / most:g} N/m to carry the sprung mass"
             raise InputError(name, stiffness, limit)
 

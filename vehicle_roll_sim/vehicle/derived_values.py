@@ -7,23 +7,50 @@ import numpy as np
 from vehicle_roll_sim.model.equilibrium import (
     axle_load_share,
     static_strut_length,
-    static_suspension_compression,
     static_tire_compression,
 )
-from vehicle_roll_sim.model.records import LF, LR, VEHICLE
+from vehicle_roll_sim.model.records import VEHICLE, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.coefficients import on_axles
 from vehicle_roll_sim.vehicle.axle_tires import (
     FromTire,
     from_tire,
     lateral_stiffness,
 )
+from vehicle_roll_sim.vehicle.suspension_details import (
+    compressions_at_rest,
+    details_of,
+    mean_damping,
+    stiffnesses_at_rest,
+)
+from vehicle_roll_sim.vehicle.suspension_parameters import AXLES
 from vehicle_roll_sim.vehicle.tire.moments import OVERTURNING, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
+from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
 GRAVITY = 9.81
 """m/s^2, the value used in the paper."""
-AXLES = {"front": LF, "rear": LR}
-"""The left wheel of each axle; both wheels of an axle have the same parameters."""
+LINEAR = {"spring_stiffness": "stiffness_at_rest", "damping": "mean_damping"}
+"""Parameters of each axle that may be tables, and the values of linear models in their place."""
+BAR_SPELLINGS = tuple(
+    (f"{axle}_anti_roll_bar_stiffness", f"{axle}_anti_roll_bar_rate") for axle in AXLES
+)
+"""The two parameters of each bar, of which a vehicle has at most one."""
+TRAVEL_SIGNS = {
+    "half_track_change": 1.0,
+    "longitudinal_change": 1.0,
+    "camber_change": -1.0,
+    "toe_change": -1.0,
+    "carrier_pitch_change": 1.0,
+}
+"""Parameters of each axle that are curves over wheel travel, and the sign with which they are
+displacements, or rotations of a left wheel about the axes, of frame 1."""
+
+
+def _times(given: float | tuple, sign: float) -> float | tuple:
+    """A curve times a sign."""
+    if isinstance(given, tuple):
+        return tuple((travel, sign * value) for travel, value in given)
+    return sign * float(given)
 
 
 class DerivedValues:
@@ -121,9 +148,17 @@ class DerivedValues:
     @functools.cached_property
     def static_suspension_compression(self) -> np.ndarray:
         """xsi of each corner, eq. 19; shape (4,) (m)."""
-        return static_suspension_compression(
-            self.sprung_mass, self.axle_load_share, self.per_wheel("spring_stiffness"), GRAVITY
-        )
+        return compressions_at_rest(self, GRAVITY)
+
+    @functools.cached_property
+    def stiffness_at_rest(self) -> np.ndarray:
+        """Stiffness of the spring at each wheel at rest, shape (4,) (N/m)."""
+        return stiffnesses_at_rest(self, GRAVITY)
+
+    @functools.cached_property
+    def mean_damping(self) -> np.ndarray:
+        """Damping coefficient at each wheel, shape (4,) (N s/m): mean of bump and rebound."""
+        return np.repeat([mean_damping(self, axle) for axle in AXLES], WHEEL_COUNT // 2)
 
     @functools.cached_property
     def static_strut_length(self) -> np.ndarray:
@@ -132,11 +167,65 @@ class DerivedValues:
             self.cg_height, self.per_wheel("tire_radius"), self.static_tire_compression
         )
 
+    @functools.cached_property
+    def bar_rate(self) -> np.ndarray:
+        """Force of the anti-roll bar on a wheel per difference of travels, shape (4,) (N/m).
+
+        K / c^2 with the bar's roll stiffness K: a roll angle phi moves the wheels c phi apart, and
+        the pair of forces has the lever c.
+        """
+        rates = []
+        for axle in AXLES:
+            rate = getattr(self, f"{axle}_anti_roll_bar_rate") or 0.0
+            stiffness = getattr(self, f"{axle}_anti_roll_bar_stiffness")
+            if stiffness is not None:
+                rate = stiffness / getattr(self, f"{axle}_track") ** 2
+            rates += [rate, rate]
+        return np.array(rates)
+
+    @functools.cached_property
+    def static_loaded_radius(self) -> np.ndarray:
+        """Distance from each wheel centre to its contact point at rest, shape (4,) (m)."""
+        flattening = self.static_tire_compression * np.cos(self.per_wheel("camber"))
+        return self.per_wheel("tire_radius") - flattening
+
+    @functools.cached_property
+    def static_wheel_height(self) -> np.ndarray:
+        """Height of each wheel centre above the road at rest, in model 2; shape (4,) (m)."""
+        return self.static_loaded_radius * np.cos(self.per_wheel("camber"))
+
+    @functools.cached_property
+    def travel_curves(self) -> dict[str, dict[str, TravelCurve]]:
+        """What changes with the travel of the left wheel of each axle: HALF_TRACK to CARRIER_PITCH.
+
+        By the names of the parameters, but with the signs of rotations about the body's axes.
+        Without a half-track change the contact point moves at right angles to the line from it to
+        the roll centre.
+        """
+        return {
+            axle: {
+                f"{axle}_{name}": TravelCurve(_times(self._over_travel(axle, name), sign))
+                for name, sign in TRAVEL_SIGNS.items()
+            }
+            for axle in AXLES
+        }
+
+    def _over_travel(self, axle: str, name: str) -> float | tuple:
+        given = getattr(self, f"{axle}_{name}")
+        if given is not None:
+            return given
+        height = self.cg_height - self.roll_centre_depth[AXLES[axle]]  # the same for either measure
+        slope = 2 * height / getattr(self, f"{axle}_track")
+        return slope if name == "half_track_change" else 0.0
+
     def per_wheel(self, name: str) -> np.ndarray:
         """The values of NAME of the front and rear axle at lf, rf, lr, rr; shape (4,).
 
-        Those that are not given are those of the tires.
+        Those that are not given are those of the tires. Springs and dampers that are tables have
+        the stiffness and damping of linear models.
         """
+        if name in LINEAR:
+            return getattr(self, LINEAR[name])
         front, rear = (self._known_at_axle(axle, name) for axle in AXLES)
         return np.array([front, front, rear, rear])
 
@@ -192,10 +281,13 @@ class DerivedValues:
         """Where and how the wheels stand, and gravity (m/s^2).
 
         x, y: in the plane of the c.g. (m). camber: positive with the top towards the right (rad).
-        tire_lateral_compliance: 0, as for a contact patch that does not shift.
+        tire_lateral_compliance: 0, as for a contact patch that does not shift. engine_drag: at the
+        driven wheels, those of the rear axle (N m s/rad).
         """
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
         camber = self.per_wheel("camber") * (-1, 1, -1, 1)
+        of_axles = [tabulated([*curves.values()]) for curves in self.travel_curves.values()]
+        knots, origins, curves = zip(*of_axles, strict=True)
         return {
             "x": (front, front, rear, rear),
             "y": self.per_wheel("track") / 2 * (1, -1, 1, -1),
@@ -204,6 +296,11 @@ class DerivedValues:
             "camber_cosine": np.cos(camber),
             "tire_radius": self.per_wheel("tire_radius"),
             "tire_lateral_compliance": 0.0,
+            "engine_drag": np.array([0.0, 0.0, 1.0, 1.0]) * (self.engine_drag or 0.0),
+            "travel_knots": knots,
+            "travel_origins": origins,
+            "travel_curves": curves,
+            "details": details_of(self, GRAVITY),
             "gravity": GRAVITY,
             "gravity_along": 0.0,
             "gravity_across": 0.0,

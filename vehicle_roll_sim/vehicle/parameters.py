@@ -3,15 +3,19 @@
 import dataclasses
 
 from vehicle_roll_sim.declaration import (
+    Curve,
     InputError,
+    Table,
     check_alternatives,
     keep_validated,
     parameter,
     parameters_of,
     validated,
 )
+from vehicle_roll_sim.model.variants import PAPER
 from vehicle_roll_sim.vehicle.consistency import ROLL_CENTRES, check_consistency
-from vehicle_roll_sim.vehicle.derived_values import AXLES, DerivedValues
+from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
+from vehicle_roll_sim.vehicle.suspension_parameters import of_axle
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 _LENGTH = {"unit": "m", "minimum": 0.01, "maximum": 50.0}
@@ -23,6 +27,10 @@ _MASS = {"unit": "kg", "minimum": 0.01, "maximum": 1e6}
 _CENTRE = {"unit": "m"} | ROLL_CENTRES
 _PRESSURE = {"unit": "Pa", "minimum": 1e4, "maximum": 2e6}
 _CAMBER = {"unit": "rad", "minimum": -0.5, "maximum": 0.5}
+_ROLL_STIFFNESS = {"unit": "N m/rad", "minimum": 0.0, "maximum": 1e8}
+_BAR = {"unit": "N/m", "minimum": 0.0, "maximum": 1e8}
+_PATH = {"unit": "m/m", "minimum": -10.0, "maximum": 10.0}
+_TURN = {"unit": "rad/m", "minimum": -50.0, "maximum": 50.0}
 _LATERAL = _STIFFNESS | {"minimum": 1e3}
 PER_AXLE = {
     name: tuple(f"{axle}_{name}" for axle in AXLES) for name in ("tire_radius", "tire_pressure")
@@ -39,8 +47,9 @@ class Vehicle(DerivedValues):
     The tires are given either as one `tire` for all wheels, or as `front_tire` and `rear_tire`; the
     other attributes are None. `axle_tires` has both, whichever was given. tire_moments,
     contact_patch_shift: the values for which `auto` stands in the options of these names.
-    longitudinal: how tire files are read, `from_lateral` or ''. stated_at: where values were given
-    (file, line and name), for messages.
+    longitudinal: how tire files are read, `from_lateral` or ''. model: with which the vehicle is
+    simulated unless another is asked for. stated_at: where values were given (file, line and name),
+    for messages.
 
     The roll centre of an axle is specified either as a depth below the c.g. or as a height above
     the ground; the other attribute is None. The specified value is kept when `cg_height` is
@@ -70,18 +79,34 @@ class Vehicle(DerivedValues):
     )
     front_track: float = parameter("track width of the front axle", **_LENGTH, symbol="cf")
     rear_track: float = parameter("track width of the rear axle", **_LENGTH, symbol="cr")
-    front_spring_stiffness: float = parameter(
-        "spring stiffness at one front wheel, not per axle", **_STIFFNESS, symbol="ksf"
+    front_spring_stiffness: float | None = parameter(
+        "spring stiffness at one front wheel, not per axle",
+        **_STIFFNESS,
+        symbol="ksf",
+        alternative="front_spring_force",
     )
-    rear_spring_stiffness: float = parameter(
-        "spring stiffness at one rear wheel, not per axle", **_STIFFNESS, symbol="ksr"
+    front_spring_force: Table | None = of_axle("front", "spring_force")
+    rear_spring_stiffness: float | None = parameter(
+        "spring stiffness at one rear wheel, not per axle",
+        **_STIFFNESS,
+        symbol="ksr",
+        alternative="rear_spring_force",
     )
-    front_damping: float = parameter(
-        "damping coefficient at one front wheel, not per axle", **_DAMPING, symbol="bsf"
+    rear_spring_force: Table | None = of_axle("rear", "spring_force")
+    front_damping: float | None = parameter(
+        "damping coefficient at one front wheel, not per axle",
+        **_DAMPING,
+        symbol="bsf",
+        alternative="front_damper_force",
     )
-    rear_damping: float = parameter(
-        "damping coefficient at one rear wheel, not per axle", **_DAMPING, symbol="bsr"
+    front_damper_force: Table | None = of_axle("front", "damper_force")
+    rear_damping: float | None = parameter(
+        "damping coefficient at one rear wheel, not per axle",
+        **_DAMPING,
+        symbol="bsr",
+        alternative="rear_damper_force",
     )
+    rear_damper_force: Table | None = of_axle("rear", "damper_force")
     front_unsprung_mass: float = parameter(
         "unsprung mass at one front wheel, not per axle", **_MASS, symbol="muf"
     )
@@ -182,12 +207,132 @@ class Vehicle(DerivedValues):
         **_CAMBER,
         default=0.0,
     )
+    front_anti_roll_bar_stiffness: float | None = parameter(
+        "roll stiffness of the front anti-roll bar, between body and road; by default 0",
+        **_ROLL_STIFFNESS,
+        default=None,
+    )
+    front_anti_roll_bar_rate: float | None = parameter(
+        "the same at the wheels: force on each per difference of their travels",
+        **_BAR,
+        default=None,
+    )
+    rear_anti_roll_bar_stiffness: float | None = parameter(
+        "roll stiffness of the rear anti-roll bar, between body and road; by default 0",
+        **_ROLL_STIFFNESS,
+        default=None,
+    )
+    rear_anti_roll_bar_rate: float | None = parameter(
+        "the same at the wheels: force on each per difference of their travels",
+        **_BAR,
+        default=None,
+    )
+    front_half_track_change: Curve | None = parameter(
+        "front wheels: displacement of the contact point outwards with wheel travel (model "
+        "2); by default along the line that gives the roll centre",
+        **_PATH,
+        default=None,
+    )
+    front_longitudinal_change: Curve | None = parameter(
+        "front wheels: displacement of the wheel centre forwards with wheel travel (model 2); "
+        "by default 0",
+        **_PATH,
+        default=None,
+    )
+    front_camber_change: Curve | None = parameter(
+        "front wheels: camber with wheel travel, positive with the top outwards (model 2); by "
+        "default 0",
+        **_TURN,
+        default=None,
+    )
+    front_toe_change: Curve | None = parameter(
+        "front wheels: toe-in with wheel travel (model 2); by default 0",
+        **_TURN,
+        default=None,
+    )
+    front_carrier_pitch_change: Curve | None = parameter(
+        "front wheels: turn of the wheel carrier with wheel travel, positive with its top "
+        "forwards (model 2); by default 0",
+        **_TURN,
+        default=None,
+    )
+    rear_half_track_change: Curve | None = parameter(
+        "rear wheels: displacement of the contact point outwards with wheel travel (model 2); "
+        "by default along the line that gives the roll centre",
+        **_PATH,
+        default=None,
+    )
+    rear_longitudinal_change: Curve | None = parameter(
+        "rear wheels: displacement of the wheel centre forwards with wheel travel (model 2); "
+        "by default 0",
+        **_PATH,
+        default=None,
+    )
+    rear_camber_change: Curve | None = parameter(
+        "rear wheels: camber with wheel travel, positive with the top outwards (model 2); by "
+        "default 0",
+        **_TURN,
+        default=None,
+    )
+    rear_toe_change: Curve | None = parameter(
+        "rear wheels: toe-in with wheel travel (model 2); by default 0",
+        **_TURN,
+        default=None,
+    )
+    rear_carrier_pitch_change: Curve | None = parameter(
+        "rear wheels: turn of the wheel carrier with wheel travel, positive with its top "
+        "forwards (model 2); by default 0",
+        **_TURN,
+        default=None,
+    )
+    front_rebound_damping: float | None = of_axle("front", "rebound_damping")
+    front_spring_motion_ratio: Curve | None = of_axle("front", "spring_motion_ratio")
+    front_damper_motion_ratio: Curve | None = of_axle("front", "damper_motion_ratio")
+    front_bump_stop_clearance: float | None = of_axle("front", "bump_stop_clearance")
+    front_bump_stop_stiffness: float | None = of_axle("front", "bump_stop_stiffness")
+    front_bump_stop_progression: float | None = of_axle("front", "bump_stop_progression")
+    front_rebound_stop_clearance: float | None = of_axle("front", "rebound_stop_clearance")
+    front_rebound_stop_stiffness: float | None = of_axle("front", "rebound_stop_stiffness")
+    front_rebound_stop_progression: float | None = of_axle("front", "rebound_stop_progression")
+    front_toe: float | None = of_axle("front", "toe")
+    front_roll_steer: float | None = of_axle("front", "roll_steer")
+    front_lateral_force_steer: float | None = of_axle("front", "lateral_force_steer")
+    front_aligning_moment_steer: float | None = of_axle("front", "aligning_moment_steer")
+    rear_rebound_damping: float | None = of_axle("rear", "rebound_damping")
+    rear_spring_motion_ratio: Curve | None = of_axle("rear", "spring_motion_ratio")
+    rear_damper_motion_ratio: Curve | None = of_axle("rear", "damper_motion_ratio")
+    rear_bump_stop_clearance: float | None = of_axle("rear", "bump_stop_clearance")
+    rear_bump_stop_stiffness: float | None = of_axle("rear", "bump_stop_stiffness")
+    rear_bump_stop_progression: float | None = of_axle("rear", "bump_stop_progression")
+    rear_rebound_stop_clearance: float | None = of_axle("rear", "rebound_stop_clearance")
+    rear_rebound_stop_stiffness: float | None = of_axle("rear", "rebound_stop_stiffness")
+    rear_rebound_stop_progression: float | None = of_axle("rear", "rebound_stop_progression")
+    rear_toe: float | None = of_axle("rear", "toe")
+    rear_roll_steer: float | None = of_axle("rear", "roll_steer")
+    rear_lateral_force_steer: float | None = of_axle("rear", "lateral_force_steer")
+    rear_aligning_moment_steer: float | None = of_axle("rear", "aligning_moment_steer")
+    ackermann_percentage: float | None = parameter(
+        "share of Ackermann geometry in the steering of the front wheels: 0 is parallel, with 100 "
+        "their axes meet on that of the rear axle; by default 0",
+        "%",
+        -200.0,
+        200.0,
+        default=None,
+    )
+    engine_drag: float | None = parameter(
+        "braking torque of the engine at each driven wheel per its speed; by default 0",
+        "N m s/rad",
+        0.0,
+        1e4,
+        default=None,
+    )
     tire: Tire | None = dataclasses.field(kw_only=True, default=None)
     front_tire: Tire | None = dataclasses.field(kw_only=True, default=None)
     rear_tire: Tire | None = dataclasses.field(kw_only=True, default=None)
     tire_moments: bool = dataclasses.field(kw_only=True, default=True)
     contact_patch_shift: bool = dataclasses.field(kw_only=True, default=True)
     longitudinal: str = dataclasses.field(kw_only=True, default="")
+    model: str = dataclasses.field(kw_only=True, default=PAPER)
     stated_at: dict = dataclasses.field(
         kw_only=True, default_factory=dict, compare=False, repr=False
     )
@@ -220,6 +365,9 @@ class Vehicle(DerivedValues):
         """
         known, given = parameters_of(Vehicle), self.given
         kept = {n: value for n, value in given.items() if known[n].alternative not in values}
+        for name, other in (*BAR_SPELLINGS, *((b, a) for a, b in BAR_SPELLINGS)):
+            if name in values:
+                kept.pop(other, None)
         for both, single in PER_AXLE.items():
             if both in values:
                 kept = {name: value for name, value in kept.items() if name not in single}

@@ -12,7 +12,7 @@ from rclpy.parameter import Parameter
 from std_srvs.srv import Trigger
 
 from vehicle_roll_sim import InputError, Vehicle, preset
-from vehicle_roll_sim.declaration import parameters_of
+from vehicle_roll_sim.declaration import Curve, parameters_of
 from vehicle_roll_sim.ros.simulator.node import Simulator
 from vehicle_roll_sim.ros.simulator.parameters import PARAMETERS
 
@@ -76,6 +76,8 @@ def beyond(declared) -> list:
         fewer = [1.0] * (declared.size - 1)
         with_wrong_end = [[*fewer, end] for end in ("1", -1e-9, math.nan, math.inf, True, None)]
         return [1.0, "1", None, [], fewer, [*fewer, 1.0, 1.0], *with_wrong_end]
+    if declared.kind is Curve:
+        return [math.nan, "no_such", None, True, [], 99.0, [0.0, 0.0], [0.1, 0.0, 0.0, 0.0]]
     if declared.kind is not float:
         return [] if declared.kind is str and not declared.choices else [math.nan, "no_such", [], 7]
     low, high = declared.minimum, declared.maximum

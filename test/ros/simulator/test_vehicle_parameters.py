@@ -55,6 +55,24 @@ def test_another_node_reads_the_same_vehicle(simulator):
     assert vehicle.record().tobytes() == node.session.simulation.vehicle.record().tobytes()
 
 
+def test_tables_over_wheel_travel_are_numbers_in_a_row(simulator):
+    camber, bar = "vehicle.front_camber_change", "vehicle.rear_anti_roll_bar_stiffness"
+    row = [-0.1, 0.02, 0.0, 0.0, 0.1, -0.03]
+    node = simulator(f"{camber}:={row}", f"{bar}:=20000", "vehicle.rear_toe_change:=0.1")
+    assert list(node.get_parameter(camber).value) == row
+    vehicle = node.session.simulation.vehicle
+    assert vehicle.front_camber_change == ((-0.1, 0.02), (0.0, 0.0), (0.1, -0.03))
+    assert (vehicle.rear_toe_change, vehicle.rear_anti_roll_bar_stiffness) == (0.1, 2e4)
+
+    def ask(names) -> list:
+        there = all(node.has_parameter(name) for name in names)
+        return [parameter.value for parameter in node.get_parameters(names)] if there else []
+
+    assert simulated_vehicle(ask)[0].given == vehicle.given
+    with pytest.raises(InputError, match=rf"^{camber}: \[0.0, 1.0, 0.0\].*pairs"):
+        simulator(f"{camber}:=[0.0, 1.0, 0.0]")
+
+
 @pytest.fixture
 def other(tmp_path) -> str:
     """A tire file that differs from the reference tire."""

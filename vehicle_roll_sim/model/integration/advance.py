@@ -21,6 +21,7 @@ from vehicle_roll_sim.model.integration.integrator import (
     copy,
     rk4_step,
 )
+from vehicle_roll_sim.model.kinematic.contact import note_tire_compression
 from vehicle_roll_sim.model.wheel import note_turning, stop_reversed
 
 NANOSECONDS = 1_000_000_000
@@ -55,6 +56,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         return taken, Condition.DIVERGED, culprit
     note_turning(state, out)
     derivatives(state, commands[0], vehicle, tires, options, out, stages[K1])
+    note_tire_compression(state, options, out)
     culprit = without_rate(stages[K1], limits.largest)
     if culprit < 0:
         note_lift_offs(start_ns / NANOSECONDS, 0.0, out.support, seen)
@@ -70,6 +72,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         if culprit < 0:
             note_turning(state, out)
             derivatives(state, after, vehicle, tires, options, out, stages[K1])
+            note_tire_compression(state, options, out)
             culprit = without_rate(stages[K1], limits.largest)
         if culprit < 0:
             taken += 1
@@ -83,6 +86,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         condition = Condition.DIVERGED
         note_turning(state, out)
         derivatives(state, idle, vehicle, tires, options, out, stages[K1])
+        note_tire_compression(state, options, out)
     note_peaks((start_ns + taken * step_ns) / NANOSECONDS, state, tires, out, seen)
     copy(state, stages[KEPT])
     return taken, condition, culprit

@@ -3,6 +3,7 @@
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.eight_dof import eight_dof_derivatives
 from vehicle_roll_sim.model.fourteen_dof import fourteen_dof_derivatives
+from vehicle_roll_sim.model.kinematic.derivatives import kinematic_derivatives
 
 
 @kernel
@@ -15,5 +16,7 @@ def derivatives(state, command, vehicle, tires, options, outputs, rates):
     """
     if options.eight_dof:
         eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rates)
+    elif options.kinematic:
+        kinematic_derivatives(state, command, vehicle, tires, options, outputs, rates)
     else:
         fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, rates)
