@@ -24,12 +24,15 @@ def terms_of_loads(tires, outputs):
 def terms_of_load(tire, first, outputs):
     """Those of one kind of tire, at the wheels from `first` on.
 
-    One loop: a short one would not be vectorized. Plain tires need exp(PKX3 dfz) only.
+    One loop: a short one would not be vectorized. Plain tires need exp(PKX3 dfz) only, and the
+    depth of a rolling radius of their own.
     """
     if tire.plain != 0.0:
         for i in range(first, WHEEL_COUNT):
             dfz = pure_slip.relative_load(outputs.normal_force[i], tire)
             outputs.tire_terms.stiffening[i] = math.exp(tire.PKX3 * dfz)
+            if tire.rolls_on_own_radius != 0.0:
+                outputs.tire_terms.rolling_depth[i] = rolling_depth(outputs.normal_force[i], tire)
         return
     terms, tire = outputs.tire_terms, all_tire_constants(tire)
     for i in range(WHEEL_COUNT):
