@@ -15,8 +15,9 @@ from vehicle_roll_sim.model.tire.radii import rolling_depth
 @kernel
 def terms_of_loads(tires, outputs):
     """From the normal load of every wheel; tires: a TIRES record."""
-    for first in range(0, LR if tires.front.shared != 0.0 else WHEEL_COUNT, LR):
-        terms_of_load(tires.front if first < LR else tires.rear, first, outputs)
+    terms_of_load(tires.front, 0, outputs)
+    if tires.front.shared == 0.0:
+        terms_of_load(tires.rear, LR, outputs)
 
 
 @kernel

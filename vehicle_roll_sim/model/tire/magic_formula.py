@@ -56,8 +56,9 @@ def tire_forces(tires, outputs):
 @kernel
 def forces_at_slips(tires, outputs):
     """As `tire_forces`, with the terms that depend on load only as input."""
-    for first in range(0, LR if tires.front.shared != 0.0 else WHEEL_COUNT, LR):
-        forces_of_tire(tires.front if first < LR else tires.rear, first, outputs)
+    forces_of_tire(tires.front, 0, outputs)
+    if tires.front.shared == 0.0:
+        forces_of_tire(tires.rear, LR, outputs)
 
 
 @kernel

@@ -110,8 +110,9 @@ def transient_slip(state, vehicle, tires, outputs):
     for i in range(WHEEL_COUNT):
         outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
         outputs.unloaded_radius[i] = vehicle.tire_radius[i]
-    for first in range(0, LR if tires.front.shared != 0.0 else WHEEL_COUNT, LR):
-        slips_of_tire(tires.front if first < LR else tires.rear, first, vehicle, outputs)
+    slips_of_tire(tires.front, 0, vehicle, outputs)
+    if tires.front.shared == 0.0:
+        slips_of_tire(tires.rear, LR, vehicle, outputs)
 
 
 @kernel
