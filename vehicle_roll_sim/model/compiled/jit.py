@@ -104,13 +104,12 @@ square_root = _square_root()
 def _not_unrolled():
     if not COMPILED:
         return lambda count: count
-    import llvmlite.ir
 
     @numba.extending.intrinsic
     def not_unrolled(_, count):
         def generate(context, builder, signature, arguments):
             integer = arguments[0].type
-            same = llvmlite.ir.FunctionType(integer, [integer])
+            same = type(builder.function.function_type)(integer, [integer])
             return builder.asm(same, "", "=r,0", arguments, side_effect=False)
 
         return numba.types.intp(numba.types.intp), generate
