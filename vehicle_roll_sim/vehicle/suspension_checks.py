@@ -1,15 +1,18 @@
-"""Checks of springs, dampers and stops against each other."""
+"""Checks of springs, dampers, stops and steering gear against each other."""
 
 import itertools
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.records import STOPS
+from vehicle_roll_sim.vehicle.steering_gear import check_gear
 from vehicle_roll_sim.vehicle.suspension_details import force_and_slope, spring_of
 from vehicle_roll_sim.vehicle.suspension_parameters import AXLES
 
 
 def check_suspension(vehicle) -> None:
-    """Raise InputError for values of an axle that do not agree with each other."""
+    """Raise InputError for values that do not agree with each other."""
+    if "steering_gear" in vehicle.given:
+        check_gear("steering_gear", vehicle.given["steering_gear"])
     for axle in AXLES:
         _check_spring(vehicle, f"{axle}_spring_force", axle)
         _check_damper(vehicle.given, f"{axle}_damper_force", f"{axle}_rebound_damping")
