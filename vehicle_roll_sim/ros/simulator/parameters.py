@@ -85,7 +85,6 @@ def declare(node: Node) -> Declared:
     settings = Settings(**_declare_class(node, Settings))
     limits = CommandLimits(**_declare_class(node, CommandLimits))
     options = Options(**_given_of(node, Options))
-    settings.check()
     _check_speed(settings.initial_speed, options)
     road = Road(**_declare_class(node, Road))
     vehicle = load_vehicle(settings.vehicle_file) if settings.vehicle_file else preset()
@@ -94,6 +93,7 @@ def declare(node: Node) -> Declared:
     for name, value in vehicle.given.items():  # a dump with both alternatives could not be loaded
         _declare(node, VEHICLE_PREFIX + name, value)
     options = options.for_vehicle(vehicle)
+    settings.check(options)
     for name, value in dataclasses.asdict(options).items():
         _declare(node, name, value, is_resolved=True)
     _heed(plausibility(vehicle), node, settings.strict)
