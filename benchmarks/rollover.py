@@ -1,8 +1,8 @@
 """`python -m benchmarks.rollover [FILE]`: a table of what each suspension detail does to rollover.
 
 The reference vehicle drives the J-turn of the paper with each detail alone: at 50 km/h, and at
-The reference vehicle drives the J-turn of the paper with each detail alone: at 50 km/h, and at
-it.
+rising speeds up to the rollover. In FILE, the existing table is replaced, and so are the lines
+below it.
 """
 
 import math
@@ -15,8 +15,8 @@ from vehicle_roll_sim.manoeuvres.series.base import driven
 from vehicle_roll_sim.manoeuvres.series.speed_search import EVENTS, KMH, SpeedSearch, gap_of
 
 HEADER = (
-    *("detail", "values", "inner rear lifts", "inner front lifts", "rollover"),
-    *("rollover speed, model 1", "change", "rollover speed, model 2", "change"),
+    *("detail", "values", "rear lift-off", "front lift-off", "rollover"),
+    *("tip-up speed, model 1", "change", "tip-up speed, model 2", "change"),
 )
 J_TURN = PAPER["j_turn"]
 MODELS = ("1", "2")
@@ -78,19 +78,19 @@ DETAILS = {
 
 
 def row(name: str, before: dict[str, float]) -> tuple[list[str], dict[str, float]]:
-    """The table row of a detail, and its rollover speeds by model (km/h).
+    """The table row of a detail, and its tip-up speeds by model (km/h).
 
-    before: the rollover speeds without any detail, empty in their own row.
+    before: the tip-up speeds without any detail, empty in their own row.
     """
     words, values, options = DETAILS[name]
     vehicle = preset().with_values(values)
     simulation, _ = driven(J_TURN, vehicle, Options(**options))
     lifts = simulation.events.lift_off_time
     times = (lifts[2], lifts[0], simulation.events.rollover_time[0])
-    speeds = {model: rollover_speed(vehicle, Options(model, **options)) for model in MODELS}
+    speeds = {model: tip_up_speed(vehicle, Options(model, **options)) for model in MODELS}
     cells = [name, words, *(moment(float(time)) for time in times)]
     for model, speed in speeds.items():
-        change = f"{speed - before[model]:+.1f}" if before else ""
+        change = f"{speed - before[model]:+.1f} km/h".replace("-", "−") if before else ""
         cells += [f"{speed:.1f} km/h", change]
     return cells, speeds
 
@@ -99,7 +99,7 @@ def moment(time: float) -> str:
     return "–" if math.isnan(time) else f"{time:.2f} s"
 
 
-def rollover_speed(vehicle, options: Options) -> float:
+def tip_up_speed(vehicle, options: Options) -> float:
     """The lowest entry speed at which the J-turn rolls the vehicle over (km/h)."""
     rows = {run[0]: run for run in SEARCH.rows_to_a_side(J_TURN, "left", vehicle, options)}
     return KMH * gap_of(rows, EVENTS["rollover"])[1]

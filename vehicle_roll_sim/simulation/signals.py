@@ -90,7 +90,7 @@ OUTPUT_SIGNALS = {
     "tire_terms": Signal("", WHEEL, "terms of the Magic Formula, a record (work space)"),
     "contact_x": Signal("N", BODY, "contact force, forward"),
     "contact_y": Signal("N", BODY, "contact force, to the left"),
-    "strut_force": Signal("N", BODY, "sum of spring, damper and active force"),
+    "strut_force": Signal("N", BODY, "sum of spring, damper, stop, bar and active force"),
     "link_load_transfer": Signal("N", BODY, "load transfer through the suspension links"),
     "applied_x": Signal("N", BODY, "force at the strut top for an unaccelerated body, forward"),
     "applied_y": Signal("N", BODY, "force at the strut top for an unaccelerated body, to the left"),
@@ -100,6 +100,8 @@ OUTPUT_SIGNALS = {
     "roll_centre_height": Signal("m", ROAD, "model 2: roll centre of each axle above the road"),
     "roll_centre_place": Signal("m", BODY, "model 2: the same, to the left of the c.g."),
     "suspension_terms": Signal("", BODY, "model 2: path and carrier of the wheels (work space)"),
+    "compliance_terms": Signal("", WHEEL, "compliance steer of the wheels (work space)"),
+    "commanded_steering": Signal("rad", BODY, "steering commands, front and rear"),
     "body_acceleration": Signal(
         "m/s^2, rad/s^2", BODY, "derivatives of u, v, w and of the three body rates"
     ),
