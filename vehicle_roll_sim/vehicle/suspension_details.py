@@ -1,5 +1,7 @@
 """Springs, dampers, stops and steering geometry: from parameters to the record DETAILS."""
 
+import dataclasses
+
 import numpy as np
 from scipy.optimize import brentq
 
@@ -67,6 +69,19 @@ def mean_damping(vehicle, axle: str) -> float:
     """The damping coefficient of linear models (N s/m): the mean of bump and rebound, if slow."""
     damper = damper_of(vehicle, axle)
     return (force_and_slope(damper, SLOW)[1] + force_and_slope(damper, -SLOW)[1]) / 2
+
+
+def with_linear_dampers(vehicle):
+    """The vehicle with mean damping coefficients where bump and rebound have one each.
+
+    A linear model has one coefficient, and at rest a damper is neither in bump nor in rebound.
+    """
+    changed = {}
+    for axle in AXLES:
+        if getattr(vehicle, f"{axle}_rebound_damping") is not None:
+            changed[f"{axle}_damping"] = mean_damping(vehicle, axle)
+            changed[f"{axle}_rebound_damping"] = None
+    return dataclasses.replace(vehicle, **changed)
 
 
 def compression_under(spring: TravelCurve, load: float) -> float:
