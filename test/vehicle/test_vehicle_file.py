@@ -55,6 +55,8 @@ STOPS = {
 }
 DETAILS = {
     "rebound_damping": 3000.0,
+    "spring_motion_ratio": 0.8,
+    "damper_motion_ratio": 0.7,
     **STOPS,
     "toe": 0.002,
     "roll_steer": -0.05,

@@ -126,12 +126,13 @@ KNOTS, COEFFICIENTS = 63, 6
 """Most knots of the curves of an axle; coefficients of a polynomial of fifth degree."""
 
 STOPS = ("bump_stop", "rebound_stop")
-DETAIL_CURVES = ("spring", "damper", "toe_change")
+DETAIL_CURVES = ("spring", "damper", "toe_change", "spring_travel", "damper_travel")
 DETAILS = record_dtype(
     *("struts", "steering", "compliance"),
     *per_wheel(*(f"{stop}_{of}" for stop in STOPS for of in ("clearance", "stiffness"))),
     *per_wheel(*(f"{stop}_progression" for stop in STOPS)),
     *per_wheel("toe", "roll_steer", "lateral_force_steer", "aligning_moment_steer", "ackermann"),
+    *per_wheel("spring_compression_at_rest"),
     *((f"{curve}_knots", (AXLE_COUNT, KNOTS)) for curve in DETAIL_CURVES),
     *((f"{curve}_origins", (AXLE_COUNT, KNOTS + 1)) for curve in DETAIL_CURVES),
     *((curve, (AXLE_COUNT, KNOTS + 1, COEFFICIENTS)) for curve in DETAIL_CURVES),
@@ -141,7 +142,8 @@ DETAILS = record_dtype(
 struts, steering, compliance: 1 if the terms of the forces of the struts, of the steering angles and
 of compliance steer are computed, else 0. toe: to the left (rad). ackermann: share of Ackermann
 geometry, times y over the wheelbase. spring, damper: force (N) over compression (m) and its rate
-(m/s), toe_change: angle of a left wheel (rad) over travel (m), at one wheel of each axle, as
+(m/s), toe_change: angle of a left wheel (rad) over travel (m), spring_travel, damper_travel:
+compression of spring and damper since rest (m) over travel (m), at one wheel of each axle, as
 polynomials between knots like the curves over wheel travel.
 """
 

@@ -8,13 +8,15 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.suspension_details import has_any
 from vehicle_roll_sim.vehicle.suspension_parameters import (
     AXLES,
+    MOTION_RATIOS,
     OF_COMPLIANCE,
     OF_STEERING,
     OF_STRUTS,
 )
 
 TOE_CHANGE = "toe_change"
-OF_WHEEL_TRAVEL = (*OF_STRUTS, *OF_COMPLIANCE, "roll_steer", TOE_CHANGE)
+OF_STRUTS_ALONE = tuple(name for name in OF_STRUTS if name not in MOTION_RATIOS)
+OF_WHEEL_TRAVEL = (*OF_STRUTS_ALONE, *OF_COMPLIANCE, "roll_steer", TOE_CHANGE)
 """Parameters of an axle that models without wheel travel, or without struts, do not use."""
 
 
@@ -26,6 +28,9 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
     for axle in AXLES:
         for name in OF_WHEEL_TRAVEL if options.has_eight_dof else ():
             _refuse(vehicle, f"{axle}_{name}", f"a 14 DOF model; {options.model} has none of it")
+        for name in MOTION_RATIOS if options.has_eight_dof else ():
+            if isinstance(getattr(vehicle, f"{axle}_{name}"), tuple):
+                _refuse(vehicle, f"{axle}_{name}", f"a 14 DOF model; {options.model} has numbers")
         if options.tire_moments != ON:
             _refuse(vehicle, f"{axle}_aligning_moment_steer", "tire_moments on")
 

@@ -21,7 +21,7 @@ from vehicle_roll_sim.vehicle.suspension_details import (
     compressions_at_rest,
     details_of,
     mean_damping,
-    stiffnesses_at,
+    stiffnesses_at_rest,
 )
 from vehicle_roll_sim.vehicle.suspension_parameters import AXLES
 from vehicle_roll_sim.vehicle.tire.moments import OVERTURNING, has_moment
@@ -159,7 +159,7 @@ class DerivedValues:
     @functools.cached_property
     def stiffness_at_rest(self) -> np.ndarray:
         """Stiffness of the spring at each wheel at rest, shape (4,) (N/m)."""
-        return stiffnesses_at(self, self.static_suspension_compression)
+        return stiffnesses_at_rest(self, GRAVITY)
 
     @functools.cached_property
     def mean_damping(self) -> np.ndarray:
@@ -303,7 +303,7 @@ class DerivedValues:
             "travel_knots": knots,
             "travel_origins": origins,
             "travel_curves": curves,
-            "details": details_of(self),
+            "details": details_of(self, GRAVITY),
             "gravity": GRAVITY,
             "gravity_along": 0.0,
             "gravity_across": 0.0,

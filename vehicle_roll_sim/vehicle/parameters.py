@@ -295,6 +295,8 @@ class Vehicle(DerivedValues):
         default=None,
     )
     front_rebound_damping: float | None = of_axle("front", "rebound_damping")
+    front_spring_motion_ratio: Curve | None = of_axle("front", "spring_motion_ratio")
+    front_damper_motion_ratio: Curve | None = of_axle("front", "damper_motion_ratio")
     front_bump_stop_clearance: float | None = of_axle("front", "bump_stop_clearance")
     front_bump_stop_stiffness: float | None = of_axle("front", "bump_stop_stiffness")
     front_bump_stop_progression: float | None = of_axle("front", "bump_stop_progression")
@@ -306,6 +308,8 @@ class Vehicle(DerivedValues):
     front_lateral_force_steer: float | None = of_axle("front", "lateral_force_steer")
     front_aligning_moment_steer: float | None = of_axle("front", "aligning_moment_steer")
     rear_rebound_damping: float | None = of_axle("rear", "rebound_damping")
+    rear_spring_motion_ratio: Curve | None = of_axle("rear", "spring_motion_ratio")
+    rear_damper_motion_ratio: Curve | None = of_axle("rear", "damper_motion_ratio")
     rear_bump_stop_clearance: float | None = of_axle("rear", "bump_stop_clearance")
     rear_bump_stop_stiffness: float | None = of_axle("rear", "bump_stop_stiffness")
     rear_bump_stop_progression: float | None = of_axle("rear", "bump_stop_progression")

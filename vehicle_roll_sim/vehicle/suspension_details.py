@@ -8,7 +8,6 @@ from scipy.optimize import brentq
 from vehicle_roll_sim.model.equilibrium import static_suspension_compression
 from vehicle_roll_sim.model.records import (
     COEFFICIENTS,
-    DETAIL_CURVES,
     DETAILS,
     LR,
     STOPS,
@@ -22,8 +21,9 @@ FINEST = 4 * np.finfo(float).eps
 SLOW = 1e-9
 """m/s: below which the damping of a linear model is meant."""
 PERCENT = 0.01
+DERIVED = ("ackermann", "spring_compression_at_rest")
 OF_AXLES = tuple(
-    name for name in DETAILS.names if DETAILS[name].shape == (WHEEL_COUNT,) and name != "ackermann"
+    name for name in DETAILS.names if DETAILS[name].shape == (WHEEL_COUNT,) and name not in DERIVED
 )
 """Fields that take the parameter of their name."""
 
@@ -48,7 +48,7 @@ def force_and_slope(curve: TravelCurve | TwoSlopes, x: float) -> tuple[float, fl
 
 
 def spring_of(vehicle, axle: str) -> TravelCurve:
-    """Force of the spring at one wheel (N) over its compression (m)."""
+    """Force of one spring of an axle (N) over its compression (m)."""
     table = getattr(vehicle, f"{axle}_spring_force")
     if table is None:
         return TravelCurve(getattr(vehicle, f"{axle}_spring_stiffness"))
@@ -56,7 +56,7 @@ def spring_of(vehicle, axle: str) -> TravelCurve:
 
 
 def damper_of(vehicle, axle: str) -> TravelCurve | TwoSlopes:
-    """Force of the damper at one wheel (N) over the velocity of compression (m/s)."""
+    """Force of one damper of an axle (N) over the velocity of compression (m/s)."""
     table = getattr(vehicle, f"{axle}_damper_force")
     if table is not None:
         return TravelCurve(table, is_change=False)
@@ -68,7 +68,29 @@ def damper_of(vehicle, axle: str) -> TravelCurve | TwoSlopes:
 def mean_damping(vehicle, axle: str) -> float:
     """The damping coefficient of linear models (N s/m): the mean of bump and rebound, if slow."""
     damper = damper_of(vehicle, axle)
-    return (force_and_slope(damper, SLOW)[1] + force_and_slope(damper, -SLOW)[1]) / 2
+    mean = (force_and_slope(damper, SLOW)[1] + force_and_slope(damper, -SLOW)[1]) / 2
+    return mean * ratio_at_rest(vehicle, axle, "damper") ** 2
+
+
+def travel_of(vehicle, axle: str, part: str) -> TravelCurve:
+    """Compression since rest (m) of a spring or damper over the travel of its wheel (m)."""
+    ratio = getattr(vehicle, f"{axle}_{part}_motion_ratio")
+    return TravelCurve(1.0 if ratio is None else ratio)
+
+
+def spring_travel_of(vehicle, axle: str) -> TravelCurve:
+    """Compression of a spring since rest (m) over the travel of its wheel (m)."""
+    return travel_of(vehicle, axle, "spring")
+
+
+def damper_travel_of(vehicle, axle: str) -> TravelCurve:
+    """Compression of a damper since rest (m) over the travel of its wheel (m)."""
+    return travel_of(vehicle, axle, "damper")
+
+
+def ratio_at_rest(vehicle, axle: str, part: str) -> float:
+    """Motion ratio of a spring or damper at travel 0."""
+    return force_and_slope(travel_of(vehicle, axle, part), 0.0)[1]
 
 
 def with_linear_dampers(vehicle):
@@ -78,8 +100,9 @@ def with_linear_dampers(vehicle):
     """
     changed = {}
     for axle in AXLES:
-        if getattr(vehicle, f"{axle}_rebound_damping") is not None:
-            changed[f"{axle}_damping"] = mean_damping(vehicle, axle)
+        bump, rebound = (getattr(vehicle, f"{axle}_{n}") for n in ("damping", "rebound_damping"))
+        if rebound is not None:
+            changed[f"{axle}_damping"] = (bump + rebound) / 2
             changed[f"{axle}_rebound_damping"] = None
     return dataclasses.replace(vehicle, **changed)
 
@@ -97,11 +120,12 @@ def compression_under(spring: TravelCurve, load: float) -> float:
     )
 
 
-def compressions_at_rest(vehicle, gravity: float) -> np.ndarray:
-    """xsi of each corner, shape (4,) (m; eq. 19); gravity: m/s^2."""
+def spring_compressions_at_rest(vehicle, gravity: float) -> np.ndarray:
+    """Compression of each spring, shape (4,) (m; eq. 19 with the motion ratio); gravity: m/s^2."""
     found, mass = [], vehicle.sprung_mass
     for axle, wheel in AXLES.items():
         share = vehicle.axle_load_share[wheel : wheel + WHEEL_COUNT // 2]
+        share = share / ratio_at_rest(vehicle, axle, "spring")
         stiffness = getattr(vehicle, f"{axle}_spring_stiffness")
         if stiffness is not None:
             found += [*static_suspension_compression(mass, share, stiffness, gravity)]
@@ -111,11 +135,24 @@ def compressions_at_rest(vehicle, gravity: float) -> np.ndarray:
     return np.array(found)
 
 
-def stiffnesses_at(vehicle, compressions: np.ndarray) -> np.ndarray:
-    """Stiffness of the spring at each wheel at these compressions (m), shape (4,) (N/m)."""
-    springs = [spring_of(vehicle, axle) for axle in AXLES for _ in range(WHEEL_COUNT // 2)]
-    pairs = zip(springs, compressions, strict=True)
-    return np.array([force_and_slope(spring, x)[1] for spring, x in pairs])
+def compressions_at_rest(vehicle, gravity: float) -> np.ndarray:
+    """xsi of each corner, shape (4,) (m; eq. 19): those of the springs over their motion ratios."""
+    ratios = [ratio_at_rest(vehicle, axle, "spring") for axle in AXLES]
+    return spring_compressions_at_rest(vehicle, gravity) / np.repeat(ratios, WHEEL_COUNT // 2)
+
+
+def stiffnesses_at_rest(vehicle, gravity: float) -> np.ndarray:
+    """Slope of the spring force on each wheel over its travel at rest, shape (4,) (N/m).
+
+    k m^2 + F m' with the stiffness k and force F of the spring and its motion ratio m.
+    """
+    found = []
+    for i, compression in enumerate(spring_compressions_at_rest(vehicle, gravity)):
+        axle = "front" if i < LR else "rear"
+        force, stiffness = force_and_slope(spring_of(vehicle, axle), compression)
+        _, ratio, half_change, *_ = spring_travel_of(vehicle, axle).piece(0.0, 0.0)
+        found.append(stiffness * ratio**2 + force * 2 * half_change)
+    return np.array(found)
 
 
 def toe_change_of(vehicle, axle: str) -> TravelCurve:
@@ -123,7 +160,14 @@ def toe_change_of(vehicle, axle: str) -> TravelCurve:
     return vehicle.travel_curves[axle][f"{axle}_toe_change"]
 
 
-CURVES = dict(zip(DETAIL_CURVES, (spring_of, damper_of, toe_change_of), strict=True))
+CURVES = {
+    "spring": spring_of,
+    "damper": damper_of,
+    "toe_change": toe_change_of,
+    "spring_travel": spring_travel_of,
+    "damper_travel": damper_travel_of,
+}
+"""By the names DETAIL_CURVES of the fields."""
 
 
 def has_any(vehicle, names: tuple[str, ...]) -> bool:
@@ -131,8 +175,8 @@ def has_any(vehicle, names: tuple[str, ...]) -> bool:
     return any(getattr(vehicle, f"{axle}_{n}") is not None for axle in AXLES for n in names)
 
 
-def details_of(vehicle) -> np.ndarray:
-    """One DETAILS record, shape (1,)."""
+def details_of(vehicle, gravity: float) -> np.ndarray:
+    """One DETAILS record, shape (1,); gravity: m/s^2."""
     record = np.zeros(1, DETAILS)
     details = record[0]
     details["struts"] = has_any(vehicle, OF_STRUTS)
@@ -149,6 +193,7 @@ def details_of(vehicle) -> np.ndarray:
         knots, origins, pieces = map(np.array, parts)
         details[f"{name}_knots"], details[f"{name}_origins"] = knots, origins
         details[name] = pieces[..., 0]
+    details["spring_compression_at_rest"] = spring_compressions_at_rest(vehicle, gravity)
     details["toe"] *= (-1, 1, -1, 1)
     share = PERCENT * (vehicle.ackermann_percentage or 0.0) * vehicle.front_track / 2
     share /= vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle

@@ -12,6 +12,7 @@ LARGEST_VELOCITY = 20.0
 """m/s: of the points of a damper's table."""
 _FORCE = {"unit": "N", "minimum": -1e7, "maximum": 1e7}
 _CLEARANCE = {"unit": "m", "minimum": 0.0, "maximum": 2.0}
+_RATIO = {"unit": "m/m", "minimum": -10.0, "maximum": 10.0}
 _STOP = {"unit": "N/m", "minimum": 0.0, "maximum": 1e8}
 _PROGRESSION = {"unit": "N/m^2", "minimum": 0.0, "maximum": 1e10}
 _DECLARED = {
@@ -28,6 +29,15 @@ _DECLARED = {
     "rebound_damping": (
         "damping coefficient at one {} wheel in rebound; {}_damping is then that in bump",
         {"unit": "N s/m", "minimum": 0.0, "maximum": 1e7},
+    ),
+    "spring_motion_ratio": (
+        "compression of a {} spring with wheel travel, if the spring is not at the wheel: a "
+        "number, or a table of compression over wheel travel; by default 1",
+        _RATIO,
+    ),
+    "damper_motion_ratio": (
+        "compression of a {} damper with wheel travel, likewise; by default 1",
+        _RATIO,
     ),
     "bump_stop_clearance": ("upward travel of a {} wheel from rest to its bump stop", _CLEARANCE),
     "bump_stop_stiffness": ("stiffness of the {} bump stops at contact, at the wheel", _STOP),
@@ -63,8 +73,10 @@ _DECLARED = {
         {"unit": "rad/(N m)", "minimum": 0.0, "maximum": 1e-1},
     ),
 }
+MOTION_RATIOS = ("spring_motion_ratio", "damper_motion_ratio")
 OF_STRUTS = (
     *("spring_force", "damper_force", "rebound_damping"),
+    *MOTION_RATIOS,
     *(f"{stop}_{of}" for stop in STOPS for of in ("clearance", "stiffness", "progression")),
 )
 OF_STEERING = ("toe", "roll_steer")
