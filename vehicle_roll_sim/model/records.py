@@ -256,7 +256,7 @@ of wheel centre and contact point by the travel (m/m).
 """
 
 COMPLIANCE_TERMS = record_dtype(*per_wheel("sine", "cosine", "angle", "gap", "step"))
-"""Work space of model/steering.
+"""Work space of model/compliance_steer.
 
 sine, cosine: of the direction of a wheel without compliance steer. angle: of compliance steer
 (rad). gap: between that of the forces and this one (rad). step: change of the angle (rad).
