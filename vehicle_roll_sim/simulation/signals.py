@@ -100,14 +100,14 @@ OUTPUT_SIGNALS = {
     "roll_centre_height": Signal("m", ROAD, "model 2: roll centre of each axle above the road"),
     "roll_centre_place": Signal("m", BODY, "model 2: the same, to the left of the c.g."),
     "suspension_terms": Signal("", BODY, "model 2: path and carrier of the wheels (work space)"),
-    "compliance_terms": Signal("", WHEEL, "compliance steer of the wheels (work space)"),
-    "commanded_steering": Signal("rad", BODY, "steering commands, front and rear"),
     "body_acceleration": Signal(
         "m/s^2, rad/s^2", BODY, "derivatives of u, v, w and of the three body rates"
     ),
     "mass_matrix": Signal(
         "kg, kg m, kg m^2", BODY, "mass matrix of these six after elimination (work space)"
     ),
+    "compliance_terms": Signal("", WHEEL, "compliance steer of the wheels (work space)"),
+    "commanded_steering": Signal("rad", BODY, "steering commands, front and rear"),
 }
 """Every field of an OUTPUTS record, in its order; fields of four values are lf, rf, lr, rr."""
 
