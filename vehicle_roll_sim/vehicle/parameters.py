@@ -12,6 +12,7 @@ from vehicle_roll_sim.declaration import (
     parameters_of,
     validated,
 )
+from vehicle_roll_sim.model.variants import PAPER
 from vehicle_roll_sim.vehicle.consistency import ROLL_CENTRES, check_consistency
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.suspension_parameters import of_axle
@@ -46,7 +47,8 @@ class Vehicle(DerivedValues):
     The tires are given either as one `tire` for all wheels, or as `front_tire` and `rear_tire`; the
     other attributes are None. `axle_tires` has both, whichever was given. tire_moments,
     contact_patch_shift: the values for which `auto` stands in the options of these names.
-    longitudinal: how tire files are read, `from_lateral` or ''.
+    longitudinal: how tire files are read, `from_lateral` or ''. model: with which the vehicle is
+    simulated unless another is asked for.
 
     The roll centre of an axle is specified either as a depth below the c.g. or as a height above
     the ground; the other attribute is None. The specified value is kept when `cg_height` is
@@ -341,6 +343,7 @@ class Vehicle(DerivedValues):
     tire_moments: bool = dataclasses.field(kw_only=True, default=True)
     contact_patch_shift: bool = dataclasses.field(kw_only=True, default=True)
     longitudinal: str = dataclasses.field(kw_only=True, default="")
+    model: str = dataclasses.field(kw_only=True, default=PAPER)
 
     def __post_init__(self):
         keep_validated(self, self.given)
