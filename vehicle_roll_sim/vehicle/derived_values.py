@@ -16,6 +16,7 @@ from vehicle_roll_sim.vehicle.axle_tires import (
     from_tire,
     lateral_stiffness,
 )
+from vehicle_roll_sim.vehicle.steering_gear import Gear
 from vehicle_roll_sim.vehicle.suspension_details import (
     compressions_at_rest,
     details_of,
@@ -123,6 +124,11 @@ class DerivedValues:
                 value = self.cg_height - getattr(self, f"{axle}_roll_centre_{other}")
             values += [value, value]
         return np.array(values)
+
+    @property
+    def gear(self) -> Gear:
+        """The steering ratio, or the table in its place."""
+        return self.steering_gear if self.steering_ratio is None else self.steering_ratio
 
     @property
     def mass(self) -> float:
