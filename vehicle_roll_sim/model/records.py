@@ -155,7 +155,8 @@ VEHICLE = record_dtype(
     *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass", "axle_load_share"),
     *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
     *per_wheel("static_strut_length", "static_suspension_compression"),
-    *per_wheel("static_tire_compression", "tire_radius", "camber", "tire_lateral_compliance"),
+    *per_wheel("static_tire_compression", "tire_radius", "tire_lateral_compliance"),
+    *per_wheel("camber", "camber_sine", "camber_cosine"),
     *per_wheel("bar_rate", "static_loaded_radius", "static_wheel_height"),
     ("travel_knots", (2, KNOTS)),
     ("travel_origins", (2, KNOTS + 1)),
@@ -204,15 +205,14 @@ OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 
 CURVES = (
     *("longitudinal", "lateral", "longitudinal_weight", "lateral_weight"),
-    *("longitudinal_at_shift", "lateral_at_shift", "ply_steer"),
+    *("longitudinal_at_shift", "lateral_at_shift"),
     *("upright_lateral", "trail"),
 )
 """The curves of a tire: forces at pure slip and their weighting functions; the weighting functions
-at their shifts and the curve of slip-induced ply-steer, which are 0 for many tires; and those of
-the aligning moment."""
-CURVE_COUNT, FORCE_CURVES, MAIN_CURVES = len(CURVES), 7, 4
+at their shifts, which are 0 for many tires; and those of the aligning moment."""
+CURVE_COUNT, FORCE_CURVES, MAIN_CURVES = len(CURVES), 6, 4
 LONGITUDINAL, LATERAL, LONGITUDINAL_WEIGHT, LATERAL_WEIGHT = range(MAIN_CURVES)
-LONGITUDINAL_AT_SHIFT, LATERAL_AT_SHIFT, PLY_STEER = range(MAIN_CURVES, FORCE_CURVES)
+LONGITUDINAL_AT_SHIFT, LATERAL_AT_SHIFT = range(MAIN_CURVES, FORCE_CURVES)
 UPRIGHT_LATERAL, TRAIL = range(FORCE_CURVES, CURVE_COUNT)
 
 
@@ -227,10 +227,14 @@ def per_curve_of_travel(*names: str) -> tuple:
 
 
 TIRE_TERMS = record_dtype(
-    *per_wheel("relative_load", "stiffening", "load_power"),
+    *per_wheel("rolling_depth", "relative_load", "stiffening", "slip_stiffness", "cornering_wave"),
+    *per_wheel("upright_stiffness", "load_power"),
+    *per_wheel("relaxation_fading", "longitudinal_relaxation", "lateral_relaxation"),
+    *per_wheel("longitudinal_release", "lateral_release"),
+    *per_wheel("longitudinal_damping", "lateral_damping"),
     *per_wheel("longitudinal_peak", "lateral_peak", "longitudinal_shift", "lateral_shift"),
-    *per_wheel("slip_stiffness", "cornering_stiffness", "lateral_slip_shift", "ply_steer"),
-    *per_wheel("upright_peak", "upright_shift", "trail_peak", "residual"),
+    *per_wheel("per_cornering_stiffness", "lateral_slip_shift", "ply_steer"),
+    *per_wheel("upright_peak", "upright_shift", "trail_peak", "residual", "overturning_wave"),
     *per_curve("curve_slip", "curve_stiffness", "curve_shape", "curve_curvature"),
     *per_curve("curve_bend", "curve_angle", "curve_sine"),
 )
@@ -274,8 +278,10 @@ OUTPUTS = record_dtype(
     *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
     *per_wheel("overturning_moment", "rolling_resistance_moment", "aligning_moment"),
-    *per_wheel("inclination", "rolling_radius", "unloaded_radius"),
-    *per_wheel("contact_moment_x", "contact_moment_y", "contact_moment_z"),
+    *per_wheel("camber", "camber_sine", "camber_cosine"),
+    *per_wheel("inclination", "inclination_sine", "inclination_cosine"),
+    *per_wheel("rolling_radius", "unloaded_radius"),
+    *per_wheel("contact_moment_x", "contact_moment_y", "contact_moment_z", "spin_moment"),
     *per_wheel("steering_sine", "steering_cosine", "rolling", "sliding", "tread", "side"),
     *per_wheel("patch_slip_ratio", "patch_slip_tangent", "slip_tangent"),
     ("tire_terms", TIRE_TERMS),

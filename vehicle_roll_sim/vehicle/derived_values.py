@@ -293,10 +293,13 @@ class DerivedValues:
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
         of_axles = [tabulated([*curves.values()]) for curves in self.travel_curves.values()]
         knots, origins, curves = zip(*of_axles, strict=True)
+        camber = self.per_wheel("camber") * (-1, 1, -1, 1)
         return {
             "x": (front, front, rear, rear),
             "y": self.per_wheel("track") / 2 * (1, -1, 1, -1),
-            "camber": self.per_wheel("camber") * (-1, 1, -1, 1),
+            "camber": camber,
+            "camber_sine": np.sin(camber),
+            "camber_cosine": np.cos(camber),
             "tire_radius": self.per_wheel("tire_radius"),
             "tire_lateral_compliance": 0.0,
             "engine_drag": np.array([0.0, 0.0, 1.0, 1.0]) * (self.engine_drag or 0.0),

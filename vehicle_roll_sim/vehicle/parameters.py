@@ -48,7 +48,8 @@ class Vehicle(DerivedValues):
     other attributes are None. `axle_tires` has both, whichever was given. tire_moments,
     contact_patch_shift: the values for which `auto` stands in the options of these names.
     longitudinal: how tire files are read, `from_lateral` or ''. model: with which the vehicle is
-    simulated unless another is asked for.
+    simulated unless another is asked for. stated_at: where values were given (file, line and name),
+    for messages.
 
     The roll centre of an axle is specified either as a depth below the c.g. or as a height above
     the ground; the other attribute is None. The specified value is kept when `cg_height` is
@@ -344,6 +345,9 @@ class Vehicle(DerivedValues):
     contact_patch_shift: bool = dataclasses.field(kw_only=True, default=True)
     longitudinal: str = dataclasses.field(kw_only=True, default="")
     model: str = dataclasses.field(kw_only=True, default=PAPER)
+    stated_at: dict = dataclasses.field(
+        kw_only=True, default_factory=dict, compare=False, repr=False
+    )
 
     def __post_init__(self):
         keep_validated(self, self.given)
@@ -381,7 +385,9 @@ class Vehicle(DerivedValues):
                 kept = {name: value for name, value in kept.items() if name not in single}
             elif both in kept and values.keys() & {*single}:
                 kept |= dict.fromkeys(single, kept.pop(both))
-        return self.checked(kept | values, prefix=prefix, **self.not_numbers)
+        places = self.stated_at | {name: prefix + name for name in values}
+        others = self.not_numbers | {"stated_at": places}
+        return self.checked(kept | values, prefix=prefix, **others)
 
     @property
     def given(self) -> dict[str, float]:
