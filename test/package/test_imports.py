@@ -31,8 +31,7 @@ MAY_IMPORT = {
 ROOMS_OF_ROS = ("simulator", "clients", "orchestration")
 """From the bottom up. Modules beside them are for all nodes, `launching` is beside them."""
 EVERYONE_MAY_IMPORT = {"declaration", "early_signals", "version"}
-MODEL_MAY_USE = {"numpy", "numba", "llvmlite"}
-"""llvmlite is numba's own compiler."""
+MODEL_MAY_USE = {"numpy", "numba"}
 OF_ROS = {"rclpy", "launch", "launch_ros", "ament_index_python"}
 """Beside the packages of messages, services and interfaces."""
 

@@ -157,10 +157,11 @@ VEHICLE = record_dtype(
     *per_wheel("static_strut_length", "static_suspension_compression"),
     *per_wheel("static_tire_compression", "tire_radius", "tire_lateral_compliance"),
     *per_wheel("camber", "camber_sine", "camber_cosine"),
-    *per_wheel("bar_rate", "engine_drag", "static_loaded_radius", "static_wheel_height"),
+    *per_wheel("bar_rate", "static_loaded_radius", "static_wheel_height"),
     ("travel_knots", (2, KNOTS)),
     ("travel_origins", (2, KNOTS + 1)),
     ("travel_curves", (2, KNOTS + 1, COEFFICIENTS, TRAVEL_CURVE_COUNT)),
+    *per_wheel("engine_drag"),
     ("details", DETAILS),
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel.
@@ -260,7 +261,7 @@ of wheel centre and contact point by the travel (m/m).
 """
 
 COMPLIANCE_TERMS = record_dtype(*per_wheel("sine", "cosine", "angle", "gap", "step"))
-"""Work space of model/steering.
+"""Work space of model/compliance_steer.
 
 sine, cosine: of the direction of a wheel without compliance steer. angle: of compliance steer
 (rad). gap: between that of the forces and this one (rad). step: change of the angle (rad).
@@ -290,10 +291,10 @@ OUTPUTS = record_dtype(
     ("roll_centre_height", 2),
     ("roll_centre_place", 2),
     ("suspension_terms", SUSPENSION_TERMS),
-    ("compliance_terms", COMPLIANCE_TERMS),
-    ("commanded_steering", AXLE_COUNT),
     ("body_acceleration", DEGREES_OF_ACCELERATION),
     ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
+    ("compliance_terms", COMPLIANCE_TERMS),
+    ("commanded_steering", AXLE_COUNT),
 )
 """Everything that is computed between a state and its derivative.
 

@@ -16,6 +16,7 @@ from vehicle_roll_sim.vehicle.axle_tires import (
     from_tire,
     lateral_stiffness,
 )
+from vehicle_roll_sim.vehicle.steering_gear import Gear
 from vehicle_roll_sim.vehicle.suspension_details import (
     compressions_at_rest,
     details_of,
@@ -123,6 +124,11 @@ class DerivedValues:
                 value = self.cg_height - getattr(self, f"{axle}_roll_centre_{other}")
             values += [value, value]
         return np.array(values)
+
+    @property
+    def gear(self) -> Gear:
+        """The steering ratio, or the table in its place."""
+        return self.steering_gear if self.steering_ratio is None else self.steering_ratio
 
     @property
     def mass(self) -> float:
@@ -285,9 +291,9 @@ class DerivedValues:
         driven wheels, those of the rear axle (N m s/rad).
         """
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
-        camber = self.per_wheel("camber") * (-1, 1, -1, 1)
         of_axles = [tabulated([*curves.values()]) for curves in self.travel_curves.values()]
         knots, origins, curves = zip(*of_axles, strict=True)
+        camber = self.per_wheel("camber") * (-1, 1, -1, 1)
         return {
             "x": (front, front, rear, rear),
             "y": self.per_wheel("track") / 2 * (1, -1, 1, -1),

@@ -185,8 +185,20 @@ class Vehicle(DerivedValues):
         **_CENTRE,
         alternative="rear_roll_centre_depth",
     )
-    steering_ratio: float = parameter(
-        "ratio of handwheel angle to road-wheel angle", minimum=0.1, maximum=100.0
+    steering_ratio: float | None = parameter(
+        "ratio of handwheel angle to road-wheel angle",
+        minimum=0.1,
+        maximum=100.0,
+        alternative="steering_gear",
+    )
+    steering_gear: Table | None = parameter(
+        "road-wheel angle over handwheel angle, instead of a constant steering ratio; rising, 0 "
+        "at 0",
+        "rad",
+        -3.0,
+        3.0,
+        over=("handwheel angle", 50.0),
+        alternative="steering_ratio",
     )
     minimum_relaxation_length: float = parameter(
         "lower limit of the tires' relaxation lengths", "m", 0.01, 5.0, default=0.1
