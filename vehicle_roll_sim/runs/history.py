@@ -78,10 +78,8 @@ def _places_of_outputs() -> np.ndarray:
     """Where the outputs among COLUMNS are in the flat vector of OUTPUTS."""
     places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
     quantities = (places[quantity] for quantity in OUTPUT_QUANTITIES)
-    accelerations = places["acceleration"][: len(ACCELERATIONS)]
-    return np.concatenate((*quantities, places["commanded_steering"][:1], accelerations)).astype(
-        int
-    )
+    steering, accelerations = places["commanded_steering"][:1], places["acceleration"]
+    return np.concatenate((*quantities, steering, accelerations[: len(ACCELERATIONS)])).astype(int)
 
 
 _OF_OUTPUTS = _places_of_outputs()
