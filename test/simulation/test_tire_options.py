@@ -15,7 +15,7 @@ from vehicle_roll_sim.vehicle.tire.keys import COEFFICIENTS
 
 PERIOD = 10_000_000
 """ns"""
-OTHERS = [model for model in MODELS if model != "1"]
+OTHERS = [model for model in MODELS if model not in ("1", "2")]
 MOMENTS = {"QSX3": 0.03, "QSY1": 0.01, "QDZ1": 0.09, "QBZ1": 10.0, "QCZ1": 1.2}
 OF_VERSION_6 = {
     "NOMPRES": 2.2e5,
@@ -41,8 +41,9 @@ def chosen(options: Options) -> tuple[str, str]:
 
 @pytest.mark.parametrize("name", SWITCHES)
 @pytest.mark.parametrize("model", OTHERS)
-def test_only_model_1_has_them_and_auto_says_so(model, name):
-    with pytest.raises(InputError, match=f"^{name}: 'on' is not allowed: an option of model 1"):
+def test_only_models_1_and_2_have_them_and_auto_says_so(model, name):
+    refused = f"^{name}: 'on' is not allowed: an option of models 1 and 2"
+    with pytest.raises(InputError, match=refused):
         Options(model, **{name: "on"})
     Options(model, **{name: "off"})
     assert chosen(Options(model).for_vehicle(of_ones_own())) == ("off", "off")

@@ -132,6 +132,7 @@ def beyond(limit: float, direction: float) -> float:
 WRONG = [
     pytest.param(name, value, id=f"{name}={value}")
     for name, declared in PARAMETERS.items()
+    if name.removeprefix("rear_") not in DETAILS  # declared with that of the front axle
     for value in (
         *(".nan", ".inf", "-.inf", "many", "'1440'", "true", "[1, 2]", "{a: 1}", "", "1e99"),
         repr(beyond(declared.minimum, -1.0)),

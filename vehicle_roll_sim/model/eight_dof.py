@@ -24,7 +24,7 @@ from vehicle_roll_sim.model.roll_axis import (
     strut_share,
     wheel_centre_height,
 )
-from vehicle_roll_sim.model.steering import steer
+from vehicle_roll_sim.model.steering import steer, steer_each_wheel
 from vehicle_roll_sim.model.wheel import wheel_rates
 
 MOST_ITERATIONS = 200
@@ -36,7 +36,9 @@ AGREEMENT = 1e-12
 def eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rates):
     """Rates of the states of this model, and all intermediate quantities; see `derivatives`."""
     heading = heading_of(state[at.YAW])
-    steer(state, command, vehicle, options, outputs)
+    steer(command, outputs)
+    if vehicle.details.steering != 0.0:
+        steer_each_wheel(state, vehicle, options, outputs)
     contact_velocities(state, vehicle, outputs)
     inclinations(attitude_of(state[at.ROLL], 0.0), vehicle, tires, options, outputs)
     slope_gravity_on_yawed_axes(heading, vehicle, outputs)

@@ -24,12 +24,13 @@ from vehicle_roll_sim.model.inclination import inclinations
 from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
-from vehicle_roll_sim.model.steering import steer
+from vehicle_roll_sim.model.steering import steer, steer_each_wheel
 from vehicle_roll_sim.model.suspension.links import (
     applied_link_forces,
     link_forces,
     link_load_transfer,
 )
+from vehicle_roll_sim.model.suspension.strut_details import detailed_strut_forces
 from vehicle_roll_sim.model.suspension.struts import strut_forces, strut_kinematics, unsprung_rates
 from vehicle_roll_sim.model.wheel import wheel_rates
 
@@ -40,7 +41,9 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
     roll, pitch = state[at.ROLL], state[at.PITCH]
     heading, exact = heading_of(state[at.YAW]), attitude_of(roll, pitch)
     attitude = (roll, 1.0, pitch, 1.0) if options.small_angles else exact
-    steer(state, command, vehicle, options, outputs)
+    steer(command, outputs)
+    if vehicle.details.steering != 0.0:
+        steer_each_wheel(state, vehicle, options, outputs)
 
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
     strut_kinematics(state, vehicle, options, outputs)
@@ -52,7 +55,10 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
     if options.wheel_gyroscopics:
         gyroscopic_moments(state, vehicle, outputs)
     contact_forces_on_body_axes(options, attitude, outputs)
-    strut_forces(state, command, vehicle, outputs)
+    if vehicle.details.struts != 0.0:
+        detailed_strut_forces(state, command, vehicle, outputs)
+    else:
+        strut_forces(state, command, vehicle, outputs)
     applied_link_forces(state, vehicle, options, attitude, outputs)
 
     mass_matrix(vehicle, options, outputs)

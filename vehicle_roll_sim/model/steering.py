@@ -7,7 +7,7 @@ from vehicle_roll_sim.model.suspension.strut_details import value_at
 
 
 @kernel
-def steer(state, command, vehicle, options, outputs):
+def steer(command, outputs):
     """Road-wheel angle of every wheel (rad), its sine and cosine."""
     front, rear = command.steering, command.rear_steering
     outputs.commanded_steering[FRONT], outputs.commanded_steering[REAR] = front, rear
@@ -15,8 +15,6 @@ def steer(state, command, vehicle, options, outputs):
     for i in range(WHEEL_COUNT):
         outputs.steering[i] = front if i < LR else rear
         outputs.steering_sine[i], outputs.steering_cosine[i] = at_front if i < LR else at_rear
-    if vehicle.details.steering != 0.0:
-        steer_each_wheel(state, vehicle, options, outputs)
 
 
 @kernel

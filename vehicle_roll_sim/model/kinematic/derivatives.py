@@ -28,7 +28,8 @@ from vehicle_roll_sim.model.kinematic.motion import (
 )
 from vehicle_roll_sim.model.kinematic.roll_centre import roll_centres
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
-from vehicle_roll_sim.model.steering import steer
+from vehicle_roll_sim.model.steering import steer, steer_each_wheel
+from vehicle_roll_sim.model.suspension.strut_details import detailed_strut_forces
 from vehicle_roll_sim.model.suspension.struts import strut_forces
 from vehicle_roll_sim.model.wheel import wheel_rates
 
@@ -37,7 +38,9 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 def kinematic_derivatives(state, command, vehicle, tires, options, outputs, rates):
     """Rates of all states, and all intermediate quantities; see `derivatives`."""
     heading, attitude = heading_of(state[at.YAW]), attitude_of(state[at.ROLL], state[at.PITCH])
-    steer(state, command, vehicle, options, outputs)
+    steer(command, outputs)
+    if vehicle.details.steering != 0.0:
+        steer_each_wheel(state, vehicle, options, outputs)
 
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
     look_up(state, vehicle, outputs)
@@ -52,7 +55,10 @@ def kinematic_derivatives(state, command, vehicle, tires, options, outputs, rate
     if options.wheel_gyroscopics:
         gyroscopic_moments_on_carriers(state, vehicle, outputs)
     forces_on_body_axes(attitude, outputs)
-    strut_forces(state, command, vehicle, outputs)
+    if vehicle.details.struts != 0.0:
+        detailed_strut_forces(state, command, vehicle, outputs)
+    else:
+        strut_forces(state, command, vehicle, outputs)
     travel_forces(state, command, vehicle, options, outputs)
 
     system(state, vehicle, options, outputs)
