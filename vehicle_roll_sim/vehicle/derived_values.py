@@ -291,9 +291,9 @@ class DerivedValues:
         driven wheels, those of the rear axle (N m s/rad).
         """
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
+        camber = self.per_wheel("camber") * (-1, 1, -1, 1)
         of_axles = [tabulated([*curves.values()]) for curves in self.travel_curves.values()]
         knots, origins, curves = zip(*of_axles, strict=True)
-        camber = self.per_wheel("camber") * (-1, 1, -1, 1)
         return {
             "x": (front, front, rear, rear),
             "y": self.per_wheel("track") / 2 * (1, -1, 1, -1),
