@@ -69,6 +69,12 @@ def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--vehicle", metavar="FILE.yaml", help="vehicle file (default: the reference vehicle)"
     )
+    add_changes(group)
+    add_strict(group)
+
+
+def add_changes(group: argparse._ArgumentGroup) -> None:
+    """Add the options that change the vehicle of a file."""
     for name, whose in zip(TIRES, ("the vehicle's own", *("that of this axle",) * 2), strict=True):
         about = f"tire file to use instead of {whose}"
         group.add_argument(_option(name), metavar="FILE.tir", help=about)
@@ -79,11 +85,20 @@ def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="override one value of the vehicle file; repeatable",
     )
-    add_strict(group)
 
 
 def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
-    """The vehicle that the options of `add_vehicle_options` describe; raises InputError."""
+    """The vehicle that the options of `add_vehicle_options` describe; raises InputError.
+
+    Warns of values that are not plausible, or refuses them.
+    """
+    vehicle = read_vehicle(arguments)
+    warn_or_refuse(plausibility(vehicle), arguments)
+    return vehicle
+
+
+def read_vehicle(arguments: argparse.Namespace) -> Vehicle:
+    """The same vehicle, plausible or not."""
     vehicle_file = named_file(arguments.vehicle, "--vehicle")
     tires = {name: named_file(getattr(arguments, name), _option(name)) for name in TIRES}
     vehicle = load_vehicle(vehicle_file) if vehicle_file else preset()
@@ -102,9 +117,7 @@ def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
         if name in values:
             raise InputError(f"--set {name}", text, "each name once", "given twice")
         values[name] = number(text, f"--set {name}", known[name])
-    vehicle = vehicle.with_values(values, "--set ")
-    warn_or_refuse(plausibility(vehicle), arguments)
-    return vehicle
+    return vehicle.with_values(values, "--set ")
 
 
 def _option(name: str) -> str:
