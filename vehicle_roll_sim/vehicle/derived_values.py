@@ -200,7 +200,8 @@ class DerivedValues:
         given = getattr(self, f"{axle}_{name}")
         if given is not None:
             return given
-        slope = 2 * self.roll_centre_height[AXLES[axle]] / getattr(self, f"{axle}_track")
+        height = self.cg_height - self.roll_centre_depth[AXLES[axle]]  # the same for either measure
+        slope = 2 * height / getattr(self, f"{axle}_track")
         return slope if name == "half_track_change" else 0.0
 
     def per_wheel(self, name: str) -> np.ndarray:
