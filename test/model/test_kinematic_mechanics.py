@@ -32,13 +32,21 @@ LARGEST = {
     "carrier_pitch_change": 0.1,
 }
 """Of the values of a random table (m, rad), over travels of a decimetre or two."""
+ASIDE = {"cg_offset": 0.1, "roll_pitch_product": 30.0, "pitch_yaw_product": 30.0}
+"""Largest values (m, kg m^2) of what changes its sign in a mirror."""
 OTHER_SIDE = [1, 0, 3, 2]
 REVERSED = {"y", "roll", "yaw", "v", "roll_rate", "yaw_rate", "lateral_slip"}
 
 
 def random_suspension(vehicle: Vehicle, rng: np.random.Generator) -> Vehicle:
-    """Tables of random values, single numbers, or nothing, with bars and static camber."""
+    """Tables of random values, single numbers, or nothing, with bars and static camber.
+
+    The body is not symmetric.
+    """
+    (of_body,) = rng.spawn(1)
     values = {
+        **{name: of_body.uniform(-most, most) for name, most in ASIDE.items()},
+        "roll_yaw_product": of_body.uniform(-100.0, 100.0),
         "front_anti_roll_bar_rate": rng.uniform(0.0, 2e4),
         "rear_anti_roll_bar_stiffness": rng.uniform(0.0, 4e4),
         "front_camber": rng.uniform(-0.05, 0.05),
@@ -179,9 +187,13 @@ def mirrored(record) -> np.ndarray:
 
 def test_left_and_right_are_alike(suspended, rng):
     evaluation = Evaluation(suspended, Options(model="2"))
+    other = suspended.with_values({name: -getattr(suspended, name) for name in ASIDE})
+    through_the_mirror = Evaluation(other, Options(model="2"))
     for state, command, rates, outputs in cases(suspended, evaluation, rng):
         straight, centres = rates.copy(), outputs.copy()
-        opposite = evaluation.rates(mirrored(state), mirrored(command))
+        through_the_mirror.outputs["turning"] = outputs["turning"][OTHER_SIDE]
+        opposite = through_the_mirror.rates(mirrored(state), mirrored(command))
+        outputs = through_the_mirror.outputs
         for name in STATE.names:
             expected = mirrored(straight)[name]
             scale = 1e-10 * (1.0 + np.abs(expected).max())

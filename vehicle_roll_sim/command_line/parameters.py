@@ -50,6 +50,8 @@ def value_of(vehicle: Vehicle, name: str) -> tuple[float | tuple | None, str]:
         return vehicle.given[name], ""
     if name in taken:
         return taken[name]
+    if vehicle.origin and vehicle.origin.derived.get(name) is not None:
+        return vehicle.origin.derived[name], "from the mass of the whole vehicle and its payload"
     axle, _, measure = name.partition("_")
     if axle not in AXLES:
         return None, ""

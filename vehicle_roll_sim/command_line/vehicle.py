@@ -97,8 +97,20 @@ def _read_lines(vehicle: Vehicle) -> Iterator[str]:
         if not source and name in vehicle.given and value == declared.default:
             source = "default"
         shown = f"{len(value)} points" if isinstance(value, tuple) else f"{value:.6g}"
-        origin = f"  ({source})" if source else ""
-        yield f"{name:33}{shown:>12} {declared.unit}{origin}".rstrip()
+        yield _value_line(name, shown, declared.unit, source)
+    for load in vehicle.payload:
+        place = f"{load.behind_front_axle:g} m behind the front axle, {load.height:g} m high, "
+        place += f"{load.left_of_middle:g} m to the left"
+        yield _value_line("payload", f"{load.mass:.6g}", "kg", place)
+    if vehicle.payload:
+        yield "with this payload:"
+        for name, value in vehicle.origin.derived.items():
+            if value is not None:
+                yield _value_line(name, f"{value:.6g}", parameters_of(Vehicle)[name].unit, "")
+
+
+def _value_line(name: str, shown: str, unit: str, about: str) -> str:
+    return f"{name:33}{shown:>12} {unit}{f'  ({about})' if about else ''}".rstrip()
 
 
 def _figure_lines(vehicle: Vehicle) -> list[str]:

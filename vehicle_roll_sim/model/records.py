@@ -128,6 +128,7 @@ KNOTS, COEFFICIENTS = 63, 6
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
     *("wheel_inertia", "gravity", "gravity_along", "gravity_across"),
+    *("roll_pitch_product", "roll_yaw_product", "pitch_yaw_product"),
     "minimum_relaxation_length",
     *("rolling_resistance_coefficient", "drag_area"),
     *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass", "axle_load_share"),
