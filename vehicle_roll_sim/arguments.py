@@ -10,7 +10,6 @@ from collections.abc import Callable, Container
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import (
-    Curve,
     InputError,
     NotWrittenError,
     Parameter,
@@ -140,7 +139,7 @@ def number(text: str, field: str, parameter: Parameter) -> float | list:
     Raises InputError naming `field`.
     """
     try:
-        if parameter.kind is Curve and text.lstrip().startswith("["):
+        if parameter.is_curve and text.lstrip().startswith("["):
             return json.loads(text)
         return number_in(text)
     except (ValueError, RecursionError):

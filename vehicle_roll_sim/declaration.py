@@ -18,8 +18,10 @@ from collections.abc import Iterable, Mapping
 AUTO, ON, OFF = SWITCH = ("auto", "on", "off")
 """Choices of a parameter that says whether something counts."""
 FEWEST_POINTS, MOST_POINTS = 2, 63
-LARGEST_TRAVEL, CLOSEST_TRAVELS = 2.0, 1e-5
-"""m: of the points of a Curve, and between two of them."""
+CLOSEST = 1e-5
+"""Between two points of a Curve."""
+TRAVEL = ("travel", 2.0)
+"""What a Curve is over, and the largest magnitude of it (SI units)."""
 LONGEST_SHOWN = 60
 """Maximum number of characters of an invalid value shown in an error message."""
 
@@ -30,6 +32,10 @@ class Curve:
     Its values are a float, the change per metre of travel, or a tuple of pairs of floats: travel
     (m, increasing) and value.
     """
+
+
+class Table(Curve):
+    """Kind of a parameter that is a tuple of such pairs only, over travel or something else."""
 
 
 class InputError(ValueError):
@@ -92,7 +98,8 @@ class Parameter:
 
     kind: float, bool, str, or tuple for a list of `size` numbers or of some of the `choices`.
     alternative: name of the parameter that specifies the same quantity in another way; exactly one
-    of the two is given. tunable: may be changed while a simulation runs.
+    of the two is given. tunable: may be changed while a simulation runs. over: what a Curve is
+    over, and the largest magnitude of it.
     """
 
     name: str
@@ -107,6 +114,12 @@ class Parameter:
     tunable: bool
     size: int
     alternative: str
+    over: tuple[str, float]
+
+    @property
+    def is_curve(self) -> bool:
+        """Whether the value may be a list of pairs of numbers."""
+        return issubclass(self.kind, Curve)
 
     def validate(self, value, field: str | None = None):
         """Convert `value` to this parameter's type.
@@ -119,7 +132,7 @@ class Parameter:
         if self.kind is tuple:
             check = self._validate_numbers if self.size else self._validate_names
             return check(value, field)
-        if self.kind is Curve:
+        if self.is_curve:
             return self._validate_curve(value, field)
         if isinstance(value, bool) and ON in self.choices:
             return ON if value else OFF  # YAML reads `on` and `off` as true and false
@@ -147,6 +160,8 @@ class Parameter:
 
     def _validate_curve(self, value, field: str) -> float | tuple[tuple[float, float], ...]:
         if not isinstance(value, (list, tuple, array.array)):
+            if self.kind is Table:
+                raise InputError(field, value, self.allowed)
             return self._validate_number(value, field)
         try:
             points = self._points(value, field)
@@ -154,7 +169,7 @@ class Parameter:
             raise InputError(field, value, self.allowed) from None
         travels = [travel for travel, _ in points]
         gaps = [after - before for before, after in itertools.pairwise(travels)]
-        if not (max(map(abs, travels)) <= LARGEST_TRAVEL and min(gaps) >= CLOSEST_TRAVELS):
+        if not (max(map(abs, travels)) <= self.over[1] and min(gaps) >= CLOSEST):
             raise InputError(field, value, self.allowed)
         return points
 
@@ -183,9 +198,11 @@ class Parameter:
             return "a list of one or more of " + ", ".join(self.choices)
         if self.kind is bool:
             return "true or false"
-        if self.kind is Curve:
+        if self.is_curve:
             span = f"from {self.minimum:g} to {self.maximum:g}"
-            points = f"{FEWEST_POINTS} to {MOST_POINTS} pairs [travel, value]"
+            points = f"{FEWEST_POINTS} to {MOST_POINTS} pairs [{self.over[0]}, value]"
+            if self.kind is Table:
+                return f"{points}, the first increasing, values {span} {self.unit}"
             return f"a number {span} {self.unit}, or {points}, travels increasing, values {span}"
         if self.choices:
             return " or ".join(self.choices)
@@ -206,6 +223,7 @@ def parameter(
     tunable: bool = False,
     size: int = 0,
     alternative: str = "",
+    over: tuple[str, float] = TRAVEL,
     default=dataclasses.MISSING,
 ):
     """Declare a parameter as a dataclass field; it is required if it has no `default`.
@@ -223,6 +241,7 @@ def parameter(
         "tunable": tunable,
         "size": size,
         "alternative": alternative,
+        "over": over,
     }
     if alternative or default is None:
         return dataclasses.field(default=None, metadata=about, kw_only=True)

@@ -25,6 +25,7 @@ from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, Argument
 from vehicle_roll_sim.ros.services import SERVICES
 from vehicle_roll_sim.ros.simulator.parameters import IMU_PREFIX, ODOM_PREFIX
 from vehicle_roll_sim.ros.simulator.settings import Settings
+from vehicle_roll_sim.runs.history import ROLL_CENTRES
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.signals import as_markdown
@@ -93,6 +94,7 @@ def label_table() -> str:
     labels = {name: ("time", *element_names(each.states)) for name, each in states.items()}
     labels |= {"`applied_command`": COMMAND_LABELS, "`motion`": MOTION_LABELS}
     labels["`tire_normal_forces`, `lift_off`"] = WHEELS
+    labels["`roll_centre`"] = ROLL_CENTRES
     return table(
         ("topic", "values", "names"),
         *((name, str(len(each)), ", ".join(abridged(each))) for name, each in labels.items()),
@@ -183,11 +185,12 @@ def manoeuvre_table() -> str:
     return table(("name", "definition"), *rows)
 
 
+SET = (*topics.STATE_SET, topics.ROLL_CENTRE)
 TABLES: dict[str, Callable[[], str]] = {
     "commands": command_table,
-    "set": lambda: topic_table(topics.STATE_SET),
+    "set": lambda: topic_table(SET),
     "stamped": lambda: topic_table(topics.STAMPED),
-    "others": lambda: topic_table(t for t in topics.PUBLISHED if t not in topics.STATE_SET),
+    "others": lambda: topic_table(t for t in topics.PUBLISHED if t not in SET),
     "labels": label_table,
     "services": service_table,
     "simulator": lambda: node_parameter_table({"": Settings}),

@@ -53,7 +53,7 @@ def nonlinear_response(model, inputs: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", SMALL_STEPS)
-@pytest.mark.parametrize("choice", ["1", "1a", "1b-no-strut", "1c-i", "8dof"])
+@pytest.mark.parametrize("choice", ["1", "1a", "1b-no-strut", "1c-i", "2", "8dof"])
 def test_the_response_to_a_small_step_is_that_of_the_model_but_for_its_square(choice, name):
     model = reference_model(choice, 3.0)
     step = SMALL_STEPS[name] * np.eye(len(INPUT_NAMES))[INPUT_NAMES.index(name)]
@@ -68,7 +68,7 @@ def test_the_response_to_a_small_step_is_that_of_the_model_but_for_its_square(ch
     assert np.median(growth) == pytest.approx(2.0, rel=0.05)
 
 
-@pytest.mark.parametrize("choice", ["1", "8dof"])
+@pytest.mark.parametrize("choice", ["1", "2", "8dof"])
 def test_steady_gains_at_constant_speed_are_those_between_two_trims(choice):
     model, change = reference_model(choice, 3.0), 1e-4
     u, torques = model.state_names.index("u"), [4, 5]
@@ -96,7 +96,7 @@ def test_steady_gains_at_constant_speed_are_those_between_two_trims(choice):
     assert state == pytest.approx(moved, rel=1e-3, abs=1e-4)
 
 
-@pytest.mark.parametrize("choice", ["1", "8dof"])
+@pytest.mark.parametrize("choice", ["1", "2", "8dof"])
 def test_the_model_of_a_right_turn_is_the_mirror_image_of_a_left_turn(choice):
     left, right = reference_model(choice, 3.0), reference_model(choice, -3.0)
     states, inputs, outputs = map(mirror, (left.state_names, INPUT_NAMES, left.output_names))

@@ -68,6 +68,21 @@ def test_load_transfer_is_shown_from_one_side_to_the_other(history):
     assert "load transfer" in axes[-1].get_ylabel()
 
 
+def test_roll_centres_that_move_are_shown_for_each_axle_up_to_2_m(history):
+    rows = np.linspace(-3.0, 3.0, SAMPLES)[:, np.newaxis] + [0.0, 0.1, 0.2, 0.3]
+    history.roll_centres = rows
+    axes, _, _ = panels(standard_figure([drawn(history)], "run"))
+    for axis, label, columns in zip(
+        axes[-2:], ("height", "to the left"), ((0, 1), (2, 3)), strict=True
+    ):
+        assert "roll centre" in axis.get_ylabel()
+        assert label in axis.get_ylabel()
+        for curve, column in zip(curves(axis), columns, strict=True):
+            values = rows[:, column]
+            same(curve, history["time"], np.where(np.abs(values) <= 2.0, values, np.nan))
+    assert {"front axle", "rear axle"} <= {*shown_texts(axes[-1].figure)}
+
+
 def test_every_wheel_has_its_load_in_its_place_and_all_have_the_same_scale(history):
     _, loads, _ = panels(standard_figure([drawn(history)], "run"))
     for axis, wheel in zip(loads, WHEELS, strict=True):

@@ -102,7 +102,7 @@ def test_in_a_turn_the_yaw_rate_is_that_of_the_circle():
     assert turning * math.hypot(state["u"], state["v"]) == pytest.approx(TURN, rel=3e-3)
 
 
-@pytest.mark.parametrize("options", [Options(), Options(model="8dof")], ids=str)
+@pytest.mark.parametrize("options", [Options(), Options(model="2"), Options(model="8dof")], ids=str)
 def test_a_right_turn_is_the_mirror_image_of_a_left_turn(options):
     left = find_trim(REFERENCE, options, speed=SPEED, steering=math.radians(3))
     right = find_trim(REFERENCE, options, speed=SPEED, steering=math.radians(-3))

@@ -12,6 +12,7 @@ from vehicle_roll_sim.bags.encoding import TYPES, decode
 from vehicle_roll_sim.bags.reading import last_history, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.command_line.main import main
+from vehicle_roll_sim.runs.history import roll_centres_of
 from vehicle_roll_sim.simulation.description import described
 
 ARRAY = "std_msgs/msg/Float64MultiArray"
@@ -37,6 +38,16 @@ def test_an_offline_run_is_reproduced_to_the_bit(tmp_path, options, name, durati
     (result,) = replayed(tmp_path / "bag")
     assert result.is_exact
     assert (result.end, np.isnan(result.missing_from)) == (end, True)
+
+
+def test_a_run_of_model_2_is_reproduced_with_its_roll_centres(tmp_path):
+    simulation = record(tmp_path / "bag", Options(model="2"), "j_turn", 1.5)
+    (result,) = replayed(tmp_path / "bag")
+    assert result.is_exact
+    history = last_history(tmp_path / "bag")
+    assert len(history.roll_centres) == len(history.rows)
+    np.testing.assert_array_equal(history.roll_centres[-1], roll_centres_of(simulation))
+    assert np.ptp(history.roll_centre("place"), axis=0).min() > 0.1  # m
 
 
 def test_a_state_that_is_another_is_found_and_measured(j_turn, changed):

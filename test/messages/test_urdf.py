@@ -9,7 +9,7 @@ from rclpy.serialization import deserialize_message
 from scipy.spatial.transform import Rotation
 from sensor_msgs.msg import JointState
 
-from vehicle_roll_sim import WHEELS, Command, Options, Simulation, preset
+from vehicle_roll_sim import WHEELS, Command, Options, Simulation, Vehicle, preset
 from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.messages.sets import Messages
@@ -18,6 +18,8 @@ from vehicle_roll_sim.ros.encoding import encode
 
 ROUNDING = 1e-9
 """Tolerance (m): numbers are written with ten digits."""
+STEP = 1e-4
+"""s"""
 TURNS = {"front": (0.2, 0.0), "rear": (0.0, -0.2)}
 """Steering in front and at the rear (rad) in a turn to the left in which the inner wheels lift."""
 
@@ -63,8 +65,9 @@ def numbers(element: ElementTree.Element, attribute: str) -> np.ndarray:
     return np.array([float(number) for number in element.get(attribute).split()])
 
 
-def session_of(options: Options | None = None) -> Session:
-    return Session(Simulation(preset(), options), CommandInbox(), 10_000_000, 13.9)
+def session_of(options: Options | None = None, vehicle: Vehicle | None = None) -> Session:
+    simulation = Simulation(vehicle or preset(), options, step=STEP)
+    return Session(simulation, CommandInbox(), 10_000_000, 13.9)
 
 
 def test_at_rest_every_wheel_stands_on_the_ground_by_its_tires_compression():
@@ -98,6 +101,57 @@ def test_in_a_roll_a_wheel_leaves_the_ground_exactly_when_it_has_lifted(steered,
     assert abs(session.simulation.state.roll) > 1.0
 
 
+GUIDED_WHEELS = {
+    "front_camber": 0.02,
+    "front_camber_change": ((-0.2, 0.15), (0.0, 0.0), (0.2, -0.1)),
+    "front_longitudinal_change": 0.2,
+    "front_toe_change": -0.3,
+    "front_carrier_pitch_change": 0.8,
+    "rear_camber_change": 2.0,
+    "rear_toe_change": 0.4,
+    "rear_half_track_change": 0.5,
+}
+MODEL_2 = Options(model="2")
+
+
+def test_in_model_2_wheels_follow_their_paths_and_lean():
+    """The lowest point of each disc is above the road by minus its tire's compression."""
+    session = session_of(MODEL_2, preset().with_values(GUIDED_WHEELS))
+    description = urdf(session.simulation.vehicle, MODEL_2)
+    radius, leans = 0.285, []
+    for _ in range(100):
+        session.simulation.step(Command(steering=0.2, rear_steering=-0.05), 0.02)
+        picture, state = Picture(session, description), session.simulation.state
+        poses = [picture.link(f"{wheel}_wheel_link") for wheel in WHEELS]
+        lowest = [pose[2, 3] - radius * np.sqrt(1 - pose[2, 1] ** 2) for pose in poses]
+        assert lowest == pytest.approx(-state.tire_compression, abs=ROUNDING)
+        leans.append([np.arcsin(pose[2, 1]) for pose in poses])
+        expected = np.tan(session.simulation.outputs.inclination)
+        assert np.tan(leans[-1]) == pytest.approx(expected, abs=ROUNDING)
+    assert abs(np.ptp(leans, axis=0)).min() > 0.2  # rad
+
+
+def test_in_model_2_the_velocities_of_the_joints_are_the_rates_of_their_positions():
+    simulation = session_of(MODEL_2, preset().with_values(GUIDED_WHEELS)).simulation
+    simulation.step(Command(steering=0.2), 0.4)
+    before, middle, after = joints_of(simulation, 3)
+    rate = (np.array(after.position) - before.position) / 2e-4  # two steps of 0.1 ms
+    steered = ["steering" in name for name in middle.name]
+    assert np.abs(middle.velocity).max() > 1.0
+    moved = np.where(steered, 0.0, middle.velocity)
+    assert moved == pytest.approx(np.where(steered, 0.0, rate), abs=1e-4)
+
+
+def joints_of(simulation: Simulation, count: int) -> list[JointState]:
+    """The joints now and after further steps, with the steering held."""
+    found = []
+    for _ in range(count):
+        messages = Messages(simulation, "", encode)
+        found.append(deserialize_message(messages.joint_states(), JointState))
+        simulation.step(Command(steering=0.2), 1e-4)
+    return found
+
+
 def test_wheels_steer_and_spin():
     session = session_of()
     session.simulation.step(Command(steering=0.1, rear_steering=-0.05), 0.05)
@@ -127,7 +181,7 @@ def test_every_part_has_a_colour_and_every_wheel_a_mark_that_is_not_round():
 
 
 def test_without_suspension_the_wheels_are_where_they_stand_at_rest():
-    robot = ElementTree.fromstring(urdf(preset(), has_suspension=False).encode())
+    robot = ElementTree.fromstring(urdf(preset(), Options(model="8dof")).encode())
     rest = ElementTree.fromstring(urdf(preset()).encode())
     for wheel in WHEELS:
         path = f"joint[@name='{wheel}_suspension_joint']/origin"

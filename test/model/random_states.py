@@ -19,6 +19,8 @@ SPREAD = {
     "unsprung_velocity": 3.0,
 }
 """Largest magnitude of the states that are drawn uniformly about 0."""
+OTHER_SIDE = [1, 0, 3, 2]
+REVERSED = {"y", "roll", "yaw", "v", "roll_rate", "yaw_rate", "lateral_slip"}
 
 
 def wheel_positions(vehicle: Vehicle) -> np.ndarray:
@@ -72,9 +74,7 @@ def random_command(rng: np.random.Generator) -> np.ndarray:
 
 def strut_lengths(vehicle: Vehicle, compression: np.ndarray) -> np.ndarray:
     """Distance from the plane of the sprung c.g. down to each wheel centre (m)."""
-    static = 9.81 * vehicle.sprung_mass * vehicle.axle_load_share
-    drop = compression - static / vehicle.per_wheel("spring_stiffness")
-    return vehicle.static_strut_length - drop
+    return vehicle.static_strut_length - (compression - vehicle.static_suspension_compression)
 
 
 def wheel_centres(vehicle: Vehicle, state) -> np.ndarray:
@@ -83,3 +83,12 @@ def wheel_centres(vehicle: Vehicle, state) -> np.ndarray:
     lengths = strut_lengths(vehicle, state["suspension_compression"])
     in_body = np.column_stack([wheel_positions(vehicle), -lengths])
     return np.array([state["x"], state["y"], state["z"]]) + in_body @ rotation.T
+
+
+def mirrored(record) -> np.ndarray:
+    """A STATE or COMMAND record seen in a mirror."""
+    other = record.copy()
+    for name in record.dtype.names:
+        value = record[name][OTHER_SIDE] if record.dtype[name].shape else record[name]
+        other[name] = -value if name in (*REVERSED, "steering", "rear_steering") else value
+    return other

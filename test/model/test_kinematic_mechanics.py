@@ -12,7 +12,7 @@ from guided_wheels import (
     wheels,
 )
 from programmes import Evaluation, with_moments
-from random_states import attitude, random_command, random_state
+from random_states import OTHER_SIDE, attitude, mirrored, random_command, random_state
 
 from vehicle_roll_sim import Options, Vehicle
 from vehicle_roll_sim.model.records import STATE
@@ -34,8 +34,6 @@ LARGEST = {
 """Of the values of a random table (m, rad), over travels of a decimetre or two."""
 ASIDE = {"cg_offset": 0.1, "roll_pitch_product": 30.0, "pitch_yaw_product": 30.0}
 """Largest values (m, kg m^2) of what changes its sign in a mirror."""
-OTHER_SIDE = [1, 0, 3, 2]
-REVERSED = {"y", "roll", "yaw", "v", "roll_rate", "yaw_rate", "lateral_slip"}
 
 
 def random_suspension(vehicle: Vehicle, rng: np.random.Generator) -> Vehicle:
@@ -175,14 +173,6 @@ def test_contact_point_load_and_inclination_are_those_of_the_geometry(suspended,
         unloaded = suspended.per_wheel("tire_radius")
         sinking = [rate_of(unloaded[i] * w.cosine - w.centre[2]) for i, w in enumerate(moved)]
         np.testing.assert_allclose(rates["tire_compression"], sinking, rtol=1e-10, atol=1e-10)
-
-
-def mirrored(record) -> np.ndarray:
-    other = record.copy()
-    for name in record.dtype.names:
-        value = record[name][OTHER_SIDE] if record.dtype[name].shape else record[name]
-        other[name] = -value if name in (*REVERSED, "steering", "rear_steering") else value
-    return other
 
 
 def test_left_and_right_are_alike(suspended, rng):

@@ -13,20 +13,24 @@ from vehicle_roll_sim.bags.encoding import TYPES, decode
 from vehicle_roll_sim.bags.reading import recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.command_line.main import main as offline
-from vehicle_roll_sim.messages.topics import DIAGNOSTICS, ROLLOVER, STAMPED, STATE_SET
+from vehicle_roll_sim.messages.topics import DIAGNOSTICS, ROLL_CENTRE, ROLLOVER, set_of
 from vehicle_roll_sim.simulation.description import described
+from vehicle_roll_sim.simulation.options import Options
 
 pytestmark = pytest.mark.unmeasured
 
 MANOEUVRES = {
     "nhtsa_fishhook": ("--set", "cg_height=0.55", "--duration", "3"),
-    "step_steer": ("--set", "cg_height=0.55", "--duration", "1.5"),
+    "step_steer": ("--model", "2", "--set", "cg_height=0.55", "--duration", "1.5"),
 }
-"""Steered by the state, and with the speed held."""
+"""Steered by the state; and with the speed held, with model 2."""
+MODELS = {"nhtsa_fishhook": "1", "step_steer": "2"}
 DESCRIBED = {"/simulation_description", "/robot_description"}
 """What comes before the first set."""
-SETS = (*STATE_SET, *STAMPED)
-EVERY_SET = "[" + ", ".join(topic.name for topic in SETS) + "]"
+
+
+def sets(name: str) -> list[str]:
+    return [topic.name for topic in set_of(Options(model=MODELS[name]), stamped=True)]
 
 
 def messages_of(bag) -> dict[str, list[bytes]]:
@@ -48,7 +52,8 @@ def lockstep_bag(start, peer, tmp_path):
         values = {
             "mode": "lockstep",
             "lockstep_topics": "[steering_cmd, wheel_torque_cmd]",
-            "lockstep_wait": EVERY_SET,
+            "lockstep_wait": f"[{', '.join(sets(name))}]",
+            "model": f"'{MODELS[name]}'",
             "publish_stamped": "true",
             "vehicle.cg_height": "0.55",
         }
@@ -76,10 +81,11 @@ def test_both_hold_the_same_sets_and_either_is_replayed_to_the_bit(lockstep_bag,
     commands = {"/steering_cmd", "/wheel_torque_cmd"}
     assert ours.keys() - theirs.keys() <= {"/tf", *commands}  # a type not installed everywhere
     assert theirs.keys() - ours.keys() <= {DIAGNOSTICS.name}
+    assert (f"/{ROLL_CENTRE.name}" in ours) == (MODELS[name] == "2")
     count = len(ours["/state"])
     assert count > 100
-    for topic in SETS:
-        assert ours[f"/{topic.name}"] == theirs[f"/{topic.name}"][-count:], topic.name
+    for topic in sets(name):
+        assert ours[f"/{topic}"] == theirs[f"/{topic}"][-count:], topic
     for topic in commands & theirs.keys():  # best effort: the first ones may be lost
         assert ours[topic][-len(theirs[topic]) :] == theirs[topic]
     for topic in ("/simulation_description", "/robot_description", f"/{ROLLOVER.name}"):

@@ -87,7 +87,8 @@ def test_a_wrong_manoeuvre_ends_with_one_line_and_status_2(start, words, named):
 
 def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp_path):
     bag = tmp_path / "bag"
-    start("simulator", "--ros-args", "-p", "publish_clock:=true", "-p", "publish_stamped:=true")
+    words = ("publish_clock:=true", "publish_stamped:=true", "model:=2")
+    start("simulator", "--ros-args", *(part for word in words for part in ("-p", word)))
     recorder = start("recorder", "--output", str(bag), fresh=True)
     peer.listen("state", "applied_command", "/diagnostics")
     four = [1.0, 2.0, 3.0, 4.0]

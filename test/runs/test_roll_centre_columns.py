@@ -26,7 +26,9 @@ def test_model_2_writes_them_after_the_other_columns(tmp_path):
     assert tuple(header) == (*COLUMNS, *ROLL_CENTRES)
     rows = np.array([[float(text) for text in texts] for _, texts in lines])
     np.testing.assert_array_equal(rows[:, len(COLUMNS) :], history.roll_centres)
-    np.testing.assert_array_equal(History.read_csv(file).rows, history.rows)
+    read = History.read_csv(file)
+    np.testing.assert_array_equal(read.rows, history.rows)
+    np.testing.assert_array_equal(read.roll_centres, history.roll_centres)
     at_rest = preset().roll_centre_height[[0, 2]]
     np.testing.assert_allclose(history.roll_centres[0, :2], at_rest, atol=1e-9)
     assert np.ptp(history.roll_centres[:, 0]) > 1e-3  # they move

@@ -123,6 +123,7 @@ def test_the_default_is_model_1_of_the_source_on_tires_with_transient_slip():
         "link_load_transfer": "symmetric",
         "euler_terms": False,
         "steady_state_slip": False,
+        "wheel_gyroscopics": False,
         "tire_moments": "auto",
         "contact_patch_shift": "auto",
     }

@@ -48,6 +48,22 @@ HEIGHTS = {"front_roll_centre_height": 0.1, "rear_roll_centre_height": 0.15}
 """What a vehicle file may have in place of the depths."""
 OF_TIRE_FILE = ("front_tire_stiffness", "rear_tire_stiffness", "tire_radius")
 """What the reference file has, and would take from its tire file otherwise."""
+STOPS = {
+    f"{stop}_stop_{name}": value
+    for stop in ("bump", "rebound")
+    for name, value in (("clearance", 0.06), ("stiffness", 5e4), ("progression", 1e6))
+}
+DETAILS = {
+    "rebound_damping": 3000.0,
+    "spring_motion_ratio": 0.8,
+    "damper_motion_ratio": 0.7,
+    **STOPS,
+    "toe": 0.002,
+    "roll_steer": -0.05,
+    "lateral_force_steer": -1e-6,
+    "aligning_moment_steer": 1e-5,
+}
+"""Of each axle."""
 ABSENT = {
     "front_tire_radius": 0.3,
     "rear_tire_radius": 0.31,
@@ -70,14 +86,32 @@ ABSENT = {
     "rear_camber_change": -0.5,
     "rear_toe_change": 0.05,
     "rear_carrier_pitch_change": -0.2,
+    **{f"{axle}_{name}": value for axle in ("front", "rear") for name, value in DETAILS.items()},
+    "ackermann_percentage": 70.0,
+    "engine_drag": 2.0,
 }
 """What the reference vehicle does not have."""
+TABLES = {
+    f"{axle}_{name}": (f"{axle}_{other}", table)
+    for axle in ("front", "rear")
+    for name, other, table in (
+        ("spring_force", "spring_stiffness", "[[0, 0], [0.2, 6000]]"),
+        ("damper_force", "damping", "[[-1, -3000], [0, 0], [1, 1500]]"),
+    )
+}
+"""What a vehicle file may have in place of numbers."""
 WHOLE_YAML = REFERENCE_YAML + "".join(f"{name}: {value}\n" for name, value in OPTIONAL.items())
 """A file that leaves nothing out."""
 
 
 def whole_with(name: str) -> str:
     """A file that leaves nothing out, with the parameter of that name."""
+    if name in TABLES:
+        other, table = TABLES[name]
+        return edited(WHOLE_YAML, other, f"{name}: {table}")
+    if "_stop_" in name:
+        axle = name.partition("_")[0]
+        return WHOLE_YAML + "".join(f"{axle}_{of}: {value}\n" for of, value in STOPS.items())
     if name in ABSENT:
         text = WHOLE_YAML + f"{name}: {ABSENT[name]}\n"
         return edited(text, "tire_radius", "") if "_tire_radius" in name else text
@@ -87,6 +121,7 @@ def whole_with(name: str) -> str:
 
 
 REQUIRED = [*(n for n in PARAMETERS if n not in {*OPTIONAL, *ABSENT, *OF_TIRE_FILE}), "tire"]
+"""With the alternatives of some of them."""
 
 
 def beyond(limit: float, direction: float) -> float:
@@ -120,7 +155,7 @@ def path(tmp_path):
 def test_the_reference_vehicle_is_that_of_the_source():
     vehicle = preset("reference")
     assert {name: getattr(vehicle, name) for name in SOURCE} == SOURCE
-    assert {*PARAMETERS} - {*SOURCE} == {"steering_ratio", *OPTIONAL, *HEIGHTS, *ABSENT}
+    assert {*PARAMETERS} - {*SOURCE} == {*("steering_ratio", *OPTIONAL, *HEIGHTS, *TABLES, *ABSENT)}
 
 
 def test_what_the_source_does_not_have_is_optional_and_nothing_else_is(vehicle_from):
@@ -134,7 +169,7 @@ def test_what_the_source_does_not_have_is_optional_and_nothing_else_is(vehicle_f
         assert getattr(named, name) == getattr(unnamed, name) == value
 
 
-@pytest.mark.parametrize("name", [name for name in PARAMETERS if "pressure" not in name])
+@pytest.mark.parametrize("name", [n for n in PARAMETERS if "pressure" not in n and n not in TABLES])
 def test_every_value_of_the_file_arrives_under_its_name(vehicle_from, name):
     value = (preset("reference").given | HEIGHTS | ABSENT)[name] * 1.01 or 0.5
     loaded = vehicle_from(edited(whole_with(name), name, f"{name}: {value!r}"))
@@ -155,7 +190,7 @@ def test_zero_is_refused_where_nothing_is_not_allowed(vehicle_from, path, name):
         vehicle_from(edited(whole_with(name), name, f"{name}: 0"))
 
 
-@pytest.mark.parametrize("name", [n for n in REQUIRED if not n.endswith("height")])
+@pytest.mark.parametrize("name", [n for n in REQUIRED if n not in {*HEIGHTS, *TABLES}])
 def test_a_missing_key_is_named(vehicle_from, path, name):
     with refused(path, name):
         vehicle_from(edited(REFERENCE_YAML, name, ""))

@@ -9,6 +9,8 @@ import numpy as np
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio, sideslip_angle
 
+FARTHEST_ROLL_CENTRE = 2.0
+"""m: distances above it are not drawn; that of lines which are nearly parallel has no limit."""
 DEGREES = math.degrees(1)
 PANELS = (
     ("steering", "steering, front\nroad wheels (deg)", DEGREES),
@@ -24,12 +26,13 @@ class Signal:
     """The signal of a panel.
 
     label: name with unit. of: function of a history that returns the values, shape (n,), or (n, 4)
-    for the wheels if is_command.
+    for the wheels if is_command, or (n, 2) for the axles if is_of_axles.
     """
 
     label: str
     of: Callable[[History], np.ndarray]
     is_command: bool = False
+    is_of_axles: bool = False
 
 
 def _column(name: str, label: str, scale: float) -> Signal:
@@ -55,6 +58,21 @@ SPEED = _column("u", "forward speed\n(m/s)", 1.0)
 LOAD_TRANSFER = Signal(
     "load transfer\nratio (−)", lambda history: load_transfer_ratio(history.wheels("normal_force"))
 )
+
+
+def _roll_centre(measure: str, label: str) -> Signal:
+    def shown(history: History) -> np.ndarray:
+        values = history.roll_centre(measure)
+        return np.where(np.abs(values) <= FARTHEST_ROLL_CENTRE, values, np.nan)
+
+    return Signal(label, shown, is_of_axles=True)
+
+
+ROLL_CENTRES = (
+    _roll_centre("height", "roll centre\nheight (m)"),
+    _roll_centre("place", "roll centre\nto the left (m)"),
+)
+"""Shown only for models whose roll centres move."""
 COMMANDS = (
     REAR_STEERING,
     _command("wheel_torque", "wheel torque\n(N m)"),
@@ -72,4 +90,6 @@ def signals_of(histories: Iterable[History]) -> list[Signal]:
         for signal in COMMANDS
         if any(np.nan_to_num(signal.of(history)).any() for history in histories)
     ]
-    return [STEERING, *given, *RESPONSES, SIDESLIP, SPEED, LOAD_TRANSFER]
+    moving = any(history.roll_centres is not None for history in histories)
+    below = (LOAD_TRANSFER, *(ROLL_CENTRES if moving else ()))
+    return [STEERING, *given, *RESPONSES, SIDESLIP, SPEED, *below]

@@ -23,6 +23,7 @@ from vehicle_roll_sim.analysis.panels import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.analysis.pens import Pen, pens
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.vehicle.derived_values import AXLES
 
 STYLES_OF_WHEELS = ("-", "--", "-.", ":")
 """Line styles of commands by wheel; wheels with the same command share a line."""
@@ -69,6 +70,7 @@ def plot_run(
 def standard_figure(runs: Sequence[DrawnRun], title: str, size: Size | None = None) -> DrawnFigure:
     """Commands, roll, acceleration, yaw rate, sideslip, speed, normal loads, load transfer, path.
 
+    Also the roll centres, for models in which they move.
     At most as many runs as there are COLOURS. The steering is always shown, other commands only if
     they are not 0 throughout. The panel of a wheel is shaded while it is off the ground. size: size
     in print; by default the figure is made for a screen.
@@ -133,6 +135,8 @@ def _draw_signal(axis, signal: Signal, run: DrawnRun, pen: Pen) -> None:
     time, values = run.history["time"], signal.of(run.history)
     if signal.is_command:
         _draw_command(axis, time, values, pen)
+    elif signal.is_of_axles:
+        _draw_axles(axis, time, values, pen)
     else:
         pen.draw(axis, time, values)
     _mark_rollover(axis, run, pen)
@@ -150,6 +154,13 @@ def _draw_command(axis, time: np.ndarray, values: np.ndarray, pen: Pen) -> None:
         names = "all wheels" if len(wheels) == len(WHEELS) else ", ".join(WHEELS[i] for i in wheels)
         style = STYLES_OF_WHEELS[wheels[0]]
         axis.plot([], [], style, color="black", linewidth=pen.width, label=f"command: {names}")
+
+
+def _draw_axles(axis, time: np.ndarray, values: np.ndarray, pen: Pen) -> None:
+    """Draw a line for each axle."""
+    for name, style, of_axle in zip(AXLES, STYLES_OF_WHEELS, values.T, strict=False):
+        pen.draw(axis, time, of_axle, style)
+        axis.plot([], [], style, color="black", linewidth=pen.width, label=f"{name} axle")
 
 
 def _draw_loads(axes, run: DrawnRun, pen: Pen) -> None:

@@ -14,6 +14,7 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.run_messages import (
     COLLECTED,
     COMMAND,
+    NOT_OF_EVERY_MODEL,
     STATE,
     RunMessages,
     by_name,
@@ -25,7 +26,7 @@ from vehicle_roll_sim.simulation.description import described
 from vehicle_roll_sim.simulation.road import Road
 
 A_BAG = "a complete bag of a simulator: metadata.yaml and the file that it names"
-READ = (*COLLECTED, SIMULATION_DESCRIPTION)
+READ = (*COLLECTED, *NOT_OF_EVERY_MODEL, SIMULATION_DESCRIPTION)
 
 
 @dataclasses.dataclass

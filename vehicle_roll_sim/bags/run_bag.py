@@ -14,11 +14,12 @@ from vehicle_roll_sim.messages.topics import (
     COMMANDS,
     PUBLISHED,
     ROBOT_DESCRIPTION,
+    ROLL_CENTRE,
     ROLLOVER,
     SIMULATION_DESCRIPTION,
     STAMPED,
-    STATE_SET,
     TRANSFORMS,
+    set_of,
 )
 from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.model.integration.events import Condition
@@ -63,16 +64,18 @@ class RunBag:
         stamped: bool = False,
     ):
         self._simulation, self._bag = simulation, bag
-        with_header = STAMPED if stamped else ()
-        topics = (*COMMANDS, *PUBLISHED, *with_header)
+        in_set = set_of(simulation.options, stamped)
+        absent = () if ROLL_CENTRE in in_set else (ROLL_CENTRE,)
+        published = (topic for topic in PUBLISHED if topic not in absent)
+        with_header = (topic for topic in in_set if topic in STAMPED)
+        topics = (*COMMANDS, *published, *with_header)
         self._connections = {
             topic.name: bag.add_topic(topic, "/" + topic.name.lstrip("/")) for topic in topics
         }
         self._types = {topic.name: topic.type for topic in topics}
         messages = self._messages = Messages(simulation, "", encode)
         self._set = [
-            (topic.name, builder(messages, encode, topic))
-            for topic in (CLOCK, *STATE_SET, *with_header, TRANSFORMS)
+            (topic.name, builder(messages, encode, topic)) for topic in (CLOCK, *in_set, TRANSFORMS)
         ]
         fields = set(commanded)
         self._commands = {name: c.field for name, c in channels().items() if c.field in fields}

@@ -5,22 +5,23 @@ This works on messages decoded by any library, as long as fields have the names 
 
 import bisect
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable
 
 import numpy as np
 
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS
-from vehicle_roll_sim.messages.topics import STATE_SET
+from vehicle_roll_sim.messages.topics import ROLL_CENTRE, STATE_SET
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, History
+from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, ROLL_CENTRES, History
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 
 STATE, COMMAND, IMU, LOADS = "state", "applied_command", "imu", "tire_normal_forces"
 COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS))
 """The topics from which a history is built."""
-
+NOT_OF_EVERY_MODEL = (ROLL_CENTRE,)
+"""Topics from which columns are added to it, if there are any messages on them."""
 
 NEEDED = {"x", "y", "yaw", "u", "v", "yaw_rate", "roll", "roll_rate"}
 """States that every model publishes."""
@@ -38,38 +39,59 @@ class RunMessages:
     def __init__(self):
         self.states: list[tuple[int, dict[str, float]]] = []
         self._others = {topic.name: [] for topic in COLLECTED if topic.name != STATE}
+        self._added = {topic.name: [] for topic in NOT_OF_EVERY_MODEL}
 
     def keep(self, name: str, sent: int, message) -> None:
         """Add a message of a topic other than `state`. sent: when it was sent (ns)."""
-        self._others[name].append((sent, message))
+        kept = self._added if name in self._added else self._others
+        kept[name].append((sent, message))
 
     def is_complete(self) -> bool:
         """Whether all messages of the last set are present."""
         sent = self.states[-1][0]
-        return all(self._sent_between(name, sent, math.inf) for name in self._others)
+        added = [kept for kept in self._added.values() if kept]
+        return all(_has_sent_after(sent, kept) for kept in (*self._others.values(), *added))
 
     def history(self, road: Road) -> History:
         """One row for each complete set, driven on `road`; nan in columns that no topic carries."""
-        sets = list(self.sets())
-        commands = [command.data[len(COMMAND_LABELS) - len(COMMANDS) :] for _, command, *_ in sets]
-        return History([_row(road, *parts) for parts in sets], np.array(commands))
+        sets = self._complete_sets()
+        commands = [
+            command.data[len(COMMAND_LABELS) - len(COMMANDS) :] for _, command, *_ in sets.values()
+        ]
+        rows = [_row(road, *parts) for parts in sets.values()]
+        return History(rows, np.array(commands), self._roll_centres(sets))
 
-    def sets(self) -> Iterator[tuple]:
+    def _roll_centres(self, places: Iterable[int]) -> np.ndarray | None:
+        """The values of ROLL_CENTRES for the states at some places, shape (n, 4); None if unknown.
+
+        nan where there is no message.
+        """
+        kept = self._added[ROLL_CENTRE.name]
+        if not kept:
+            return None
+        found = _shared_out(kept, np.array([sent for sent, _ in self.states]))
+        unknown = np.full(len(ROLL_CENTRES), np.nan)
+        return np.array([found[k].data if k in found else unknown for k in places])
+
+    def sets(self) -> Iterable[tuple]:
         """(state, applied_command, imu, tire_normal_forces) of every complete set."""
+        return self._complete_sets().values()
+
+    def _complete_sets(self) -> dict[int, tuple]:
+        """The parts of every complete set, by the place of its state."""
         sent = np.array([sent for sent, _ in self.states])
         columns = [_shared_out(kept, sent) for kept in self._others.values()]
+        found = {}
         for k, (_, state) in enumerate(self.states):
             parts = [column.get(k) for column in columns]
             if None not in parts and parts[0].data[0] == state["time"]:
-                yield (state, *parts)
+                found[k] = (state, *parts)
+        return found
 
-    def _sent_between(self, name: str, start: int, end: float):
-        """The first message of a topic sent between two times (ns), None if there is none."""
-        kept = self._others[name]
-        place = bisect.bisect_left(kept, start, key=lambda entry: entry[0])
-        if place < len(kept) and kept[place][0] < end:
-            return kept[place][1]
-        return None
+
+def _has_sent_after(start: int, kept: list[tuple[int, object]]) -> bool:
+    """Whether one of the messages of a topic was sent at a time (ns) or later."""
+    return bisect.bisect_left(kept, start, key=lambda entry: entry[0]) < len(kept)
 
 
 def _shared_out(kept: list[tuple[int, object]], states: np.ndarray) -> dict[int, object]:
@@ -99,7 +121,8 @@ def is_ours(name: str, message) -> bool:
         return is_whole and set(labels) >= NEEDED and math.isfinite(message.data[0])
     if name == COMMAND:
         return len(message.data) == len(COMMAND_LABELS) and math.isfinite(message.data[0])
-    return name != LOADS or len(message.data) == len(WHEELS)
+    sizes = {LOADS: len(WHEELS), ROLL_CENTRE.name: len(ROLL_CENTRES)}
+    return name not in sizes or len(message.data) == sizes[name]
 
 
 def _row(road: Road, state: dict, command, imu, loads) -> np.ndarray:

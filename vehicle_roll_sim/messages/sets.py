@@ -7,12 +7,21 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.messages.covariances import Covariances
+from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
-from vehicle_roll_sim.messages.topics import CLOCK, FLOAT, STATE_SET, TRANSFORMS, WRENCH
+from vehicle_roll_sim.messages.topics import (
+    CLOCK,
+    FLOAT,
+    ROLL_CENTRE,
+    STATE_SET,
+    TRANSFORMS,
+    WRENCH,
+)
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
-from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
+from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.runs.history import ROLL_CENTRES, roll_centres_of
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -29,11 +38,6 @@ MOTION_LABELS = (
 )
 """What vehicle dynamics controllers need. The names mean the same as in `state`, `applied_command`
 and the CSV."""
-SUSPENSION, STEERING, SPINNING = (
-    tuple(f"{wheel}_{kind}_joint" for wheel in WHEELS)
-    for kind in ("suspension", "steering", "wheel")
-)
-"""Names of the joints."""
 ANGLES, RATES = slice(at.ROLL, at.YAW + 1), slice(at.ROLL_RATE, at.YAW_RATE + 1)
 """Indices of the Euler angles and of the body rates in the state."""
 OF_ODOMETRY = 85
@@ -52,7 +56,7 @@ EMPTY_LIST = 4
 """Bytes of an empty list: its length field."""
 FLAGS_MARK = (250, 251, 252, 253)
 """A placeholder that no lift-off flags contain otherwise."""
-TYPES = {topic.name: topic.type for topic in STATE_SET}
+TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE)}
 
 
 class Messages:
@@ -79,6 +83,7 @@ class Messages:
         self._command = self._labelled("applied_command", COMMAND_LABELS)
         self._loads = self._labelled("tire_normal_forces", WHEELS)
         self._motion = self._labelled("motion", MOTION_LABELS)
+        self._roll_centre = self._labelled("roll_centre", ROLL_CENTRES)
         self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
         self._single = {
             topic.name: MessageTemplate(encode(topic.type, {"data": MARK}), 1)
@@ -123,7 +128,7 @@ class Messages:
 
     def _joint_states(self) -> MessageTemplate:
         """Positions and velocities are contiguous, except for the length field of the latter."""
-        names = [*(SUSPENSION if self._whole_body else ()), *STEERING, *SPINNING]
+        names = joint_names(joint_kinds(self.simulation))
         zeros = [0.0] * len(names)
         moving = {"name": names, "position": [MARK, *zeros[1:]], "velocity": zeros}
         fields = {"header": {"stamp": STAMP_MARK}, **moving}
@@ -186,16 +191,9 @@ class Messages:
         return self._dated(self._imu)
 
     def joint_states(self) -> bytes:
-        state, outputs = self.simulation.state, self.simulation.outputs
-        position = [outputs["steering"], state["wheel_angle"]]
-        velocity = [np.zeros(WHEEL_COUNT), state["wheel_speed"]]
-        if self._whole_body:
-            at_rest = self.simulation.static_suspension_compression
-            position.insert(0, state["suspension_compression"] - at_rest)
-            velocity.insert(0, outputs["suspension_rate"])
-        count = len(position) * WHEEL_COUNT
-        self._joints.numbers[:count] = np.concatenate(position)
-        self._joints.numbers[-count:] = np.concatenate(velocity)
+        position, velocity = joint_motion(self.simulation)
+        self._joints.numbers[: len(position)] = position
+        self._joints.numbers[-len(velocity) :] = velocity
         return self._dated(self._joints)
 
     def tire_normal_forces(self) -> bytes:
@@ -232,6 +230,10 @@ class Messages:
             self.simulation.outputs["acceleration"][1],
         )
         return bytes(self._motion)
+
+    def roll_centre(self) -> bytes:
+        self._roll_centre.numbers[:] = roll_centres_of(self.simulation)
+        return bytes(self._roll_centre)
 
     def _attitude(self) -> tuple[float, ...]:
         """Attitude as a quaternion (x, y, z, w); pitch is 0 in a model without it."""

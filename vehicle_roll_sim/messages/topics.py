@@ -8,6 +8,7 @@ import dataclasses
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.live.command_limits import UNITS
 from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.simulation.options import Options
 
 
 @dataclasses.dataclass(frozen=True)
@@ -99,7 +100,15 @@ STATE_SET = (
     ),
     Topic("motion", ARRAY, meaning="signals for handling controllers in one message"),
 )
-"""The topics of a set, which is published every period in this order, beginning with `state`."""
+"""The topics of every set, published each period in this order, beginning with `state`."""
+ROLL_CENTRE = Topic(
+    "roll_centre",
+    ARRAY,
+    unit="m",
+    meaning="with model 2: height of each axle's roll centre above the road, and its place to the "
+    "left of the c.g.; nan where there is none",
+)
+"""Also part of the set in models whose roll centres move with the suspension."""
 STAMPED_ENDING = "_stamped"
 STAMPED = tuple(
     Topic(
@@ -108,7 +117,7 @@ STAMPED = tuple(
         unit=topic.unit,
         meaning=f"`{topic.name}` with a header: values in `position`, their names in `name`",
     )
-    for topic in STATE_SET
+    for topic in (*STATE_SET, ROLL_CENTRE)
     if topic.type in (FLOAT, ARRAY, FLAGS)
 )
 """Also part of the set with `publish_stamped`: topics without a header, with a header and names.
@@ -135,8 +144,10 @@ DIAGNOSTICS = Topic(
     "diagnostic_msgs/msg/DiagnosticArray",
     meaning="status of the simulator, once per second",
 )
+
 PUBLISHED = (
     *STATE_SET,
+    ROLL_CENTRE,
     ROLLOVER,
     ROBOT_DESCRIPTION,
     SIMULATION_DESCRIPTION,
@@ -144,3 +155,10 @@ PUBLISHED = (
     CLOCK,
     TRANSFORMS,
 )
+
+
+def set_of(options: Options, stamped: bool) -> tuple[Topic, ...]:
+    """The topics of a set of a model, in order; stamped: with those of `publish_stamped`."""
+    topics = (*STATE_SET, ROLL_CENTRE) if options.is_kinematic else STATE_SET
+    names = {topic.name + STAMPED_ENDING for topic in topics if stamped}
+    return (*topics, *(topic for topic in STAMPED if topic.name in names))

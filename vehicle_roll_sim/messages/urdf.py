@@ -2,7 +2,9 @@
 
 from xml.etree import ElementTree
 
+from vehicle_roll_sim.messages.joints import GUIDED, STEERING, SUSPENSION, WHEEL, Y, Z
 from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -14,11 +16,8 @@ SPOKE_WIDTH = 0.2
 """Width of the bar that makes wheel spin visible, as a fraction of the tire radius."""
 PROUD = 0.01
 """How far markings stand proud of a surface (m)."""
-TRAVEL = 0.5
-"""Limit of the suspension joints (m)."""
-LOCK = 1.6
-"""Limit of the steering joints (rad)."""
-AXES = {"prismatic": "0 0 1", "revolute": "0 0 1", "continuous": "0 1 0"}
+LIMITS = {"prismatic": 0.5, "revolute": 1.6}
+"""Limits of the joints of a suspension (m) and of steering and wheel carrier (rad)."""
 HERE = (0.0, 0.0, 0.0)
 LYING = (1.5707963267948966, 0.0, 0.0)
 """Roll, pitch and yaw (rad) of a cylinder whose axis is the axle."""
@@ -32,31 +31,36 @@ COLOURS = {
 
 
 def robot_description(simulation: Simulation) -> str:
-    """URDF of a simulated vehicle, with suspension joints if its model has them (`urdf`)."""
-    return urdf(simulation.vehicle, not simulation.options.has_eight_dof)
+    """URDF of a simulated vehicle, with the joints of its model (`urdf`)."""
+    return urdf(simulation.vehicle, simulation.options)
 
 
-def urdf(vehicle: Vehicle, has_suspension: bool = True) -> str:
-    """URDF as text. base_link is at the sprung c.g.; each wheel has a suspension, a steering and a
-    wheel joint.
+def urdf(vehicle: Vehicle, options: Options | None = None) -> str:
+    """URDF as text; base_link is at the sprung c.g., the joints of a wheel are those of `joints`.
 
-    Suspension joints are prismatic along the body's z axis, 0 at rest, or fixed without
-    `has_suspension`; the wheel is the last link. Wheels have the unloaded radius: the height of a
-    wheel centre is that radius less the tire compression, which is negative after lift-off.
+    options: of the model, None for model 1. Suspension joints are prismatic along the body's z
+    axis, 0 at rest, or fixed in a model without suspension; the wheel is the last link. Wheels have
+    the unloaded radius: in model 1 the height of a wheel centre is that radius less the tire
+    compression, which is negative after lift-off.
     """
+    options = options or Options()
     robot = ElementTree.Element("robot", name="vehicle")
     for name, colour in COLOURS.items():
         material = ElementTree.SubElement(robot, "material", name=name)
         ElementTree.SubElement(material, "color", rgba=_numbers(colour))
     _body(robot, vehicle)
     record = vehicle.record()[0]
-    travel = ("prismatic", TRAVEL) if has_suspension else ("fixed", 0.0)
+    height = -record.static_strut_length
+    if options.is_kinematic:
+        height = record.static_wheel_height - record.cg_height
+    strut = "fixed" if options.has_eight_dof else "prismatic"
     for i, wheel in enumerate(WHEELS):
-        at_rest = (record.x[i], record.y[i], -record.static_strut_length[i])
-        motion, limit = travel
-        strut = _joint(robot, f"{wheel}_suspension", motion, "base_link", at_rest, limit)
-        knuckle = _joint(robot, f"{wheel}_steering", "revolute", strut, HERE, LOCK)
-        _joint(robot, f"{wheel}_wheel", "continuous", knuckle, HERE)
+        at_rest = (record.x[i], record.y[i], height[i])
+        link = _joint(robot, f"{wheel}_{SUSPENSION}", strut, "base_link", Z, at_rest)
+        for kind, (motion, axis) in GUIDED.items() if options.is_kinematic else ():
+            link = _joint(robot, f"{wheel}_{kind}", motion, link, axis)
+        link = _joint(robot, f"{wheel}_{STEERING}", "revolute", link, Z)
+        _joint(robot, f"{wheel}_{WHEEL}", "continuous", link, Y)
         _wheel(robot[-1], record.tire_radius[i])
     ElementTree.indent(robot)
     return ElementTree.tostring(robot, encoding="unicode", xml_declaration=True)
@@ -85,16 +89,16 @@ def _wheel(link: ElementTree.Element, radius: float) -> None:
     _box(link, "spoke", size, (0.0, 0.0, size[2] / 2))
 
 
-def _joint(robot, name: str, motion: str, parent: str, origin, limit: float = 0.0) -> str:
+def _joint(robot, name: str, motion: str, parent: str, axis: str, origin=HERE) -> str:
     """Add a joint and then its child link; returns the link's name."""
     joint = ElementTree.SubElement(robot, "joint", name=f"{name}_joint", type=motion)
     child = f"{name}_link"
     ElementTree.SubElement(joint, "origin", xyz=_numbers(origin), rpy=_numbers(HERE))
     ElementTree.SubElement(joint, "parent", link=parent)
     ElementTree.SubElement(joint, "child", link=child)
-    if motion in AXES:
-        ElementTree.SubElement(joint, "axis", xyz=AXES[motion])
-    if limit:
+    if motion != "fixed":
+        ElementTree.SubElement(joint, "axis", xyz=axis)
+    if limit := LIMITS.get(motion):
         ElementTree.SubElement(
             joint, "limit", lower=str(-limit), upper=str(limit), effort="1e9", velocity="1e9"
         )

@@ -31,16 +31,6 @@ def loaded_radius(tire_compression, radius, attitude):
 
 
 @kernel
-def steer(command, outputs):
-    """Road-wheel angle of every wheel (rad), its sine and cosine."""
-    front, rear = command.steering, command.rear_steering
-    at_front, at_rear = (math.sin(front), math.cos(front)), (math.sin(rear), math.cos(rear))
-    for i in range(WHEEL_COUNT):
-        outputs.steering[i] = front if i < LR else rear
-        outputs.steering_sine[i], outputs.steering_cosine[i] = at_front if i < LR else at_rear
-
-
-@kernel
 def wheel_motion(state, tires, outputs):
     """Velocity of every contact point along and across its wheel, and of the tread (m/s)."""
     spin = state[at.WHEEL_SPEED]

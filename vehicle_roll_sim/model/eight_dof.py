@@ -10,7 +10,7 @@ they are iterated, starting from zero acceleration, until they agree.
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
-from vehicle_roll_sim.model.contact import contact_forces, normal_force, steer
+from vehicle_roll_sim.model.contact import contact_forces, normal_force
 from vehicle_roll_sim.model.frames import attitude_of, heading_of, yawed_to_ground
 from vehicle_roll_sim.model.inclination import inclinations
 from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
@@ -24,6 +24,7 @@ from vehicle_roll_sim.model.roll_axis import (
     strut_share,
     wheel_centre_height,
 )
+from vehicle_roll_sim.model.steering import steer
 from vehicle_roll_sim.model.wheel import wheel_rates
 
 MOST_ITERATIONS = 200
@@ -35,7 +36,7 @@ AGREEMENT = 1e-12
 def eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rates):
     """Rates of the states of this model, and all intermediate quantities; see `derivatives`."""
     heading = heading_of(state[at.YAW])
-    steer(command, outputs)
+    steer(state, command, vehicle, options, outputs)
     contact_velocities(state, vehicle, outputs)
     inclinations(attitude_of(state[at.ROLL], 0.0), vehicle, tires, options, outputs)
     slope_gravity_on_yawed_axes(heading, vehicle, outputs)

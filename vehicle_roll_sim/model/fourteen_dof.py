@@ -5,12 +5,7 @@ The simplified models share these stages; the options select other forms of some
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel
-from vehicle_roll_sim.model.contact import (
-    contact_forces,
-    contact_forces_on_body_axes,
-    contact_kinematics,
-    steer,
-)
+from vehicle_roll_sim.model.contact import contact_forces_on_body_axes, contact_kinematics
 from vehicle_roll_sim.model.contact_moments import contact_moments
 from vehicle_roll_sim.model.frames import (
     attitude_of,
@@ -20,10 +15,12 @@ from vehicle_roll_sim.model.frames import (
     small_angle_euler_rates,
     yawed_to_ground,
 )
+from vehicle_roll_sim.model.gyroscopic import gyroscopic_moments
 from vehicle_roll_sim.model.inclination import inclinations
 from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
+from vehicle_roll_sim.model.steering import compliant_contact_forces, steer
 from vehicle_roll_sim.model.suspension.links import (
     applied_link_forces,
     link_forces,
@@ -39,15 +36,17 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
     roll, pitch = state[at.ROLL], state[at.PITCH]
     heading, exact = heading_of(state[at.YAW]), attitude_of(roll, pitch)
     attitude = (roll, 1.0, pitch, 1.0) if options.small_angles else exact
-    steer(command, outputs)
+    steer(state, command, vehicle, options, outputs)
 
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
     inclinations(attitude, vehicle, tires, options, outputs)
-    contact_forces(state, vehicle, tires, options, outputs)
+    compliant_contact_forces(state, vehicle, tires, options, outputs)
     if options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
+    if options.wheel_gyroscopics:
+        gyroscopic_moments(state, vehicle, outputs)
     contact_forces_on_body_axes(options, attitude, outputs)
     strut_forces(state, command, vehicle, outputs)
     applied_link_forces(state, vehicle, options, attitude, outputs)

@@ -125,6 +125,28 @@ centre (m, forward), and angles of its carrier about x, z and y of frame 1 (rad)
 KNOTS, COEFFICIENTS = 63, 6
 """Most knots of the curves of an axle; coefficients of a polynomial of fifth degree."""
 
+STOPS = ("bump_stop", "rebound_stop")
+DETAIL_CURVES = ("spring", "damper", "toe_change", "spring_travel", "damper_travel")
+DETAILS = record_dtype(
+    *("struts", "steering", "compliance"),
+    *per_wheel(*(f"{stop}_{of}" for stop in STOPS for of in ("clearance", "stiffness"))),
+    *per_wheel(*(f"{stop}_progression" for stop in STOPS)),
+    *per_wheel("toe", "roll_steer", "lateral_force_steer", "aligning_moment_steer", "ackermann"),
+    *per_wheel("spring_compression_at_rest"),
+    *((f"{curve}_knots", (AXLE_COUNT, KNOTS)) for curve in DETAIL_CURVES),
+    *((f"{curve}_origins", (AXLE_COUNT, KNOTS + 1)) for curve in DETAIL_CURVES),
+    *((curve, (AXLE_COUNT, KNOTS + 1, COEFFICIENTS)) for curve in DETAIL_CURVES),
+)
+"""What a vehicle may have beyond linear springs and dampers and parallel steering.
+
+struts, steering, compliance: 1 if the terms of the forces of the struts, of the steering angles and
+of compliance steer are computed, else 0. toe: to the left (rad). ackermann: share of Ackermann
+geometry, times y over the wheelbase. spring, damper: force (N) over compression (m) and its rate
+(m/s), toe_change: angle of a left wheel (rad) over travel (m), spring_travel, damper_travel:
+compression of spring and damper since rest (m) over travel (m), at one wheel of each axle, as
+polynomials between knots like the curves over wheel travel.
+"""
+
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
     *("wheel_inertia", "gravity", "gravity_along", "gravity_across"),
@@ -135,10 +157,11 @@ VEHICLE = record_dtype(
     *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
     *per_wheel("static_strut_length", "static_suspension_compression"),
     *per_wheel("static_tire_compression", "tire_radius", "camber", "tire_lateral_compliance"),
-    *per_wheel("bar_rate", "static_loaded_radius", "static_wheel_height"),
+    *per_wheel("bar_rate", "engine_drag", "static_loaded_radius", "static_wheel_height"),
     ("travel_knots", (2, KNOTS)),
     ("travel_origins", (2, KNOTS + 1)),
     ("travel_curves", (2, KNOTS + 1, COEFFICIENTS, TRAVEL_CURVE_COUNT)),
+    ("details", DETAILS),
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel.
 
@@ -148,7 +171,8 @@ curves are counted (m), and their coefficients, lowest power first.
 """
 
 VehicleConstants = namedtuple(
-    "VehicleConstants", [name for name in VEHICLE.names if not VEHICLE[name].shape]
+    "VehicleConstants",
+    [name for name in VEHICLE.names if not VEHICLE[name].shape and not VEHICLE[name].names],
 )
 vehicle_constants = constants(VehicleConstants)
 """Copies the scalar fields of a VEHICLE record, those that are not per wheel."""
@@ -173,6 +197,7 @@ OPTION_NAMES = (
     "steady_state_slip",
     "contact_moments",
     "kinematic",
+    "wheel_gyroscopics",
 )
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 """Forms of terms in the equations; all off is model 1. Each is explained where it is used."""
@@ -231,6 +256,13 @@ the c.g. to the wheel centre, from there to the contact point (m). path, contact
 of wheel centre and contact point by the travel (m/m).
 """
 
+COMPLIANCE_TERMS = record_dtype(*per_wheel("sine", "cosine", "angle", "gap", "step"))
+"""Work space of model/steering.
+
+sine, cosine: of the direction of a wheel without compliance steer. angle: of compliance steer
+(rad). gap: between that of the forces and this one (rad). step: change of the angle (rad).
+"""
+
 OUTPUTS = record_dtype(
     *per_wheel("normal_force", "longitudinal_force", "lateral_force", "support"),
     *per_wheel("slip_ratio", "slip_angle", "steering", "suspension_rate"),
@@ -253,6 +285,8 @@ OUTPUTS = record_dtype(
     ("roll_centre_height", 2),
     ("roll_centre_place", 2),
     ("suspension_terms", SUSPENSION_TERMS),
+    ("compliance_terms", COMPLIANCE_TERMS),
+    ("commanded_steering", AXLE_COUNT),
     ("body_acceleration", DEGREES_OF_ACCELERATION),
     ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
 )
@@ -261,6 +295,7 @@ OUTPUTS = record_dtype(
 normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N). support: normal load
 before clipping at 0 (N), negative off the ground. acceleration: of the sprung c.g. along the axes
 of frame 2 (m/s^2). specific_force: reading of an accelerometer at the c.g., in frame 1 (m/s^2).
+commanded_steering: front and rear (rad).
 body_acceleration: derivatives of u, v, w and the body rates. The others are terms of the equations,
 described where they are computed. Outputs that a model does not have are nan.
 """

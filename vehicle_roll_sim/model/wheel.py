@@ -6,7 +6,7 @@ reversed during the step stops instead.
 """
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.compiled.jit import kernel, math
+from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.contact_moments import spin_moment
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 
@@ -39,6 +39,15 @@ def with_friction(torque, capacity, turning):
     return torque - math.copysign(capacity, torque)
 
 
+@term
+def drive_torque(i, hold, spin, command, vehicle):
+    """Torque of the drive shaft of wheel i (N m): command, speed hold, drag of the engine."""
+    torque = command.wheel_torque[i]
+    if i >= LR:
+        torque += hold
+    return torque - vehicle.engine_drag[i] * spin[i]
+
+
 @kernel
 def wheel_rates(state, command, vehicle, options, outputs, rates):
     """Spin acceleration: Jw dw/dt = T - r Fxt minus friction; the speed hold acts at the rear.
@@ -48,9 +57,7 @@ def wheel_rates(state, command, vehicle, options, outputs, rates):
     spin = state[at.WHEEL_SPEED]
     hold = command.speed_hold_gain * (command.speed_hold_target - state[at.U])
     for i in range(WHEEL_COUNT):
-        torque = command.wheel_torque[i]
-        if i >= LR:
-            torque += hold
+        torque = drive_torque(i, hold, spin, command, vehicle)
         torque -= outputs.loaded_radius[i] * outputs.tire_longitudinal[i]
         if options.contact_moments:
             torque += spin_moment(i, outputs)

@@ -1,5 +1,6 @@
 """The history of a run: one row of named signals per sample, in memory and as CSV."""
 
+import itertools
 import math
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,7 +10,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.table_file import read_table
-from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, STATE_NAMES, WHEELS
+from vehicle_roll_sim.model.records import AXLE_COUNT, MODEL_STATE_SIZE, STATE_NAMES, WHEELS
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, field_of
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -75,7 +76,7 @@ def row_of(simulation: Simulation) -> np.ndarray:
             [simulation.time],
             simulation.state_vector[:MODEL_STATE_SIZE],
             *(outputs[quantity] for quantity in OUTPUT_QUANTITIES),
-            outputs["steering"][:1],
+            outputs["commanded_steering"][:1],
             outputs["acceleration"][: len(ACCELERATIONS)],
         )
     )
@@ -108,12 +109,12 @@ class History:
         """Read a file written by `write_csv`; raises InputError naming line and column.
 
         Columns may be in any order, and further columns are ignored. COMMANDS are read if all of
-        them are present. All values except the time may be nan. Times must not decrease; a time may
-        occur twice, like the last one of a run that diverged.
+        them are present, likewise ROLL_CENTRES. All values except the time may be nan. Times must
+        not decrease; a time may occur twice, like the last one of a run that diverged.
         """
         header, lines = read_table(path, LARGEST_FILE)
-        has_commands = set(COMMANDS) <= set(header)
-        places = _places(path, header, (*COLUMNS, *COMMANDS) if has_commands else COLUMNS)
+        further = [names for names in (COMMANDS, ROLL_CENTRES) if set(names) <= set(header)]
+        places = _places(path, header, tuple(itertools.chain(COLUMNS, *further)))
         rows, time = [], -math.inf
         for line, texts in lines:
             row = [_number(path, line, header[place], texts[place]) for place in places]
@@ -124,12 +125,20 @@ class History:
             time = row[0]
         if not rows:
             raise InputError(f"file {path}", "", "a header and at least one row", "no rows")
-        rows = np.array(rows)
-        of_states = len(COLUMNS)
-        return cls(rows[:, :of_states], rows[:, of_states:] if has_commands else None)
+        ends = np.cumsum([len(names) for names in (COLUMNS, *further)])[:-1]
+        own, *others = np.split(np.array(rows), ends, axis=1)
+        found = dict(zip(further, others, strict=True))
+        return cls(own, found.get(COMMANDS), found.get(ROLL_CENTRES))
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.rows[:, COLUMNS.index(name)]
+
+    def roll_centre(self, measure: str) -> np.ndarray:
+        """Height or place of the roll centre of each axle, shape (rows, 2) (m); nan if unknown."""
+        if self.roll_centres is None:
+            return np.full((len(self.rows), AXLE_COUNT), np.nan)
+        names = [f"{axle}_roll_centre_{measure}" for axle in ("front", "rear")]
+        return self.roll_centres[:, [ROLL_CENTRES.index(name) for name in names]]
 
     def wheels(self, quantity: str) -> np.ndarray:
         """A quantity at all wheels (lf, rf, lr, rr), shape (rows, 4)."""

@@ -29,7 +29,7 @@ from vehicle_roll_sim.version import __version__
 
 PACKAGE = "vehicle_roll_sim"
 FIELD = "simulation description"
-OFF_UNLESS_DESCRIBED = dict.fromkeys(SWITCHES, OFF)
+OFF_UNLESS_DESCRIBED = dict.fromkeys(SWITCHES, OFF) | {"wheel_gyroscopics": False}
 OF_OLD_TIRES = {"version": "5.2", "combined": True}
 ALWAYS = (*SCALING, *OPTIONAL, *RANGES, *REQUIRED)
 """Coefficients that are described even if they are neutral."""

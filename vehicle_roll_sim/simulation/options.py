@@ -80,6 +80,9 @@ class Options:
     euler_terms: bool = parameter(
         "include the gyroscopic terms that the paper omits from equations 32 to 34", default=False
     )
+    wheel_gyroscopics: bool = parameter(
+        "include the gyroscopic moments of the spinning wheels", default=False
+    )
     tire_moments: str = parameter(
         "apply the overturning, rolling resistance and aligning moments of the tires; auto: as in "
         "the vehicle file, where on is the default",
@@ -99,7 +102,7 @@ class Options:
         if self.model != "1":
             self._refuse("of model 1", "tire_normal_to_ground", "link_load_transfer", "euler_terms")
         if not self.has_tire_moments:
-            self._refuse("of models 1 and 2", *SWITCHES)
+            self._refuse("of models 1 and 2", *SWITCHES, "wheel_gyroscopics")
         if self.is_kinematic:
             self._refuse("of models with a fixed roll centre", "no_roll_centre")
         if self.has_eight_dof:
@@ -142,7 +145,8 @@ class Options:
         for name in (*MODELS[self.model], *chosen):
             options[name] = True
         options["asymmetric_link_load_transfer"] = self.link_load_transfer == ASYMMETRIC
-        options["contact_moments"] = ON in (self.tire_moments, self.contact_patch_shift)
+        of_tires = ON in (self.tire_moments, self.contact_patch_shift)
+        options["contact_moments"] = of_tires or self.wheel_gyroscopics
         return options
 
     def for_vehicle(self, vehicle: Vehicle) -> "Options":

@@ -8,6 +8,7 @@ from vehicle_roll_sim.declaration import ON
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.suspension_use import use_details
 from vehicle_roll_sim.vehicle.consistency import check_one_rolling_resistance
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -30,7 +31,8 @@ class Plant(NamedTuple):
         """That of a vehicle, on a level road unless one is given.
 
         Warns (PlausibilityWarning) of values that are not plausible. Raises InputError if tire file
-        and vehicle both have a rolling resistance.
+        and vehicle both have a rolling resistance, and for details of the suspension that the model
+        does not use.
         """
         warn(plausibility(vehicle))
         options = options.for_vehicle(vehicle)
@@ -38,6 +40,7 @@ class Plant(NamedTuple):
         if has_moments:
             check_one_rolling_resistance(vehicle)
         record = vehicle.record()
+        use_details(record, vehicle, options)
         if options.contact_patch_shift == ON:
             record["tire_lateral_compliance"] = vehicle.contact_patch_compliance(has_moments)
         if road:

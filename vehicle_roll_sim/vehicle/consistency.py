@@ -9,6 +9,7 @@ from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.vehicle.axle_tires import of_file
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.masses import PRODUCTS, tensor
+from vehicle_roll_sim.vehicle.suspension_checks import check_suspension
 from vehicle_roll_sim.vehicle.tire.moments import ROLLING_RESISTANCE, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
 from vehicle_roll_sim.vehicle.travel_curves import check_knots
@@ -39,6 +40,7 @@ def check_consistency(vehicle: DerivedValues) -> None:
     _check_inertias(vehicle)
     _check_anti_roll_bars(vehicle)
     _check_carriers(vehicle)
+    check_suspension(vehicle)
     _check_fits_on_its_wheels(vehicle)
     _check_springs_carry_it(vehicle)
     for curves in vehicle.travel_curves.values():
@@ -189,7 +191,11 @@ def _check_springs_carry_it(vehicle: DerivedValues) -> None:
         name = f"{axle}_spring_stiffness"
         compression = float(vehicle.static_suspension_compression[wheel])
         if compression > most:
-            stiffness = vehicle.given[name]
+            stiffness = vehicle.given.get(name)
+            if stiffness is None:
+                table = f"{axle}_spring_force"
+                allowed = f"forces that carry the sprung mass within {most:g} m of compression"
+                raise InputError(table, vehicle.given[table], allowed)
             limit = f"at least {stiffness * compression / most:g} N/m to carry the sprung mass"
             raise InputError(name, stiffness, limit)
 

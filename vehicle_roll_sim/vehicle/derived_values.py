@@ -7,10 +7,9 @@ import numpy as np
 from vehicle_roll_sim.model.equilibrium import (
     axle_load_share,
     static_strut_length,
-    static_suspension_compression,
     static_tire_compression,
 )
-from vehicle_roll_sim.model.records import LF, LR, VEHICLE
+from vehicle_roll_sim.model.records import VEHICLE, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.coefficients import on_axles
 from vehicle_roll_sim.vehicle.axle_tires import (
     FromTire,
@@ -18,16 +17,23 @@ from vehicle_roll_sim.vehicle.axle_tires import (
     lateral_stiffness,
 )
 from vehicle_roll_sim.vehicle.masses import MOMENTS, PRODUCTS
+from vehicle_roll_sim.vehicle.suspension_details import (
+    compressions_at_rest,
+    details_of,
+    mean_damping,
+    stiffnesses_at_rest,
+)
+from vehicle_roll_sim.vehicle.suspension_parameters import AXLES
 from vehicle_roll_sim.vehicle.tire.moments import OVERTURNING, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
 from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
 GRAVITY = 9.81
 """m/s^2, the value used in the paper."""
-AXLES = {"front": LF, "rear": LR}
-"""The left wheel of each axle; both wheels of an axle have the same parameters."""
 SIDES = np.array([1.0, -1.0, 1.0, -1.0])
 """Of the wheels: left is positive."""
+LINEAR = {"spring_stiffness": "stiffness_at_rest", "damping": "mean_damping"}
+"""Parameters of each axle that may be tables, and the values of linear models in their place."""
 BAR_SPELLINGS = tuple(
     (f"{axle}_anti_roll_bar_stiffness", f"{axle}_anti_roll_bar_rate") for axle in AXLES
 )
@@ -161,9 +167,17 @@ class DerivedValues:
     @functools.cached_property
     def static_suspension_compression(self) -> np.ndarray:
         """xsi of each corner, eq. 19; shape (4,) (m)."""
-        return static_suspension_compression(
-            self.sprung_mass, self.axle_load_share, self.per_wheel("spring_stiffness"), GRAVITY
-        )
+        return compressions_at_rest(self, GRAVITY)
+
+    @functools.cached_property
+    def stiffness_at_rest(self) -> np.ndarray:
+        """Stiffness of the spring at each wheel at rest, shape (4,) (N/m)."""
+        return stiffnesses_at_rest(self, GRAVITY)
+
+    @functools.cached_property
+    def mean_damping(self) -> np.ndarray:
+        """Damping coefficient at each wheel, shape (4,) (N s/m): mean of bump and rebound."""
+        return np.repeat([mean_damping(self, axle) for axle in AXLES], WHEEL_COUNT // 2)
 
     @functools.cached_property
     def static_strut_length(self) -> np.ndarray:
@@ -226,8 +240,11 @@ class DerivedValues:
     def per_wheel(self, name: str) -> np.ndarray:
         """The values of NAME of the front and rear axle at lf, rf, lr, rr; shape (4,).
 
-        Those that are not given are those of the tires.
+        Those that are not given are those of the tires. Springs and dampers that are tables have
+        the stiffness and damping of linear models.
         """
+        if name in LINEAR:
+            return getattr(self, LINEAR[name])
         front, rear = (self._known_at_axle(axle, name) for axle in AXLES)
         return np.array([front, front, rear, rear])
 
@@ -283,7 +300,8 @@ class DerivedValues:
         """Where and how the wheels stand, and gravity (m/s^2).
 
         x, y: in the plane of the c.g. (m). camber: positive with the top towards the right (rad).
-        tire_lateral_compliance: 0, as for a contact patch that does not shift.
+        tire_lateral_compliance: 0, as for a contact patch that does not shift. engine_drag: at the
+        driven wheels, those of the rear axle (N m s/rad).
         """
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
         of_axles = [tabulated([*curves.values()]) for curves in self.travel_curves.values()]
@@ -295,9 +313,11 @@ class DerivedValues:
             "camber": self.per_wheel("camber") * (-1, 1, -1, 1),
             "tire_radius": self.per_wheel("tire_radius"),
             "tire_lateral_compliance": 0.0,
+            "engine_drag": np.array([0.0, 0.0, 1.0, 1.0]) * (self.engine_drag or 0.0),
             "travel_knots": knots,
             "travel_origins": origins,
             "travel_curves": curves,
+            "details": details_of(self, GRAVITY),
             "gravity": GRAVITY,
             "gravity_along": 0.0,
             "gravity_across": 0.0,

@@ -5,6 +5,7 @@ import dataclasses
 from vehicle_roll_sim.declaration import (
     Curve,
     InputError,
+    Table,
     check_alternatives,
     keep_validated,
     parameter,
@@ -21,6 +22,7 @@ from vehicle_roll_sim.vehicle.sprung_mass import (
     as_given,
     sprung_values,
 )
+from vehicle_roll_sim.vehicle.suspension_parameters import of_axle
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 _LENGTH = {"unit": "m", "minimum": 0.01, "maximum": 50.0}
@@ -183,18 +185,34 @@ class Vehicle(DerivedValues):
     )
     front_track: float = parameter("track width of the front axle", **_LENGTH, symbol="cf")
     rear_track: float = parameter("track width of the rear axle", **_LENGTH, symbol="cr")
-    front_spring_stiffness: float = parameter(
-        "spring stiffness at one front wheel, not per axle", **_STIFFNESS, symbol="ksf"
+    front_spring_stiffness: float | None = parameter(
+        "spring stiffness at one front wheel, not per axle",
+        **_STIFFNESS,
+        symbol="ksf",
+        alternative="front_spring_force",
     )
-    rear_spring_stiffness: float = parameter(
-        "spring stiffness at one rear wheel, not per axle", **_STIFFNESS, symbol="ksr"
+    front_spring_force: Table | None = of_axle("front", "spring_force")
+    rear_spring_stiffness: float | None = parameter(
+        "spring stiffness at one rear wheel, not per axle",
+        **_STIFFNESS,
+        symbol="ksr",
+        alternative="rear_spring_force",
     )
-    front_damping: float = parameter(
-        "damping coefficient at one front wheel, not per axle", **_DAMPING, symbol="bsf"
+    rear_spring_force: Table | None = of_axle("rear", "spring_force")
+    front_damping: float | None = parameter(
+        "damping coefficient at one front wheel, not per axle",
+        **_DAMPING,
+        symbol="bsf",
+        alternative="front_damper_force",
     )
-    rear_damping: float = parameter(
-        "damping coefficient at one rear wheel, not per axle", **_DAMPING, symbol="bsr"
+    front_damper_force: Table | None = of_axle("front", "damper_force")
+    rear_damping: float | None = parameter(
+        "damping coefficient at one rear wheel, not per axle",
+        **_DAMPING,
+        symbol="bsr",
+        alternative="rear_damper_force",
     )
+    rear_damper_force: Table | None = of_axle("rear", "damper_force")
     front_unsprung_mass: float = parameter(
         "unsprung mass at one front wheel, not per axle", **_MASS, symbol="muf"
     )
@@ -371,6 +389,47 @@ class Vehicle(DerivedValues):
         "rear wheels: turn of the wheel carrier with wheel travel, positive with its top "
         "forwards (model 2); by default 0",
         **_TURN,
+        default=None,
+    )
+    front_rebound_damping: float | None = of_axle("front", "rebound_damping")
+    front_spring_motion_ratio: Curve | None = of_axle("front", "spring_motion_ratio")
+    front_damper_motion_ratio: Curve | None = of_axle("front", "damper_motion_ratio")
+    front_bump_stop_clearance: float | None = of_axle("front", "bump_stop_clearance")
+    front_bump_stop_stiffness: float | None = of_axle("front", "bump_stop_stiffness")
+    front_bump_stop_progression: float | None = of_axle("front", "bump_stop_progression")
+    front_rebound_stop_clearance: float | None = of_axle("front", "rebound_stop_clearance")
+    front_rebound_stop_stiffness: float | None = of_axle("front", "rebound_stop_stiffness")
+    front_rebound_stop_progression: float | None = of_axle("front", "rebound_stop_progression")
+    front_toe: float | None = of_axle("front", "toe")
+    front_roll_steer: float | None = of_axle("front", "roll_steer")
+    front_lateral_force_steer: float | None = of_axle("front", "lateral_force_steer")
+    front_aligning_moment_steer: float | None = of_axle("front", "aligning_moment_steer")
+    rear_rebound_damping: float | None = of_axle("rear", "rebound_damping")
+    rear_spring_motion_ratio: Curve | None = of_axle("rear", "spring_motion_ratio")
+    rear_damper_motion_ratio: Curve | None = of_axle("rear", "damper_motion_ratio")
+    rear_bump_stop_clearance: float | None = of_axle("rear", "bump_stop_clearance")
+    rear_bump_stop_stiffness: float | None = of_axle("rear", "bump_stop_stiffness")
+    rear_bump_stop_progression: float | None = of_axle("rear", "bump_stop_progression")
+    rear_rebound_stop_clearance: float | None = of_axle("rear", "rebound_stop_clearance")
+    rear_rebound_stop_stiffness: float | None = of_axle("rear", "rebound_stop_stiffness")
+    rear_rebound_stop_progression: float | None = of_axle("rear", "rebound_stop_progression")
+    rear_toe: float | None = of_axle("rear", "toe")
+    rear_roll_steer: float | None = of_axle("rear", "roll_steer")
+    rear_lateral_force_steer: float | None = of_axle("rear", "lateral_force_steer")
+    rear_aligning_moment_steer: float | None = of_axle("rear", "aligning_moment_steer")
+    ackermann_percentage: float | None = parameter(
+        "share of Ackermann geometry in the steering of the front wheels: 0 is parallel, with 100 "
+        "their axes meet on that of the rear axle; by default 0",
+        "%",
+        -200.0,
+        200.0,
+        default=None,
+    )
+    engine_drag: float | None = parameter(
+        "braking torque of the engine at each driven wheel per its speed; by default 0",
+        "N m s/rad",
+        0.0,
+        1e4,
         default=None,
     )
     tire: Tire | None = dataclasses.field(kw_only=True, default=None)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
-from vehicle_roll_sim.model.equilibrium import static_tire_compression
+from vehicle_roll_sim.model.equilibrium import axle_load_share, static_tire_compression
 from vehicle_roll_sim.vehicle.derived_values import AXLES, GRAVITY, SIDES, DerivedValues
 from vehicle_roll_sim.vehicle.masses import (
     MOMENTS,
@@ -19,6 +19,7 @@ from vehicle_roll_sim.vehicle.masses import (
     point,
     tensor,
 )
+from vehicle_roll_sim.vehicle.suspension_details import compressions_at_rest
 
 LENGTHS = ("cg_to_front_axle", "cg_to_rear_axle")
 SPRUNG = ("sprung_mass", *MOMENTS, *PRODUCTS, *LENGTHS, "cg_height", "cg_offset")
@@ -181,18 +182,40 @@ class _Whole:
         raise InputError(name, self.given[name], allowed)
 
 
+class _Carrying:
+    """A vehicle with another sprung mass (kg) and its c.g. at x (m), in the middle."""
+
+    def __init__(self, vehicle: DerivedValues, mass: float, x: float):
+        self._vehicle, self.sprung_mass = vehicle, mass
+        self.axle_load_share = axle_load_share(-x, _wheelbase(vehicle) + x)
+
+    def __getattr__(self, name: str):
+        return getattr(self._vehicle, name)
+
+    def compressions(self) -> np.ndarray:
+        """Of suspension and tire together at rest, of the left wheel of each axle (m)."""
+        tires = static_tire_compression(
+            self.sprung_mass,
+            self.axle_load_share,
+            self.per_wheel("unsprung_mass"),
+            self.per_wheel("tire_stiffness"),
+            GRAVITY,
+        )
+        return (compressions_at_rest(self, GRAVITY) + tires)[[*AXLES.values()]]
+
+
 def _sinking(vehicle: DerivedValues, empty: Body, loaded: Body) -> float:
     """How far the c.g. of the loaded sprung mass sinks with it on springs and tires (m).
 
     By the mean load of the two wheels of each axle: the vehicle is level across.
     """
-    length = _wheelbase(vehicle)
-    springs, tires = (vehicle.per_wheel(f"{of}_stiffness") for of in ("spring", "tire"))
-    rear = (empty.mass * empty.place[0] - loaded.mass * loaded.place[0]) / length  # added mass
-    sinking = np.array([loaded.mass - empty.mass - rear, rear]) * GRAVITY / 2
-    sinking *= [1.0 / springs[at] + 1.0 / tires[at] for at in AXLES.values()]
-    share = -loaded.place[0] / length
-    return float(sinking[0] * (1.0 - share) + sinking[1] * share)
+    before, after = (
+        _Carrying(vehicle, body.mass, float(body.place[0])).compressions()
+        for body in (empty, loaded)
+    )
+    front, rear = after - before
+    share = -float(loaded.place[0]) / _wheelbase(vehicle)
+    return float(front * (1.0 - share) + rear * share)
 
 
 def _checked(vehicle: DerivedValues, values: dict) -> dict:

@@ -28,14 +28,16 @@ ROUNDING = 1e-12
 class TravelCurve:
     """A quantity as a function of wheel travel, counted from its value at travel 0.
 
-    given: a number, its change per metre of travel, or pairs of travel (m) and value.
+    given: a number, its change per metre of travel, or pairs of travel (m) and value. is_change:
+    False for a quantity that is not counted from travel 0.
     """
 
-    def __init__(self, given: float | tuple):
+    def __init__(self, given: float | tuple, is_change: bool = True):
         points = [(0.0, 0.0), (1.0, given)] if isinstance(given, float) else given
         self.knots, values = np.array(points).T
         self._ends = _ends(self.knots, values)
-        self._ends[:, 0] -= self.piece(0.0, 0.0)[0]
+        if is_change:
+            self._ends[:, 0] -= self.piece(0.0, 0.0)[0]
         if isinstance(given, float):
             self.knots = self.knots[:0]
 

@@ -10,17 +10,17 @@ import pytest
 import yaml
 from launch_files import actions_of
 
-from vehicle_roll_sim import preset
+from vehicle_roll_sim import Options, preset
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.messages.urdf import urdf
 
 
-@pytest.mark.parametrize(("model", "suspended"), [("", True), ("1a", True), ("8dof", False)])
-def test_rviz_is_shown_the_vehicle_that_is_simulated(launching, model, suspended):
+@pytest.mark.parametrize("model", ["", "1a", "2", "8dof"])
+def test_rviz_is_shown_the_vehicle_that_is_simulated(launching, model):
     actions = actions_of("rviz", model=model)
     (parameters,) = actions["robot_state_publisher"].parameters
     description = parameters["robot_description"]
-    assert description.value == urdf(preset(), suspended)
+    assert description.value == urdf(preset(), Options(model=model or "1"))
     assert description.value_type is str
     (shown,) = (Path(word) for word in actions["rviz2"].cmd if word.endswith(".rviz"))
     assert shown.samefile(launch_files.PACKAGE / "config" / "vehicle.rviz")

@@ -6,7 +6,7 @@ from std_srvs.srv import Trigger
 
 from vehicle_roll_sim import LR, Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
-from vehicle_roll_sim.messages.topics import STATE_SET
+from vehicle_roll_sim.messages.topics import set_of
 
 pytestmark = pytest.mark.unmeasured
 
@@ -18,7 +18,7 @@ pytestmark = pytest.mark.unmeasured
 def test_the_chosen_model_publishes_every_topic_and_its_own_states(start, peer, model, steady):
     words = (f"model:={model}", f"steady_state_slip:={steady}", "command_timeout:=0.0")
     start("simulator", "--ros-args", *(word for each in words for word in ("-p", each)))
-    names = [topic.name for topic in STATE_SET]
+    names = [topic.name for topic in set_of(Options(model=model), stamped=False)]
     peer.listen(*names)
     for name in names:
         peer.newest(name)

@@ -7,10 +7,10 @@ Stages that it shares with model 1 are those of `fourteen_dof`.
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel
-from vehicle_roll_sim.model.contact import contact_forces, steer
 from vehicle_roll_sim.model.contact_moments import contact_moments
 from vehicle_roll_sim.model.fourteen_dof import accelerations, body_rates
 from vehicle_roll_sim.model.frames import attitude_of, heading_of
+from vehicle_roll_sim.model.gyroscopic import gyroscopic_moments_on_carriers
 from vehicle_roll_sim.model.kinematic.contact import (
     compression_rates,
     contact_motion,
@@ -27,6 +27,7 @@ from vehicle_roll_sim.model.kinematic.motion import (
 )
 from vehicle_roll_sim.model.kinematic.roll_centre import roll_centres
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
+from vehicle_roll_sim.model.steering import compliant_contact_forces, steer
 from vehicle_roll_sim.model.suspension.struts import strut_forces
 from vehicle_roll_sim.model.wheel import wheel_rates
 
@@ -35,7 +36,7 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 def kinematic_derivatives(state, command, vehicle, tires, options, outputs, rates):
     """Rates of all states, and all intermediate quantities; see `derivatives`."""
     heading, attitude = heading_of(state[at.YAW]), attitude_of(state[at.ROLL], state[at.PITCH])
-    steer(command, outputs)
+    steer(state, command, vehicle, options, outputs)
 
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
     look_up(state, vehicle, outputs)
@@ -44,12 +45,14 @@ def kinematic_derivatives(state, command, vehicle, tires, options, outputs, rate
     wheel_velocities(state, outputs)
     place_on_road(state, vehicle, attitude, outputs)
     contact_motion(state, attitude, outputs)
-    contact_forces(state, vehicle, tires, options, outputs)
+    compliant_contact_forces(state, vehicle, tires, options, outputs)
     if options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
+    if options.wheel_gyroscopics:
+        gyroscopic_moments_on_carriers(state, vehicle, outputs)
     forces_on_body_axes(attitude, outputs)
     strut_forces(state, command, vehicle, outputs)
-    travel_forces(state, command, options, outputs)
+    travel_forces(state, command, vehicle, options, outputs)
 
     system(state, vehicle, options, outputs)
     solve_symmetric(outputs.mass_matrix, outputs.body_acceleration)

@@ -23,6 +23,7 @@ from vehicle_roll_sim.model.records import (
     WHEEL_COUNT,
 )
 from vehicle_roll_sim.model.rigid_body import drag
+from vehicle_roll_sim.model.wheel import drive_torque
 
 
 @kernel
@@ -35,13 +36,13 @@ def forces_on_body_axes(attitude, outputs):
 
 
 @kernel
-def travel_forces(state, command, options, outputs):
+def travel_forces(state, command, vehicle, options, outputs):
     """Generalized force on the travel of every wheel (N), without the wheel's weight.
 
     The contact force acts along dP/dq, tire moments and the reaction of the drive torque, which
     comes from the body, turn with the carrier. The brake acts between wheel and carrier.
     """
-    terms = outputs.suspension_terms
+    terms, spin = outputs.suspension_terms, state[at.WHEEL_SPEED]
     hold = command.speed_hold_gain * (command.speed_hold_target - state[at.U])
     for i in range(WHEEL_COUNT):
         kx, ky = terms.carrier_turn[0, i], terms.carrier_turn[1, i]
@@ -51,7 +52,7 @@ def travel_forces(state, command, options, outputs):
         force += outputs.contact_z[i] * terms.contact_path[2, i]
         along = kx * terms.spin_axis[0, i] + ky * terms.spin_axis[1, i]
         along += kz * terms.spin_axis[2, i]
-        torque = command.wheel_torque[i] + (hold if i >= LR else 0.0)
+        torque = drive_torque(i, hold, spin, command, vehicle)
         force += along * torque - outputs.strut_force[i]
         if options.contact_moments:
             force += kx * outputs.contact_moment_x[i] + ky * outputs.contact_moment_y[i]

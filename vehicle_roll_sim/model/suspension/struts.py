@@ -3,6 +3,7 @@
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.suspension.strut_details import detailed_strut_forces
 
 
 @kernel
@@ -33,6 +34,9 @@ def strut_kinematics(state, vehicle, options, outputs):
 @kernel
 def strut_forces(state, command, vehicle, outputs):
     """Fzs of every corner (N): spring, damper, anti-roll bar and active normal force (eq. 23)."""
+    if vehicle.details.struts != 0.0:
+        detailed_strut_forces(state, command, vehicle, outputs)
+        return
     xs = state[at.SUSPENSION_COMPRESSION]
     for i in range(WHEEL_COUNT):
         passive = vehicle.spring_stiffness[i] * xs[i]

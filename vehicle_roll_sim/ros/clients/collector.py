@@ -4,7 +4,15 @@ from collections.abc import Callable
 
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.run_messages import COLLECTED, STATE, RunMessages, by_name, is_ours
+from vehicle_roll_sim.messages.run_messages import (
+    COLLECTED,
+    NOT_OF_EVERY_MODEL,
+    STATE,
+    RunMessages,
+    by_name,
+    is_ours,
+)
+from vehicle_roll_sim.messages.topics import Topic
 from vehicle_roll_sim.ros.qos_overrides import make_subscription
 from vehicle_roll_sim.ros.topics import message_class, recording_qos
 from vehicle_roll_sim.runs.history import History
@@ -17,22 +25,20 @@ NUMBER = "publication_sequence_number"
 class Collector:
     """Subscribes to the sets of a simulator and ignores messages that cannot come from one.
 
-    on_state: called with every `state` kept, as a dict by name. is_mixed: whether the sequence
-    numbers show that messages on one topic since the last `forget` came from two publishers.
+    subscriptions: to the topics that every simulator publishes. on_state: called with every `state`
+    kept, as a dict by name. is_mixed: whether the sequence numbers show that messages on one topic
+    since the last `forget` came from two publishers.
     """
 
     def __init__(self, node: Node, on_state: Callable[[dict], None]):
         self._on_state = on_state
-        self.subscriptions = [
-            make_subscription(
-                node,
-                message_class(topic.type),
-                topic.name,
-                self._listener(topic.name),
-                recording_qos(topic),
-            )
-            for topic in COLLECTED
-        ]
+
+        def subscription(topic: Topic):
+            kind, listen = message_class(topic.type), self._listener(topic.name)
+            return make_subscription(node, kind, topic.name, listen, recording_qos(topic))
+
+        self.subscriptions = [subscription(topic) for topic in COLLECTED]
+        self._further = [subscription(topic) for topic in NOT_OF_EVERY_MODEL]
         self.forget()
 
     def forget(self) -> None:

@@ -40,7 +40,7 @@ def pictures(given: Mapping[str, str]) -> list[Node]:
         _require(RVIZ, ", or use_rviz:=false")
     vehicle = load_vehicle(given["vehicle_file"]) if given["vehicle_file"] else preset()
     options = Options(model=given["model"] or Options().model)
-    text = urdf(vehicle, not options.has_eight_dof)
+    text = urdf(vehicle, options)
     described = {"robot_description": ParameterValue(text, value_type=str)}
     if given["frame_prefix"]:
         prefix = ParameterValue(given["frame_prefix"], value_type=str)

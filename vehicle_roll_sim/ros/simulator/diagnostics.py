@@ -15,7 +15,7 @@ from vehicle_roll_sim.live.status import (
     verdict,
 )
 from vehicle_roll_sim.messages.run_messages import STATE
-from vehicle_roll_sim.messages.topics import CLOCK, DIAGNOSTICS, STATE_SET
+from vehicle_roll_sim.messages.topics import CLOCK, DIAGNOSTICS, set_of
 from vehicle_roll_sim.ros.compatibility import (
     command_publishers,
     incompatible_partners,
@@ -86,7 +86,7 @@ class Reporter:
     def _doubled(self) -> list[str]:
         """One warning for each other node that publishes topics of the set."""
         topics_of: dict[str, list[str]] = {}
-        for topic in STATE_SET:
+        for topic in set_of(self._session.simulation.options, stamped=False):
             if self._node.count_publishers(self._node.resolve_topic_name(topic.name)) > 1:
                 for name in other_publishers(self._node, topic):
                     topics_of.setdefault(name, []).append(topic.name)

@@ -55,7 +55,7 @@ class Simulator(Node):
         self.settings = declared.settings
         refuse_wrong_overrides(
             self,
-            publishers=[each.name for each in published_topics(self.settings)],
+            publishers=[each.name for each in published_topics(self.settings, declared.options)],
             subscriptions=[each.name for each in COMMANDS],
             lossless=self.settings.is_lockstep,
         )

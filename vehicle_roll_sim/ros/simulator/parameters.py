@@ -16,6 +16,7 @@ from vehicle_roll_sim.declaration import (
     Curve,
     InputError,
     Parameter,
+    Table,
     parameter,
     parameters_of,
 )
@@ -44,6 +45,7 @@ SIM_TIME = "use_sim_time"
 ROS_TYPES = {
     float: ParameterType.PARAMETER_DOUBLE,
     Curve: ParameterType.PARAMETER_DOUBLE,  # or a double array: travel, value, travel, value ...
+    Table: ParameterType.PARAMETER_DOUBLE_ARRAY,
     bool: ParameterType.PARAMETER_BOOL,
     str: ParameterType.PARAMETER_STRING,
     tuple: ParameterType.PARAMETER_STRING_ARRAY,  # or a double array, if of numbers
@@ -83,7 +85,6 @@ def declare(node: Node) -> Declared:
     settings = Settings(**_declare_class(node, Settings))
     limits = CommandLimits(**_declare_class(node, CommandLimits))
     options = Options(**_given_of(node, Options))
-    settings.check()
     _check_speed(settings.initial_speed, options)
     road = Road(**_declare_class(node, Road))
     vehicle = load_vehicle(settings.vehicle_file) if settings.vehicle_file else preset()
@@ -92,6 +93,7 @@ def declare(node: Node) -> Declared:
     for name, value in vehicle.given.items():  # a dump with both alternatives could not be loaded
         _declare(node, VEHICLE_PREFIX + name, value)
     options = options.for_vehicle(vehicle)
+    settings.check(options)
     for name, value in dataclasses.asdict(options).items():
         _declare(node, name, value, is_resolved=True)
     _heed(plausibility(vehicle), node, settings.strict)
@@ -223,7 +225,7 @@ def _declare(node: Node, name: str, default, is_resolved: bool = False):
     declared, given = PARAMETERS[name], node._parameter_overrides.get(name)
     value = default if given is None or is_resolved else given.value
     value = declared.validate(value, name)
-    if declared.kind is Curve and isinstance(value, tuple):
+    if declared.is_curve and isinstance(value, tuple):
         value = [number for point in value for number in point]
     return node.declare_parameter(name, value, _descriptor(declared), ignore_override=True).value
 

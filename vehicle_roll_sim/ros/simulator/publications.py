@@ -17,10 +17,9 @@ from vehicle_roll_sim.messages.topics import (
     ROBOT_DESCRIPTION,
     ROLLOVER,
     SIMULATION_DESCRIPTION,
-    STAMPED,
-    STATE_SET,
     TRANSFORMS,
     Topic,
+    set_of,
 )
 from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
@@ -30,6 +29,7 @@ from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.ros.simulator.stamps import Stamps
 from vehicle_roll_sim.ros.topics import is_installed, message_class, offered_qos
 from vehicle_roll_sim.simulation.description import describe
+from vehicle_roll_sim.simulation.options import Options
 
 LONGEST_UNNOTICED_NS = 50_000_000
 """How long (wall ns) a new subscriber may go unnoticed in real time.
@@ -38,17 +38,17 @@ Asking for the subscription count costs as much as publishing.
 """
 
 
-def set_topics(settings: Settings) -> tuple[Topic, ...]:
+def set_topics(settings: Settings, options: Options) -> tuple[Topic, ...]:
     """The topics that are published every period, in order."""
     clock = (CLOCK,) if settings.has_own_clock else ()
-    stamped = STAMPED if settings.publish_stamped else ()
-    return (*clock, *STATE_SET, *stamped, *filter(is_installed, (TRANSFORMS,)))
+    topics = set_of(options, settings.publish_stamped)
+    return (*clock, *topics, *filter(is_installed, (TRANSFORMS,)))
 
 
-def published_topics(settings: Settings) -> tuple[Topic, ...]:
+def published_topics(settings: Settings, options: Options) -> tuple[Topic, ...]:
     """Every topic that a simulator publishes."""
     beside = (ROLLOVER, ROBOT_DESCRIPTION, SIMULATION_DESCRIPTION, DIAGNOSTICS)
-    return (*set_topics(settings), *beside)
+    return (*set_topics(settings, options), *beside)
 
 
 class Publications:
@@ -75,7 +75,7 @@ class Publications:
         self._unnoticed_ns = 0 if settings.is_lockstep else LONGEST_UNNOTICED_NS
         self._set = {
             topic.name: (self.publisher(topic), builder(self._messages, encode, topic))
-            for topic in set_topics(settings)
+            for topic in set_topics(settings, session.simulation.options)
         }
         self._tree = self._set.get(TRANSFORMS.name, (None,))[0]
         self._prepare()

@@ -11,8 +11,9 @@ from vehicle_roll_sim.live.pacing import (
     FASTEST_FACTOR,
     SLOWEST_FACTOR,
 )
-from vehicle_roll_sim.messages.topics import COMMANDS, STAMPED, STATE_SET
+from vehicle_roll_sim.messages.topics import COMMANDS, ROLL_CENTRE, STAMPED, STATE_SET, set_of
 from vehicle_roll_sim.ros.simulator.lockstep import STOP
+from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
     DEFAULT_SPEED,
@@ -28,6 +29,7 @@ REAL_TIME, LOCKSTEP = "real_time", "lockstep"
 COMMANDED = tuple(topic.name for topic in COMMANDS)
 NAMES_OF_STAMPED = tuple(topic.name for topic in STAMPED)
 PUBLISHED_IN_SETS = tuple(topic.name for topic in STATE_SET)
+"""With every model."""
 MOST_STEPS = 100_000
 """Per period: half a second of computation (model 1), during which signals have to wait."""
 
@@ -115,7 +117,7 @@ class Settings:
     )
     lockstep_wait: tuple = parameter(
         "topics of the set that must have a subscriber before lockstep begins",
-        choices=(*PUBLISHED_IN_SETS, *NAMES_OF_STAMPED),
+        choices=(*PUBLISHED_IN_SETS, ROLL_CENTRE.name, *NAMES_OF_STAMPED),
         default=("state",),
     )
     lockstep_timeout: float = parameter(
@@ -143,14 +145,15 @@ class Settings:
         "refuse an implausible vehicle instead of logging a warning", default=False
     )
 
-    def check(self) -> None:
+    def check(self, options: Options) -> None:
         """Raise InputError for a combination of values that is not allowed."""
         if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
             allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
             raise InputError("real_time_factor", self.real_time_factor, allowed)
-        unpublished = set() if self.publish_stamped else {*NAMES_OF_STAMPED}
-        if unpublished.intersection(self.lockstep_wait):
-            allowed = "topics that end in _stamped only with publish_stamped"
+        published = {topic.name for topic in set_of(options, self.publish_stamped)}
+        if not published.issuperset(self.lockstep_wait):
+            allowed = f"topics that end in _stamped only with publish_stamped, {ROLL_CENTRE.name} "
+            allowed += "only with model 2"
             raise InputError("lockstep_wait", self.lockstep_wait, allowed)
 
     def steps_in_a_period(self, step_ns: int) -> int:
