@@ -103,7 +103,7 @@ def usual_combinations() -> tuple[tuple[str, str], ...]:
         ("share of the front axle in the weight", _between(together.FRONT_LOAD)),
         (
             "static load of a tire",
-            f"{_between(together.LOAD_OF_TIRE)} times FNOMIN of its file",
+            f"{_between(together.LOAD_OF_TIRE)} times LFZO FNOMIN of its file",
         ),
     )
 

@@ -72,7 +72,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
         "vehicle",
         metavar="FILE",
         nargs="?",
-        help="vehicle file (default: the reference vehicle)",
+        help="vehicle file, or name of a shipped vehicle (default: the reference vehicle)",
     )
     group = parser.add_argument_group("vehicle")
     add_changes(group)

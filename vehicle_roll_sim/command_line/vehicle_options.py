@@ -20,7 +20,8 @@ from vehicle_roll_sim.simulation.simulation import (
 )
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
-from vehicle_roll_sim.vehicle.vehicle_file import TIRES, load_vehicle, on_tires, preset
+from vehicle_roll_sim.vehicle.shipped import vehicle_named
+from vehicle_roll_sim.vehicle.vehicle_file import TIRES, on_tires, preset
 
 
 @dataclasses.dataclass(frozen=True)
@@ -67,7 +68,9 @@ def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
     """Add all options that `chosen_vehicle` reads."""
     group = parser.add_argument_group("vehicle")
     group.add_argument(
-        "--vehicle", metavar="FILE.yaml", help="vehicle file (default: the reference vehicle)"
+        "--vehicle",
+        metavar="FILE",
+        help="vehicle file, or name of a shipped vehicle (default: the reference vehicle)",
     )
     add_changes(group)
     add_strict(group)
@@ -101,7 +104,7 @@ def read_vehicle(arguments: argparse.Namespace) -> Vehicle:
     """The same vehicle, plausible or not."""
     vehicle_file = named_file(arguments.vehicle, "--vehicle")
     tires = {name: named_file(getattr(arguments, name), _option(name)) for name in TIRES}
-    vehicle = load_vehicle(vehicle_file) if vehicle_file else preset()
+    vehicle = vehicle_named(vehicle_file) if vehicle_file else preset()
     try:
         vehicle = on_tires(vehicle, {name: file for name, file in tires.items() if file})
     except InputError as error:

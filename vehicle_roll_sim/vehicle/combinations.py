@@ -16,7 +16,7 @@ FRONT_SHARE = (0.25, 0.9)
 FRONT_LOAD = (0.25, 0.75)
 """Share of the weight on the front axle."""
 LOAD_OF_TIRE = (0.25, 2.0)
-"""Static load of a tire over the nominal load of its file."""
+"""Static load of a tire over the nominal load of its file, LFZO FNOMIN."""
 
 
 def combinations(vehicle: Vehicle) -> list[str]:
@@ -59,8 +59,11 @@ def _balance(vehicle: Vehicle, figures: VehicleFigures) -> Iterator[str]:
 def _tires(vehicle: Vehicle, figures: VehicleFigures) -> Iterator[str]:
     least, most = LOAD_OF_TIRE
     for axle, tire in vehicle.axle_tires.items():
-        load, nominal = figures.axles[axle].wheel_load, tire.coefficients["FNOMIN"]
+        load = figures.axles[axle].wheel_load
+        nominal = tire.coefficients["FNOMIN"] * tire.coefficients["LFZO"]
         if not least <= load / nominal <= most:
-            found = f"its static load of {load:.4g} N is {load / nominal:.3g} times its FNOMIN"
+            found = (
+                f"its static load of {load:.4g} N is {load / nominal:.3g} times its nominal load"
+            )
             name = "tire" if vehicle.tire is not None else f"{axle}_tire"
             yield f"{name}: {found}, {nominal:g} N, at the {axle}: typically {least:g} to {most:g}"

@@ -45,7 +45,8 @@ class VehicleFigures:
     static_stability_factor: mean track over twice that height. roll_axis_depth: of the roll axis
     below the sprung c.g. (m). roll_stiffness: of both axles (N m/rad). front_share: of the roll
     stiffness. roll_gradient: of a rigid body on its roll axis, (rad/(m/s^2)); inf if its weight
-    overcomes its roll stiffness. axles: by name.
+    overcomes its roll stiffness. roll_frequency: of that body, without damping (Hz); 0 likewise.
+    axles: by name.
     """
 
     mass: float
@@ -57,6 +58,7 @@ class VehicleFigures:
     roll_stiffness: float
     front_share: float
     roll_gradient: float
+    roll_frequency: float
     axles: dict[str, AxleFigures]
 
 
@@ -71,6 +73,7 @@ def figures_of(vehicle: Vehicle) -> VehicleFigures:
     rear_mass = vehicle.sprung_mass * vehicle.cg_to_front_axle / wheelbase + unsprung[2:].sum()
     depth = float(vehicle.axle_load_share @ vehicle.roll_centre_depth)
     stiffness = math.fsum(axle.roll_stiffness for axle in axles.values())
+    inertia = vehicle.roll_inertia + vehicle.sprung_mass * depth**2
     left = stiffness - vehicle.sprung_mass * GRAVITY * depth
     return VehicleFigures(
         mass=vehicle.mass,
@@ -82,6 +85,7 @@ def figures_of(vehicle: Vehicle) -> VehicleFigures:
         roll_stiffness=stiffness,
         front_share=axles["front"].roll_stiffness / stiffness,
         roll_gradient=vehicle.sprung_mass * depth / left if left > 0.0 else math.inf,
+        roll_frequency=math.sqrt(max(left, 0.0) / inertia) / math.tau,
         axles=axles,
     )
 
