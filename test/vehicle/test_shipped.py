@@ -58,9 +58,9 @@ def test_pounds_feet_and_seconds_became_si_units():
     assert van.mass == pytest.approx(101.3367 * SLUG, rel=1e-4)
 
 
-@pytest.mark.parametrize("name", [n for n, s in lift_speeds().items() if not math.isnan(s)])
+@pytest.mark.parametrize("name", ["suv", "delivery_truck"])
 def test_two_wheels_lift_at_the_stored_speed_and_not_much_below(name):
-    """By the resolution of the search, 0.1 m/s."""
+    """By the resolution of the search, 0.1 m/s. `benchmarks/two_wheel_lift.py` finds them all."""
     vehicle, options = preset(name), Options(model="2")
     ready = series_named("nhtsa_fishhook", is_search=True).manoeuvre.for_vehicle(vehicle, options)
     lifts = []
@@ -84,5 +84,5 @@ def test_a_file_comes_before_a_shipped_vehicle(tmp_path, monkeypatch):
     assert vehicle_named("suv") == preset()
     with pytest.raises(InputError, match=r"^vehicle: bus does not exist: .* city_bus, "):
         vehicle_named("bus")
-    with pytest.raises(InputError, match=r"^bus\.yaml: No such file"):
+    with pytest.raises(InputError, match=r"^file bus\.yaml: No such file"):
         vehicle_named("bus.yaml")
