@@ -29,7 +29,12 @@ UP = np.array([0.0, 0.0, 1.0])
 
 
 class SwingAxleEngine:
-    """The engine's vehicle, rolling straight ahead in equilibrium; steady-state slip."""
+    """The engine's vehicle, rolling straight ahead in equilibrium; steady-state slip.
+
+    wheels: indices of the bodies that carry the wheels.
+    """
+
+    wheels = (2, 3, 4, 5)
 
     def __init__(self, vehicle: Vehicle, speed: float):
         self.vehicle, (self.car,) = vehicle, vehicle.record()
@@ -113,17 +118,18 @@ class SwingAxleEngine:
         jacobians, axes = np.zeros((4, 3, self.engine.nv)), np.empty((4, 2, 3))
         for i in range(4):
             angle = steering if i < 2 else 0.0
-            axis = data.xmat[2 + i].reshape(3, 3) @ [-np.sin(angle), np.cos(angle), 0.0]
+            body = self.wheels[i]
+            axis = data.xmat[body].reshape(3, 3) @ [-np.sin(angle), np.cos(angle), 0.0]
             cosine = np.hypot(axis[0], axis[1])
             ahead = np.cross(axis, UP) / cosine
             axes[i] = ahead, np.cross(UP, ahead)
-            radius = data.xpos[2 + i][2] / cosine
+            radius = data.xpos[body][2] / cosine
             support = car.tire_stiffness[i] * (car.tire_radius[i] - radius) / cosine
             outputs["normal_force"][i] = max(support, 0.0)
             outputs["loaded_radius"][i] = radius = min(radius, car.tire_radius[i])
             outputs["inclination"][i] = np.arctan2(axis[2], cosine)
-            contact = data.xpos[2 + i] + radius * (axis[2] * axis - UP) / cosine
-            mujoco.mj_jac(self.engine, data, jacobians[i], None, contact, 2 + i)
+            contact = data.xpos[body] + radius * (axis[2] * axis - UP) / cosine
+            mujoco.mj_jac(self.engine, data, jacobians[i], None, contact, body)
             velocity = jacobians[i] @ data.qvel
             outputs["rolling"][i], outputs["sliding"][i] = axes[i] @ velocity
         outputs["rolling_radius"] = outputs["loaded_radius"]

@@ -31,7 +31,7 @@ from vehicle_roll_sim.model.records import (
 )
 from vehicle_roll_sim.model.tire.transient_slip import LOW_SPEED
 from vehicle_roll_sim.model.wheel import note_turning
-from vehicle_roll_sim.simulation.options import MODELS, Options
+from vehicle_roll_sim.simulation.options import MODELS, Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -187,7 +187,7 @@ def find_trim(
     given, the steering is determined. Raises InputError if there is no such steady state with four
     wheels on the ground, or if it is too slow for the tire model to be smooth.
     """
-    model = LevelRoadModel(vehicle, options or Options())
+    model = LevelRoadModel(vehicle, options or options_for(vehicle))
     slowest = MINIMUM_SPEED if model.options.steady_state_slip else LOW_SPEED
     if not slowest <= speed <= MAXIMUM_SPEED:
         raise InputError("speed", speed, f"from {slowest:g} to {MAXIMUM_SPEED:g} m/s")

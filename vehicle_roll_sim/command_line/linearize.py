@@ -67,7 +67,8 @@ def linearize_command(words: list[str], program: str) -> int:
     file = named_file(arguments.npz, "--npz")
     if file:
         check_writable(file, "--npz")
-    vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
+    vehicle = chosen_vehicle(arguments)
+    options = chosen_options(arguments, vehicle)
     with signals.exit_on_signal():
         model = _linear_model(vehicle, options, given)
     if file:

@@ -47,7 +47,8 @@ def series_command(words: list[str], program: str) -> int:
     path = named_file(arguments.csv, "--csv")
     if path:
         check_writable(path, "--csv")
-    vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
+    vehicle = chosen_vehicle(arguments)
+    options = chosen_options(arguments, vehicle)
     with signals.exit_on_signal():
         compile_model()
     with tqdm(delay=1.0, disable=None, leave=False, unit=" runs") as bar:

@@ -47,7 +47,8 @@ def vehicle_command(words: list[str], program: str) -> int:
     """Run the command with the arguments after its name; return the exit status."""
     arguments = _parser(program).parse_args(words)
     speed = SteadyDriving(**declared_values(arguments, SteadyDriving)).speed
-    vehicle, options = read_vehicle(arguments), chosen_options(arguments)
+    vehicle = read_vehicle(arguments)
+    options = chosen_options(arguments, vehicle)
     doubts = [*plausibility(vehicle), *combinations(vehicle)]
     if arguments.refuse_warnings:
         warn_or_refuse(doubts, arguments)
@@ -56,7 +57,14 @@ def vehicle_command(words: list[str], program: str) -> int:
         compile_model()
     signals.import_interruptibly("offline.linearizing", "analysis.handling")
     name = arguments.vehicle or "the reference vehicle"
-    lines = [line("vehicle", name), *_tire_lines(vehicle), "", *_read_lines(vehicle), ""]
+    lines = [
+        line("vehicle", name),
+        line("model", options.model),
+        *_tire_lines(vehicle),
+        "",
+        *_read_lines(vehicle),
+        "",
+    ]
     lines += [*_figure_lines(vehicle), *_turning_lines(vehicle, options, speed), ""]
     lines += [*_axle_lines(vehicle), *_mode_lines(vehicle, options, speed)]
     lines += [line("warning", doubt) for doubt in doubts]

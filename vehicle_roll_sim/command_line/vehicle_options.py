@@ -9,7 +9,7 @@ from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.plausibility_option import add_strict, warn_or_refuse
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
-from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_DEGREES,
@@ -51,7 +51,8 @@ def add_simulation_options(parser: argparse.ArgumentParser) -> None:
 def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
     """The simulation that the options of `add_simulation_options` describe."""
     integration = Integration(**declared_values(arguments, Integration))
-    vehicle, options = chosen_vehicle(arguments), chosen_options(arguments)
+    vehicle = chosen_vehicle(arguments)
+    options = chosen_options(arguments, vehicle)
     road = Road(**declared_values(arguments, Road))
     with signals.exit_on_signal():
         compile_model()
@@ -127,11 +128,14 @@ def _option(name: str) -> str:
     return "--" + name.replace("_", "-")
 
 
-def chosen_options(arguments: argparse.Namespace) -> Options:
-    """The options of the model; raises InputError under the option's name for a bad combination."""
+def chosen_options(arguments: argparse.Namespace, vehicle: Vehicle) -> Options:
+    """The options of the model, which is that of the vehicle file unless another is given.
+
+    Raises InputError under the option's name for a bad combination.
+    """
     values = declared_values(arguments, Options)
     try:
-        return Options(**values)
+        return options_for(vehicle, **values)
     except InputError as error:
         raise as_option(error) from None
 

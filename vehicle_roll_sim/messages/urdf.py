@@ -4,7 +4,7 @@ from xml.etree import ElementTree
 
 from vehicle_roll_sim.messages.joints import GUIDED, STEERING, SUSPENSION, WHEEL, Y, Z
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -38,12 +38,12 @@ def robot_description(simulation: Simulation) -> str:
 def urdf(vehicle: Vehicle, options: Options | None = None) -> str:
     """URDF as text; base_link is at the sprung c.g., the joints of a wheel are those of `joints`.
 
-    options: of the model, None for model 1. Suspension joints are prismatic along the body's z
-    axis, 0 at rest, or fixed in a model without suspension; the wheel is the last link. Wheels have
-    the unloaded radius: in model 1 the height of a wheel centre is that radius less the tire
-    compression, which is negative after lift-off.
+    options: of the model; by default that of the vehicle. Suspension joints are prismatic along the
+    body's z axis, 0 at rest, or fixed in a model without suspension; the wheel is the last link.
+    Wheels have the unloaded radius: in model 1 the height of a wheel centre is that radius less the
+    tire compression, which is negative after lift-off.
     """
-    options = options or Options()
+    options = options or options_for(vehicle)
     robot = ElementTree.Element("robot", name="vehicle")
     for name, colour in COLOURS.items():
         material = ElementTree.SubElement(robot, "material", name=name)

@@ -2,7 +2,7 @@
 
 from vehicle_roll_sim.analysis import linear_model, trim
 from vehicle_roll_sim.declaration import InputError, given, number_of
-from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
@@ -27,9 +27,10 @@ def linearize(
     if steering is not None and lateral_acceleration is not None:
         raise InputError("lateral_acceleration", lateral_acceleration, "not together with steering")
     turn = {"steering": steering, "lateral_acceleration": lateral_acceleration}
+    vehicle = given("vehicle", preset() if vehicle is None else vehicle, Vehicle)
     found = trim.find_trim(
-        given("vehicle", preset() if vehicle is None else vehicle, Vehicle),
-        given("options", options or Options(), Options),
+        vehicle,
+        given("options", options or options_for(vehicle), Options),
         speed=number_of(speed, "speed", "a number, in m/s"),
         **{n: number_of(v, n, "a finite number") for n, v in turn.items() if v is not None},
     )

@@ -12,7 +12,7 @@ from vehicle_roll_sim.manoeuvres.series.base import Series
 from vehicle_roll_sim.manoeuvres.series.catalogue import series_named
 from vehicle_roll_sim.manoeuvres.series.speed_search import SpeedSearch
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured, write_rows
-from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
@@ -90,7 +90,9 @@ def series(
             raise unknown_name(each, known_values, "name")
     chosen = chosen.with_values({n: known_values[n].validate(v) for n, v in values.items()})
     vehicle = given("vehicle", preset() if vehicle is None else vehicle, Vehicle)
-    return drive_series(chosen, vehicle, given("options", options or Options(), Options), progress)
+    return drive_series(
+        chosen, vehicle, given("options", options or options_for(vehicle), Options), progress
+    )
 
 
 def drive_series(

@@ -7,6 +7,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import ON
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED, TIME, VALUE, Condition
 from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.model.variants import PAPER
 from vehicle_roll_sim.simulation.options import SWITCHES, Options
 from vehicle_roll_sim.vehicle.derived_values import AXLES
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -34,11 +35,16 @@ def summary_lines(events: np.record, time: float, condition: Condition, note: st
 
 
 def choices(vehicle: Vehicle, options: Options) -> dict[str, str]:
-    """Whether tire moments and contact patch shift count, one line each.
+    """The model that the vehicle names, and whether tire moments and contact patch shift count.
 
-    options: those of the simulation. Nothing if the vehicle has both off and its tires have no
-    moments, as in the paper.
+    One line each. options: those of the simulation. Nothing for a vehicle that names no model, has
+    both off, and tires without moments, as in the paper.
     """
+    stated_model = {"model": options.model} if vehicle.model != PAPER else {}
+    return stated_model | _choices_of_tires(vehicle, options)
+
+
+def _choices_of_tires(vehicle: Vehicle, options: Options) -> dict[str, str]:
     chosen = [getattr(options, name) for name in SWITCHES]
     stated = [getattr(vehicle, name) for name in SWITCHES]
     has_moments = any(moments_of(tire.coefficients) for tire in vehicle.axle_tires.values())

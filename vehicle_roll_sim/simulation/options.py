@@ -14,33 +14,9 @@ from vehicle_roll_sim.declaration import (
     parameter,
 )
 from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, OPTIONS, SLIP_STATES
+from vehicle_roll_sim.model.variants import MODELS, PAPER
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-_1A = ("small_angles",)
-_1B = (*_1A, "no_link_inertia", "no_unsprung_turning")
-MODELS = {
-    "1": (),
-    "1a": _1A,
-    "1b": _1B,
-    "1c-i": (*_1B, "contact_forces_not_rotated"),
-    "1c-ii": (*_1B, "unsprung_forces_not_rotated"),
-    "1c-iii": (*_1B, "rates_not_rotated"),
-    "1c-iv": (*_1B, "contact_moves_with_corner"),
-    "1b-static-strut": (*_1B, "fixed_strut_length"),
-    "1b-no-strut": (*_1B, "fixed_strut_length", "unsprung_moves_with_corner"),
-    "1b-turning-kept": (*_1A, "no_link_inertia"),
-    "1b-mass-lumped": (*_1B, "lumped_unsprung_mass"),
-    "2": ("kinematic",),
-    "8dof": ("eight_dof",),
-    "8dof-rigid-tires": ("eight_dof", "rigid_tires"),
-}
-"""The simplifications that define each model.
-
-After 1c-iv: the admissible simplification of section 6.4 in its two steps, and the two errors of
-section 5 (equation 58 omitted; unsprung mass lumped into equations 48 and 49). Last: the 8 DOF
-model of section 8, with the tires in series with the springs, and with rigid tires, that is, with
-the roll stiffness of the springs alone. 2 is not in the paper (docs/model_2.md).
-"""
 ASIDE = ("cg_offset", "roll_pitch_product", "pitch_yaw_product")
 """Parameters of a vehicle that is not symmetric about its middle."""
 ROLL_YAW = "roll_yaw_product"
@@ -58,7 +34,11 @@ class Options:
     there is no link load transfer that could be asymmetric.
     """
 
-    model: str = parameter("model of the paper, or 2", choices=tuple(MODELS), default="1")
+    model: str = parameter(
+        "model of the paper, or 2; a vehicle file can name another default",
+        choices=tuple(MODELS),
+        default=PAPER,
+    )
     no_roll_centre: bool = parameter(
         "no roll centres: lateral link forces act at the strut tops (eq. 24 instead of 25), and "
         "there is no link load transfer",
@@ -173,6 +153,14 @@ class Options:
                 takes_it = "model 2" if name in ASIDE else "a model with 14 degrees of freedom"
                 allowed = f"0 in model {self.model}; {takes_it} takes it"
                 raise InputError(name, value, allowed, f"{value:.6g}{source} is not allowed")
+
+
+def options_for(vehicle: Vehicle, **values) -> Options:
+    """Options with these values; the model is that of the vehicle unless it is among them.
+
+    Raises InputError.
+    """
+    return Options(**{"model": vehicle.model} | values)
 
 
 MULTIBODY = Options(no_roll_centre=True, euler_terms=True, steady_state_slip=True)

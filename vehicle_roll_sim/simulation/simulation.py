@@ -31,7 +31,7 @@ from vehicle_roll_sim.model.records import (
 )
 from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
 from vehicle_roll_sim.simulation.command import Command, Programme, records_of
-from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.snapshot import Restorable, identity
@@ -105,7 +105,9 @@ class Simulation(Restorable):
     ):
         before = set(vars(self))
         self.vehicle = given("vehicle", vehicle, Vehicle)
-        self.options = given("options", options or Options(), Options).for_vehicle(vehicle)
+        self.options = given("options", options or options_for(vehicle), Options).for_vehicle(
+            vehicle
+        )
         self.road = given("road", road or Road(), Road)
         step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)

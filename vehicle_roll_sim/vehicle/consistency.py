@@ -6,6 +6,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
+from vehicle_roll_sim.model.variants import MODELS
 from vehicle_roll_sim.vehicle.axle_tires import of_file
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.masses import PRODUCTS, tensor
@@ -68,6 +69,8 @@ def _check_tires(vehicle: DerivedValues) -> None:
             raise InputError(name, getattr(vehicle, name), "true or false")
     if vehicle.longitudinal not in ("", "from_lateral"):
         raise InputError("longitudinal", vehicle.longitudinal, "from_lateral, or nothing")
+    if vehicle.model not in MODELS:
+        raise InputError("model", vehicle.model, " or ".join(MODELS))
 
 
 def _check_given_once(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...]]) -> None:

@@ -12,6 +12,7 @@ from vehicle_roll_sim.declaration import (
     parameters_of,
     validated,
 )
+from vehicle_roll_sim.model.variants import PAPER
 from vehicle_roll_sim.vehicle.consistency import ROLL_CENTRES, check_consistency, check_given
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.masses import Load
@@ -56,7 +57,8 @@ class Vehicle(DerivedValues):
     The tires are given either as one `tire` for all wheels, or as `front_tire` and `rear_tire`; the
     other attributes are None. `axle_tires` has both, whichever was given. tire_moments,
     contact_patch_shift: the values for which `auto` stands in the options of these names.
-    longitudinal: how tire files are read, `from_lateral` or ''.
+    longitudinal: how tire files are read, `from_lateral` or ''. model: with which the vehicle is
+    simulated unless another is asked for.
 
     payload: masses that the sprung mass carries besides. Of a vehicle with payload or with data of
     the whole vehicle (`total_mass` and so on), the attributes `sprung_mass`, `cg_height` ... are
@@ -440,6 +442,7 @@ class Vehicle(DerivedValues):
     longitudinal: str = dataclasses.field(kw_only=True, default="")
     payload: tuple[Load, ...] = dataclasses.field(kw_only=True, default=())
     origin: Origin | None = dataclasses.field(kw_only=True, default=None, repr=False, compare=False)
+    model: str = dataclasses.field(kw_only=True, default=PAPER)
 
     def __post_init__(self):
         self._keep(as_given(self))

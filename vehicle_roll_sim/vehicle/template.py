@@ -3,6 +3,7 @@
 from dataclasses import MISSING
 
 from vehicle_roll_sim.declaration import Parameter, parameters_of
+from vehicle_roll_sim.model.variants import PAPER
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire.general_keys import UNITS as UNIT_KEYS
 from vehicle_roll_sim.vehicle.tire.keys import COEFFICIENTS, KEYS, REQUIRED
@@ -11,6 +12,7 @@ from vehicle_roll_sim.vehicle.tire.version import FORMAT
 from vehicle_roll_sim.vehicle.vehicle_file import (
     FROM_LATERAL,
     LONGITUDINAL,
+    MODEL,
     PRESETS,
     SHIPPED_TIRE,
     SWITCHES,
@@ -36,6 +38,11 @@ ABOUT_THE_PAYLOAD = """\
 ABOUT_SWITCHES = """\
 # Whether the moments of the tires act, and whether contact patches shift sideways under lateral
 # force (true or false; true if left out, but the vehicle of the paper has neither).
+"""
+ABOUT_THE_MODEL = f"""\
+# The model with which the vehicle is simulated unless another is asked for. By default it is
+# {PAPER}, that of the paper; 2 is recommended for a vehicle of your own.
+# {MODEL}: "2"
 """
 ABOUT_THE_TIRE = f"""\
 # Path of a tire file (.tir) relative to this file, or `{SHIPPED_TIRE}` for the tire that comes with
@@ -64,7 +71,8 @@ def vehicle_template() -> str:
         (optional if is_optional else lines).append(f"{line:{COMMENT_AT}}# {_about(parameter)}\n")
     switches = (f"{name}: {str(getattr(vehicle, name)).lower()}\n" for name in SWITCHES)
     optional = [ABOUT_OPTIONAL, *optional, ABOUT_SWITCHES, *switches]
-    return "".join([ABOUT_THE_VEHICLE, *lines, *optional, ABOUT_THE_PAYLOAD, ABOUT_THE_TIRE])
+    parts = [*lines, *optional, ABOUT_THE_PAYLOAD, ABOUT_THE_MODEL, ABOUT_THE_TIRE]
+    return "".join([ABOUT_THE_VEHICLE, *parts])
 
 
 def _about(parameter: Parameter) -> str:

@@ -44,6 +44,8 @@ PAYLOAD = "payload"
 """Key of the masses that the sprung mass carries besides."""
 LONGITUDINAL, FROM_LATERAL = "longitudinal", "from_lateral"
 """Key and value by which a lateral-only tire file gets a stand-in for longitudinal forces."""
+MODEL = "model"
+"""Key that names the model with which the vehicle is simulated by default."""
 PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 
 
@@ -100,7 +102,7 @@ def load_vehicle(path: str | Path) -> Vehicle:
     values, lines = _mapping(path)
     where = {name: f"{path}: line {line}: {name}" for name, line in lines.items()}
     known = parameters_of(Vehicle)
-    expected = (*known, *TIRES, *SWITCHES, LONGITUDINAL, PAYLOAD)
+    expected = (*known, *TIRES, *SWITCHES, LONGITUDINAL, PAYLOAD, MODEL)
     for name in values:
         if name not in expected:
             raise unknown_name(name, expected, f"{path}: line {lines[name]}: name")
@@ -121,12 +123,14 @@ def load_vehicle(path: str | Path) -> Vehicle:
 
 
 def _others(path: Path, values: dict, where: dict[str, str]) -> dict:
-    """The values of the keys that are not numbers: tires, switches, how a tire file is read."""
+    """The values of the keys that are not numbers: tires, switches, reading of tires, model."""
     others = {}
     if LONGITUDINAL in values:
         if values[LONGITUDINAL] != FROM_LATERAL:
             raise InputError(where[LONGITUDINAL], values[LONGITUDINAL], FROM_LATERAL)
         others[LONGITUDINAL] = FROM_LATERAL
+    if MODEL in values:
+        others[MODEL] = str(values[MODEL])
     for name in SWITCHES:
         if name in values:
             if not isinstance(values[name], bool):

@@ -20,7 +20,7 @@ from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.messages.urdf import urdf
 from vehicle_roll_sim.ros.launching.processes import PACKAGE, ends_all
 from vehicle_roll_sim.ros.launching.values import YES, log_words
-from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.vehicle.shipped import vehicle_named
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
@@ -40,7 +40,7 @@ def pictures(given: Mapping[str, str]) -> list[Node]:
     if with_rviz:
         _require(RVIZ, ", or use_rviz:=false")
     vehicle = vehicle_named(given["vehicle_file"]) if given["vehicle_file"] else preset()
-    options = Options(model=given["model"] or Options().model)
+    options = Options(model=given["model"]) if given["model"] else options_for(vehicle)
     text = urdf(vehicle, options)
     described = {"robot_description": ParameterValue(text, value_type=str)}
     if given["frame_prefix"]:

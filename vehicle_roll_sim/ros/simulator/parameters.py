@@ -25,7 +25,7 @@ from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, O
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
 from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
 from vehicle_roll_sim.ros.simulator.settings import Settings
-from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
@@ -84,15 +84,14 @@ def declare(node: Node) -> Declared:
     _check_makes_time(node.get_parameter(SIM_TIME).value)
     settings = Settings(**_declare_class(node, Settings))
     limits = CommandLimits(**_declare_class(node, CommandLimits))
-    options = Options(**_given_of(node, Options))
-    _check_speed(settings.initial_speed, options)
     road = Road(**_declare_class(node, Road))
     vehicle = vehicle_named(settings.vehicle_file) if settings.vehicle_file else preset()
     vehicle = _on_tires(node, vehicle)
     vehicle = vehicle.with_values(_given_of_vehicle(node), VEHICLE_PREFIX)
     for name, value in vehicle.given.items():  # a dump with both alternatives could not be loaded
         _declare(node, VEHICLE_PREFIX + name, value)
-    options = options.for_vehicle(vehicle)
+    options = options_for(vehicle, **_given_of(node, Options)).for_vehicle(vehicle)
+    _check_speed(settings.initial_speed, options)
     settings.check(options)
     for name, value in dataclasses.asdict(options).items():
         _declare(node, name, value, is_resolved=True)
