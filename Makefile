@@ -19,6 +19,8 @@ KILTED := test/messages/test_messages.py \
 	$(patsubst %,test/ros/simulator/test_%.py,lockstep waiting_in_lockstep parameters foreign_nodes)
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
+# Hundreds of processes need not compile the package and the tests each for itself.
+export PYTHONDONTWRITEBYTECODE :=
 
 .PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations controllers tables docs lint format build clean
 

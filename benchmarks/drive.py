@@ -4,7 +4,7 @@ import time
 
 import numpy as np
 
-from vehicle_roll_sim import Options, Simulation, preset
+from vehicle_roll_sim import Options, Simulation, Vehicle, preset
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.records import COMMAND
@@ -29,9 +29,14 @@ def slalom(times: np.ndarray, torque: float = 0.0) -> np.ndarray:
     return commands
 
 
-def slalom_start(options: Options, step: float = 1e-3) -> Simulation:
-    """The vehicle at the entry of the slalom; the step may be too large, to show the effect."""
-    simulation = Simulation(preset(), options, step=step, check_step=False)
+def slalom_start(
+    options: Options, step: float = 1e-3, vehicle: Vehicle | None = None
+) -> Simulation:
+    """At the entry of the slalom, by default in the reference vehicle.
+
+    The step may be too large, to show the effect.
+    """
+    simulation = Simulation(vehicle or preset(), options, step=step, check_step=False)
     simulation.reset(SPEED)
     return simulation
 
@@ -39,7 +44,7 @@ def slalom_start(options: Options, step: float = 1e-3) -> Simulation:
 @kernel
 def evaluate(states, commands, plant, outputs, rates):
     """Evaluate the derivatives at each state with its command; `rates` keeps those of the last."""
-    vehicle, tires, options = plant[0][0], plant[1], plant[2][0]
+    vehicle, tires, options = plant[0][0], plant[1][0], plant[2][0]
     for k in range(len(states)):
         derivatives(states[k], commands[k], vehicle, tires, options, outputs[0], rates)
 

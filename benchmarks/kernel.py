@@ -1,10 +1,16 @@
 """Computing time of the equations: a derivative in compiled code, and a step called from Python."""
 
+import dataclasses
+import math
+from collections.abc import Callable
+from pathlib import Path
+
 import numpy as np
 
 from benchmarks.drive import SLIPS, evaluate, repeated, slalom, slalom_start
 from benchmarks.report import MICRO, NANO, median
-from vehicle_roll_sim import Command, Options, preset
+from vehicle_roll_sim import Command, Options, Vehicle, load_tire, preset
+from vehicle_roll_sim.declaration import OFF, ON
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
 from vehicle_roll_sim.simulation.plant import Plant
@@ -13,7 +19,9 @@ TITLE = "The model"
 ABOUT = (
     "Derivative: evaluated in a compiled loop along a recorded slalom (20 m/s, 2° at 0.4 Hz, up to "
     "400 N m at each wheel, so that all four tires are in combined slip); a sample is the mean "
-    "over its 2000 states. Step: `Simulation.step` of 1 ms, called from Python with a constant "
+    "over its 2000 states. The variants are measured in turn; ratio: median of the ratios to the "
+    "first one. Version 6.1: a tire file in which every coefficient counts, with and without "
+    "tire moments. Step: `Simulation.step` of 1 ms, called from Python with a constant "
     "command; a sample is the mean of 100 steps."
 )
 COLUMNS = {
@@ -22,6 +30,7 @@ COLUMNS = {
     "median": "median",
     "minimum": "minimum",
     "calls": "calls",
+    "ratio": "ratio",
 }
 TORQUE = 400.0
 """N m"""
@@ -36,28 +45,39 @@ MODELS = {
     **{f"model 1, {slip} slip": options for slip, options in SLIPS.items()},
     "8 DOF": Options(model="8dof"),
 }
+TIRE_6_1 = Path(__file__).parents[1] / "test/model/tire/data/mf61.tir"
+WITH_TIRE_6_1 = {
+    f"model 1, tire of 6.1 {moments}": Options(tire_moments=switch)
+    for moments, switch in {"without moments": OFF, "with moments": ON}.items()
+}
 
 
 def measure(quick: bool) -> list[dict]:
     """Rows of the table."""
     repetitions = QUICK if quick else REPETITIONS
-    rows = []
-    for name, options in MODELS.items():
-        took = derivative_times(options, repetitions)
-        rows.append(_row(f"derivative, {name}", "ns", took * NANO, STATES))
+    other = dataclasses.replace(preset(), tire=load_tire(TIRE_6_1))
+    calls = {name: derivatives_of(preset(), options) for name, options in MODELS.items()}
+    calls |= {name: derivatives_of(other, options) for name, options in WITH_TIRE_6_1.items()}
+    took = np.array([[repeated(call, 1)[0] for call in calls.values()] for _ in range(repetitions)])
+    took /= STATES
+    rows = [
+        _row(f"derivative, {name}", "ns", times * NANO, STATES, median(times / took[:, 0]))
+        for name, times in zip(calls, took.T, strict=True)
+    ]
     for name, options in MODELS.items():
         took = step_times(options, repetitions)
         rows.append(_row(f"step of 1 ms, {name}", "µs", took * MICRO, STEPS))
     return rows
 
 
-def _row(what: str, unit: str, took: np.ndarray, calls: int) -> dict:
+def _row(what: str, unit: str, took: np.ndarray, calls: int, ratio: float = math.nan) -> dict:
     return {
         "what": what,
         "unit": unit,
         "median": median(took),
         "minimum": float(took.min()),
         "calls": calls * len(took),
+        "ratio": ratio,
     }
 
 
@@ -65,9 +85,9 @@ def driven_slalom(times: np.ndarray) -> np.ndarray:
     return slalom(times, TORQUE)
 
 
-def derivative_times(options: Options, repetitions: int) -> np.ndarray:
-    """Time per evaluation (s), shape (repetitions,); each is the mean over the recorded states."""
-    simulation = slalom_start(options)
+def derivatives_of(vehicle: Vehicle, options: Options) -> Callable[[], None]:
+    """A function that evaluates the derivatives at all recorded states."""
+    simulation = slalom_start(options, vehicle=vehicle)
     states, outputs = np.empty((STATES, STATE_SIZE)), np.empty(1, OUTPUTS)
     for row in states:
         simulation.step(driven_slalom, STEP)
@@ -77,12 +97,12 @@ def derivative_times(options: Options, repetitions: int) -> np.ndarray:
     arguments = (
         states,
         commands,
-        Plant.of(preset(), options).arguments(),
+        Plant.of(vehicle, options).arguments(),
         kernel_argument(outputs),
         np.empty(STATE_SIZE),
     )
     evaluate(*arguments)  # compiles
-    return repeated(lambda: evaluate(*arguments), repetitions) / STATES
+    return lambda: evaluate(*arguments)
 
 
 def step_times(options: Options, repetitions: int) -> np.ndarray:

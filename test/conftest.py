@@ -1,5 +1,6 @@
 """For all tests: compiles the model first; profiles of random cases; coverage of processes."""
 
+import gc
 import importlib.util
 import os
 import signal
@@ -17,12 +18,15 @@ MEASURING = "COVERAGE_PROCESS_CONFIG"
 """In the environment where coverage is measured; processes that are started take part by it."""
 
 LONGEST = (
-    *("test_controllers", "test_signals", "test_driven_manoeuvres", "test_paper_command"),
-    *("test_executables", "test_compare", "test_environment", "test_standard_figure"),
-    *("test_lockstep", "test_entry_speed_search", "test_double_lane_change", "test_multibody"),
-    *("test_waiting_in_lockstep", "test_parameters", "test_real_time", "test_diagnostics"),
+    *("test_pages", "test_driven_manoeuvres", "test_controllers", "test_paper_command"),
+    *("test_signals", "test_compare", "test_executables", "test_environment_of_nodes"),
+    *("test_multibody", "test_environment", "test_lockstep", "test_drives", "test_wheel"),
+    *("test_entry_speed_search", "test_circles_of_iso_4138", "test_properties_of_runs"),
+    *("test_energy", "test_double_lane_change", "test_run_results", "test_mutated_tire_files"),
+    *("test_mirror", "test_plain_python"),
+    *("test_standard_figure", "test_waiting_in_lockstep", "test_real_time"),
 )
-"""Files of 15 to 60 s of processor time."""
+"""Files of 10 to 60 s of processor time, or of waiting."""
 
 settings.register_profile(
     "suite", derandomize=True, database=None, deadline=None, max_examples=200, print_blob=False
@@ -71,6 +75,19 @@ def started():
             process.kill()
 
 
+@pytest.fixture(scope="session")
+def study(tmp_path_factory):
+    """The study of the reference vehicle; test processes that run together make its runs once."""
+    from studies import Study, shared_study
+
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        yield Study(preset())  # makes the runs that are asked for
+        return
+    path = tmp_path_factory.getbasetemp().with_name("study")  # beside the folders of the processes
+    yield shared_study(path)
+    path.unlink(missing_ok=True)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def compiled_model():
     """On a fresh machine this takes some 15 s, and says so; no test should meet that by chance."""
@@ -80,6 +97,12 @@ def compiled_model():
 def pytest_collection_modifyitems(items) -> None:
     """Start with the files that take longest, so that no worker is left with one at the end."""
     items.sort(key=lambda item: LONGEST.index(name) if (name := item.path.stem) in LONGEST else 99)
+
+
+def pytest_collection_finish() -> None:
+    """Thousands of tests stay to the end: collections of garbage need not look at them."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.hookimpl(wrapper=True)

@@ -1,17 +1,18 @@
 """`paper`: all results in a folder and a verdict on each claim, or one line and nothing."""
 
+import contextlib
+import dataclasses
 import errno
 import io
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from patience import PATIENCE
-from studies import Rerun, reference_study
+from studies import Rerun
 from tqdm import tqdm
 
 from vehicle_roll_sim.command_line import paper as paper_module
+from vehicle_roll_sim.command_line.main import main
 from vehicle_roll_sim.paper import figures
 from vehicle_roll_sim.paper.claim import FAILS, HOLDS, NOT_CHECKED
 from vehicle_roll_sim.paper.report import (
@@ -50,10 +51,38 @@ FALSE = {"1a": "1c-i"}
 """A case replaced by another, so that claims fail."""
 
 
+@dataclasses.dataclass(frozen=True)
+class Results:
+    """What the command left that reruns and draws everything, and the study that it made."""
+
+    status: int
+    out: str
+    err: str
+    folder: Path
+    study: Study
+
+
 @pytest.fixture(scope="module")
-def study() -> Study:
-    """The study of the reference vehicle; each of its runs is simulated once."""
-    return reference_study()
+def complete(tmp_path_factory) -> Results:
+    """The command as a user types it, in an empty folder."""
+    folder, studies = tmp_path_factory.mktemp("paper"), []
+
+    def keep(*arguments) -> Study:
+        studies.append(Study(*arguments))
+        return studies[-1]
+
+    with pytest.MonkeyPatch.context() as patched, contextlib.chdir(folder):
+        patched.setattr(paper_module, "Study", keep)
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            status = main(["paper", "--out", "results", "--strict"])
+    return Results(status, out.getvalue(), err.getvalue(), folder, *studies)
+
+
+@pytest.fixture(scope="module")
+def study(complete) -> Study:
+    """The study of the reference vehicle, whose runs are simulated once for all tests."""
+    return complete.study
 
 
 @pytest.fixture(scope="module")
@@ -90,22 +119,18 @@ def names(folder: Path) -> set[str]:
     return {entry.name for entry in folder.iterdir()}
 
 
-def test_in_a_process_of_its_own_it_reruns_everything_and_prints_what_it_writes(study, tmp_path):
-    words = [sys.executable, "-m", "vehicle_roll_sim", "paper", "--out", "results", "--strict"]
-    result = subprocess.run(
-        words, cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE, check=False
-    )
-    assert (result.returncode, result.stderr) == (0, "")
-    assert names(tmp_path) == {"results"}
-    folder = tmp_path / "results"
+def test_it_reruns_everything_and_prints_what_it_writes(complete):
+    assert (complete.status, complete.err) == (0, "")
+    assert names(complete.folder) == {"results"}
+    folder = complete.folder / "results"
     assert names(folder) == RESULTS
     assert all((folder / name).stat().st_size > 1000 for name in RESULTS)
     text = (folder / "claims.txt").read_text(encoding="utf-8")
-    assert result.stdout == f"{text}\nresults: results\n"
-    findings = check_claims(study)
-    assert text == f"{as_text(findings)}\n\n{numbers_as_text(study)}\n"
+    assert complete.out == f"{text}\nresults: results\n"
+    findings = check_claims(complete.study)
+    assert text == f"{as_text(findings)}\n\n{numbers_as_text(complete.study)}\n"
     table = (folder / "claims.md").read_text(encoding="utf-8")
-    assert table == f"{as_markdown(findings)}\n\n{numbers_as_markdown(study)}\n"
+    assert table == f"{as_markdown(findings)}\n\n{numbers_as_markdown(complete.study)}\n"
 
 
 def test_without_a_folder_the_results_go_to_paper(paper, folder):

@@ -2,11 +2,14 @@
 
 import subprocess
 import sys
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 from matplotlib.image import imread
 from patience import PATIENCE
+
+from vehicle_roll_sim.command_line.main import main
 
 pytestmark = pytest.mark.unmeasured
 
@@ -88,15 +91,28 @@ def test_files_are_named_when_they_are_written_and_only_then(command, folder):
     assert not {"CSV", "plot"} & set(command(*SHORT).value)
 
 
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    """written(name): a result of that name, twice, in 1970 and in 2001; by folders."""
+    folders, made = [tmp_path_factory.mktemp(year) for year in ("1970", "2001")], set()
+
+    def write(name: str) -> list[Path]:
+        if name not in made:
+            option = "--csv" if name.endswith("csv") else "--plot"
+            for now, folder in zip(("0", "1000000000"), folders, strict=True):
+                with pytest.MonkeyPatch.context() as patched:
+                    patched.setenv("SOURCE_DATE_EPOCH", now)  # for what writes the date
+                    assert main([*SHORT, option, str(folder / name)]) == 0
+            made.add(name)
+        return [folder / name for folder in folders]
+
+    return write
+
+
 @pytest.mark.parametrize("name", ["rows.csv", "figure.png", "figure.svg", "figure.pdf"])
-def test_the_same_input_gives_the_same_bytes(command, folder, monkeypatch, name):
-    option = "--csv" if name.endswith("csv") else "--plot"
-    contents = []
-    for now in ("0", "1000000000"):  # of 1970 and of 2001, for what writes the date
-        monkeypatch.setenv("SOURCE_DATE_EPOCH", now)
-        assert command(*SHORT, option, name).status == 0
-        contents.append((folder / name).read_bytes())
-    assert contents[0] == contents[1]
+def test_the_same_input_gives_the_same_bytes(written, name):
+    one, other = written(name)
+    assert one.read_bytes() == other.read_bytes()
 
 
 def test_a_process_of_its_own_prints_and_writes_the_same(command, folder):
@@ -114,10 +130,9 @@ def test_a_process_of_its_own_exits_with_the_status_of_a_refusal(folder):
     assert (there.returncode, there.stdout, there.stderr.count("\n")) == (2, "", 1)
 
 
-@pytest.mark.parametrize("suffix", [".png", ".PNG"])
-def test_a_png_figure_shows_something(command, folder, suffix):
-    assert command(*SHORT, "--plot", f"figure{suffix}").status == 0
-    pixels = imread(folder / f"figure{suffix}", format="png")
+def test_a_png_figure_shows_something(written):
+    figure, _ = written("figure.png")
+    pixels = imread(figure, format="png")
     assert min(pixels.shape[:2]) > 500
     colours = {tuple(pixel) for pixel in pixels[::3, ::3, :3].reshape(-1, 3).round(1).tolist()}
     assert len(colours) > 10
@@ -132,9 +147,15 @@ def test_an_svg_figure_has_the_title_the_axes_and_the_wheels(command, folder):
         assert f"<!-- {word}" in text  # text is drawn as paths, and kept as comments
 
 
-def test_a_pdf_figure_is_a_whole_pdf(command, folder):
-    assert command(*SHORT, "--plot", "figure.pdf").status == 0
-    content = (folder / "figure.pdf").read_bytes()
+def test_a_format_may_be_written_in_capitals(command, folder, written):
+    assert command(*SHORT, "--plot", "figure.PNG").status == 0
+    figure, _ = written("figure.png")
+    assert (folder / "figure.PNG").read_bytes() == figure.read_bytes()
+
+
+def test_a_pdf_figure_is_a_whole_pdf(written):
+    figure, _ = written("figure.pdf")
+    content = figure.read_bytes()
     assert content.startswith(b"%PDF-")
     assert content.rstrip().endswith(b"%%EOF")
 

@@ -117,6 +117,18 @@ def energy(vehicle, road: Road, state) -> float:
     return total + tires @ np.maximum(state["tire_compression"], 0.0) ** 2 / 2
 
 
+def turning(state, outputs) -> np.ndarray:
+    """Velocities of the contact points about the wheel centres along the body's axes (m/s)."""
+    radius = outputs["loaded_radius"]
+    return np.column_stack([-state["pitch_rate"] * radius, state["roll_rate"] * radius, 0 * radius])
+
+
+def power_of_lever(state, outputs) -> float:
+    """See `powers`."""
+    up = attitude(state["roll"], state["pitch"], state["yaw"])[2]
+    return outputs["normal_force"] @ (turning(state, outputs) @ up)
+
+
 def powers(vehicle, state, outputs, command) -> dict[str, float]:
     """What brings energy in (W), and what takes it away.
 
@@ -129,11 +141,8 @@ def powers(vehicle, state, outputs, command) -> dict[str, float]:
     rotation = attitude(state["roll"], state["pitch"], state["yaw"])
     yawed = attitude(0.0, 0.0, state["yaw"])
     radius, spin = outputs["loaded_radius"], state["wheel_speed"]
-    turning = np.column_stack(
-        [-state["pitch_rate"] * radius, state["roll_rate"] * radius, 0 * radius]
-    )
-    contact = (unsprung(vehicle, state) + turning) @ rotation.T @ yawed  # along axes of frame 2
-    lever = (turning @ rotation.T)[:, 2]
+    # along axes of frame 2
+    contact = (unsprung(vehicle, state) + turning(state, outputs)) @ rotation.T @ yawed
     load, struts = outputs["normal_force"], outputs["suspension_rate"]
     slip = outputs["longitudinal_force"] @ contact[:, 0] + outputs["lateral_force"] @ contact[:, 1]
     moments = couples(state, outputs)
@@ -145,7 +154,7 @@ def powers(vehicle, state, outputs, command) -> dict[str, float]:
     return {
         "dampers": -vehicle.per_wheel("damping") @ struts**2,
         "slip": slip - (radius * outputs["tire_longitudinal"]) @ spin,
-        "lever": load @ lever,
+        "lever": power_of_lever(state, outputs),
         "brakes": -np.maximum(friction, 0.0) @ np.abs(spin),
         "drag": -drag(vehicle, state) * state["u"],
         "torques": command["wheel_torque"] @ spin,

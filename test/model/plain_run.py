@@ -37,7 +37,21 @@ VARIANTS = (
     Options(tire_normal_to_ground=True),
     Options(link_load_transfer=ASYMMETRIC),
     Options(steady_state_slip=True, euler_terms=True),
+    Options(wheel_gyroscopics=True),
+    Options(model="2", wheel_gyroscopics=True),
 )
+DETAILS = {
+    "front_spring_force": ((0.0, 0.0), (0.1, 3000.0), (0.15, 6000.0), (0.2, 10000.0)),
+    "rear_rebound_damping": 3000.0,
+    "rear_bump_stop_clearance": 0.01,
+    "rear_bump_stop_progression": 4e6,
+    "front_roll_steer": -0.1,
+    "front_lateral_force_steer": -3e-6,
+    "ackermann_percentage": 80.0,
+    "front_toe_change": 0.1,
+    "engine_drag": 1.0,
+}
+"""Of vehicles with gyroscopic wheels."""
 SLOPE = Road(grade=0.05, bank=-0.03)
 
 
@@ -48,6 +62,8 @@ def run(steps: int, options: Options = FULL):
 
 def vehicle_for(options: Options) -> Vehicle:
     """The reference vehicle; model 2 on swing axles, so that it looks up tables."""
+    if options.wheel_gyroscopics:
+        return preset().with_values(DETAILS)
     return on_swing_axles(preset()) if options.is_kinematic else preset()
 
 

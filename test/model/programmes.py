@@ -107,11 +107,13 @@ def record_run(simulation: Simulation, command, duration: float) -> Run:
         simulation.step(command, step)
         kept.append(_copy(simulation))
     time, state, outputs = zip(*kept, strict=True)
-    return Run(np.array(time), np.array([*state], STATE), np.array([*outputs], OUTPUTS))
+    state, outputs = b"".join(state), b"".join(outputs)
+    return Run(np.array(time), np.frombuffer(state, STATE), np.frombuffer(outputs, OUTPUTS))
 
 
 def _copy(simulation: Simulation) -> tuple:
-    return simulation.time, simulation.state.copy(), simulation.outputs.copy()
+    """As bytes: a record takes twenty times as long to copy."""
+    return simulation.time, simulation.state.tobytes(), simulation.outputs.tobytes()
 
 
 def with_tire(vehicle: Vehicle, side: str | None = None, **coefficients: float) -> Vehicle:

@@ -15,7 +15,7 @@ from vehicle_roll_sim.simulation.command import Programme
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
 EXACT = Options(no_roll_centre=True, euler_terms=True)
 STEP, END = 1e-3, 6.0

@@ -7,7 +7,7 @@ from programmes import SHIFTS, SOURCE, j_turn, ramp_and_hold, record_run, with_m
 from vehicle_roll_sim import LF, Options, Simulation
 from vehicle_roll_sim.model.records import SLIP_STATES, STATE
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
 TORQUE = np.array([0.0, 100.0, 300.0, -50.0])
 """N m; like the next, different at every wheel, so that a wheel taken for another shows."""

@@ -8,7 +8,7 @@ from random_states import attitude, random_command, random_state, wheel_centres
 
 from vehicle_roll_sim import Options
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
 STATES = 300
 """Random states per variant; in about half of them wheels are off the ground."""

@@ -26,7 +26,7 @@ from vehicle_roll_sim import Options
 from vehicle_roll_sim.model.records import STATE, WHEEL_COUNT
 from vehicle_roll_sim.simulation.road import Road
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
 OF_MODEL_1 = st.sampled_from(
     [o for o in every_option() if o.model == "1" and not o.tire_normal_to_ground]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, reject, settings
 from hypothesis import strategies as st
-from mechanics import energy, powers
+from mechanics import energy, power_of_lever
 from programmes import record_run
 from random_vehicles import (
     NUMBERS,
@@ -151,8 +151,8 @@ def test_energy_does_not_grow_without_drive_or_active_forces(
     options = Options(no_roll_centre=True, steady_state_slip=steady_state_slip)
     simulation = started(vehicle, options, speed, road)
     run = record_run(simulation, programme, 0.6)
-    samples = zip(run.state, run.outputs, programme(run.time), strict=True)
-    lever = np.array([powers(vehicle, *sample)["lever"] for sample in samples])
+    samples = zip(run.state, run.outputs, strict=True)
+    lever = np.array([power_of_lever(*sample) for sample in samples])
     work = np.cumsum((lever[1:] + lever[:-1]) / 2 * np.diff(run.time))
     held = np.array([energy(vehicle, road, state) for state in run.state])
     kinetic = vehicle.sprung_mass * 20.0**2 / 2

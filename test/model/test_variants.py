@@ -11,7 +11,7 @@ from test_momentum import close
 from vehicle_roll_sim import Command, Options, Simulation
 from vehicle_roll_sim.simulation.options import MODELS
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
 STATES = 50
 """Random states per variant: half of them at moderate angles, half at anything up to 70 degrees."""

@@ -11,7 +11,7 @@ from vehicle_roll_sim import LF, LR, RF, RR, Command, Condition, InputError, Opt
 from vehicle_roll_sim.model.wheel import with_friction
 from vehicle_roll_sim.simulation.road import Road
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
 WHEELS = (LF, RF, LR, RR)
 G = 9.81
@@ -179,8 +179,8 @@ def test_parked_for_a_minute_on_a_grade_of_20_percent_it_creeps_less_than_a_mill
     simulation.step(brakes, 57.0)
     assert math.hypot(simulation.state.x - x, simulation.state.y - y) < 1e-3  # m
     x = simulation.state.x
-    simulation.step(brakes, 60.0)
-    assert abs(simulation.state.x - x) < 1e-9  # m: no creep at all; seen 1e-12
+    simulation.step(brakes, 10.0)
+    assert abs(simulation.state.x - x) < 1.5e-10  # m: no creep at all; seen 1e-12 in a minute
     assert abs(simulation.state.u) < 1e-12
     assert (simulation.state.wheel_speed == 0.0).all()
 
@@ -211,8 +211,8 @@ def test_a_slope_below_the_coefficient_holds_a_vehicle_and_a_steeper_one_does_no
     held = coasting(vehicle, values, 0.0, 60.0, Road(grade=0.9 * COEFFICIENT))
     assert abs(held.state.x) < 5e-3  # m: what the tires give; seen 1.8e-3 and 2.6e-3
     x = held.state.x
-    held.step(Command(), 60.0)
-    assert abs(held.state.x - x) < 1e-9  # seen 1e-12
+    held.step(Command(), 10.0)
+    assert abs(held.state.x - x) < 1.5e-10  # seen 1e-12 in a minute
     assert (held.state.wheel_speed == 0.0).all()
     road = Road(grade=1.5 * COEFFICIENT)
     free = coasting(vehicle, values, 0.0, 10.0, road)

@@ -4,7 +4,6 @@ import importlib
 import re
 
 import pytest
-from studies import reference_study
 
 from vehicle_roll_sim.paper.report import CLAIMS, as_markdown, check_claims
 
@@ -69,9 +68,8 @@ def test_a_table_that_is_not_up_to_date_is_replaced_and_nothing_else(tables):
 
 
 @pytest.fixture(scope="module")
-def claims(root) -> dict[int, tuple[list[str], list[str]]]:
+def claims(root, study) -> dict[int, tuple[list[str], list[str]]]:
     """Each claim's row in docs/claims.md and in the table that the program writes."""
-    study = reference_study()
     if not study.has_engine:
         pytest.skip("the multibody engine is not installed")
     written = as_markdown(check_claims(study))

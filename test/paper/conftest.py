@@ -3,17 +3,10 @@
 import sys
 
 import pytest
-from studies import Rerun, reference_study
+from studies import Rerun
 
 from vehicle_roll_sim.paper.claim import Finding
 from vehicle_roll_sim.paper.report import check_claims
-from vehicle_roll_sim.paper.study import Study
-
-
-@pytest.fixture(scope="session")
-def study() -> Study:
-    """The study of the reference vehicle; each of its runs is simulated once."""
-    return reference_study()
 
 
 @pytest.fixture(scope="session")

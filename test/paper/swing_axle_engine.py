@@ -13,6 +13,7 @@ from vehicle_roll_sim import Vehicle
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.contact import steady_state_slip
 from vehicle_roll_sim.model.records import OUTPUTS
+from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.paper.engine_model import BODIES, MASSLESS
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
@@ -38,7 +39,7 @@ class SwingAxleEngine:
 
     def __init__(self, vehicle: Vehicle, speed: float):
         self.vehicle, (self.car,) = vehicle, vehicle.record()
-        self.tires = kernel_argument(vehicle.tires())
+        (self.tires,) = kernel_argument(as_one(vehicle.tires()))
         self.heights = self.car.static_wheel_height - vehicle.cg_height
         self.engine = mujoco.MjModel.from_xml_string(self._bodies())
         self.data = mujoco.MjData(self.engine)
@@ -134,7 +135,7 @@ class SwingAxleEngine:
             outputs["rolling"][i], outputs["sliding"][i] = axes[i] @ velocity
         outputs["rolling_radius"] = outputs["loaded_radius"]
         outputs["tread"] = outputs["loaded_radius"] * spins
-        outputs["side"] = np.concatenate([self.tires[0].side[:2], self.tires[1].side[2:]])
+        outputs["side"] = np.concatenate([self.tires.front.side[:2], self.tires.rear.side[2:]])
         (seen,) = kernel_argument(self._outputs)
         steady_state_slip(seen)
         tire_forces(self.tires, seen)

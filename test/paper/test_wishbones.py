@@ -15,8 +15,8 @@ pytestmark = pytest.mark.unmeasured
 STEP, END, SPEED = 3e-3, 0.9, 50 / 3.6
 """s, s, m/s"""
 DEGREES, NEWTONS, METRES = 1e-6, 1e-3, 1e-4
-"""Of roll and loads, and of roll centres: seen are 5e-8, 4e-4 and 1e-7; with a step of 1 ms the loads
-agree within 7e-5, the rest of it from the interpolation of the tables."""
+"""Of roll and loads, and of roll centres: seen are 5e-8, 4e-4 and 1e-7. With a step of 1 ms the
+loads agree within 9e-5; the rest comes from the interpolation of the tables."""
 
 
 @pytest.fixture(scope="module")

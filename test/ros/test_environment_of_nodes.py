@@ -58,7 +58,7 @@ def test_whoever_drives_or_records_goes_by_the_states_not_by_the_clock(
     status, out, err = driver.finish()
     assert (status, err) == (0, "")
     (end,) = re.findall(r"end: +(\S+) s, complete", out)
-    assert 1.5 <= float(end) < 3.0  # at 1.5 s, but for states that a busy machine loses
+    assert 1.5 <= float(end) < 60.0  # at 1.5 s, but for states that a busy machine loses
     status, out, _ = recorder.finish(2)
     assert status == 0
     assert int(out.splitlines()[-1].split()[1]) > 100  # messages

@@ -25,6 +25,7 @@ lift-off rr:                3.120 s
 rollover:                   3.130 s
 slip ratio out of range:    from 1.700 s: outside the range of the tire file
 tire load out of range:     from 2.250 s: outside the range of the tire file
+inclination out of range:   from 2.500 s: outside the range of the tire file
 end:                        3.131 s, rolled over"""
 
 
@@ -39,7 +40,7 @@ def eventful(events):
     events.peak_lateral_acceleration = (9.1194, 2.1626)
     events.lift_off_time[[0, 2, 3]] = 1.5719, 1.3951, 3.1196
     events.rollover_time = 3.1304
-    events.out_of_range_time[[0, 2]] = 1.7, 2.25
+    events.out_of_range_time[[0, 2, 3]] = 1.7, 2.25, 2.5
     return events
 
 

@@ -154,3 +154,18 @@ def test_the_shift_loads_the_outer_wheels_by_its_moment():
         outputs.aligning_moment, -shift * outputs.tire_longitudinal, rtol=1e-12, atol=1e-12
     )
     assert (outputs.rolling_resistance_moment == 0.0).all()
+
+
+def test_a_run_notes_when_a_tire_that_depends_on_inclination_leaves_its_range():
+    limit, times = 0.03, {}
+    for weight in (0.0, 1.0):
+        tire = preset().tire.with_coefficients(LGAY=weight, CAMMIN=-limit, CAMMAX=limit)
+        simulation = Simulation(dataclasses.replace(preset(), tire=tire))
+        simulation.reset(15.0)
+        while simulation.time < 1.0:
+            simulation.step(Command(steering=0.05), 0.01)
+            if np.abs(simulation.outputs.inclination).max() > limit:
+                times.setdefault(weight, simulation.time)
+        times[weight, "noted"] = simulation.events.out_of_range_time[3]
+    assert np.isnan(times.pop((0.0, "noted")))
+    assert 0.1 < times[1.0] - 0.01 < times[1.0, "noted"] <= times[1.0]

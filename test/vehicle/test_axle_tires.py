@@ -236,6 +236,13 @@ def test_rolling_resistance_of_tire_and_vehicle_do_not_count_twice(name):
         Plant.of(vehicle, Options())
     Plant.of(vehicle, Options(tire_moments="off"))
     Plant.of(vehicle, Options("1b"))
+    place = "car.yaml: line 7: rolling_resistance_coefficient"
+    named = dataclasses.replace(vehicle, stated_at={"rolling_resistance_coefficient": place})
+    with refused(place, "QSY1"):
+        Plant.of(named, Options())
+    named = named.with_values({"rolling_resistance_coefficient": 0.01}, "--set ")
+    with refused("--set rolling_resistance_coefficient: 0.01"):
+        Plant.of(named, Options())
 
 
 def test_camber_leans_the_tops_of_the_wheels_of_an_axle_outwards():

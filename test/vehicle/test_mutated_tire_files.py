@@ -3,6 +3,7 @@
 What must not happen is a file that is accepted with other forces than those it states.
 """
 
+import functools
 import random
 import re
 
@@ -65,6 +66,7 @@ def fate(tmp_path):
     return decide
 
 
+@functools.cache
 def matters(name: str) -> set[str]:
     """Keys of a file of which a change changes what the oracle gives."""
     p, _ = magic_formula.read(DATA / f"{name}.tir")

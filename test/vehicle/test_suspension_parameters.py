@@ -5,6 +5,8 @@ import pytest
 from vehicle_files import refused
 
 from vehicle_roll_sim import Options, Simulation, Vehicle, preset
+from vehicle_roll_sim.analysis.linear_model import linearize
+from vehicle_roll_sim.analysis.trim import find_trim
 from vehicle_roll_sim.simulation.description import describe, described
 
 STOP = {"front_bump_stop_clearance": 0.05, "front_bump_stop_stiffness": 8e4}
@@ -87,3 +89,13 @@ def test_a_description_has_every_detail():
     again = described(describe(simulation, 10_000_000)).simulation
     assert again.vehicle.given == simulation.vehicle.given
     assert again.options == simulation.options
+
+
+def test_a_linear_model_has_the_mean_of_bump_and_rebound():
+    both = {"front_damping": 1500.0, "front_rebound_damping": 3500.0}
+    asymmetric, mean = preset().with_values(both), preset().with_values({"front_damping": 2500.0})
+    models = [
+        linearize(find_trim(vehicle, speed=15.0, lateral_acceleration=2.0))
+        for vehicle in (asymmetric, mean)
+    ]
+    np.testing.assert_allclose(models[0].a, models[1].a, rtol=1e-9, atol=1e-9)

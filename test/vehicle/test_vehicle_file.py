@@ -97,7 +97,7 @@ ABSENT = {
     "pitch_yaw_product": 10.0,
 }
 """What the reference vehicle does not have."""
-TABLES = {
+TABLES = {"steering_gear": ("steering_ratio", "[[0, 0], [1, 0.1], [6, 0.5]]")} | {
     f"{axle}_{name}": (f"{axle}_{other}", table)
     for axle in ("front", "rear")
     for name, other, table in (

@@ -35,6 +35,7 @@ from vehicle_roll_sim.simulation.options import MODELS, Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.suspension_details import with_linear_dampers
 
 INPUT_FIELDS = ("steering", "rear_steering", "wheel_torque", "normal_force")
 INPUT_NAMES = tuple(
@@ -109,7 +110,7 @@ class LevelRoadModel:
             allowed = "a model in which height and attitude determine the tire compression"
             raise InputError("model", options.model, allowed)
         self.vehicle, self.options = vehicle, options.for_vehicle(vehicle)
-        plant = Plant.of(vehicle, self.options)
+        plant = Plant.of(with_linear_dampers(vehicle), self.options)
         self.record, self.tires = plant.vehicle, plant.tires
         self._plant = plant.parts()
         self._outputs = np.full(1, np.nan, OUTPUTS)

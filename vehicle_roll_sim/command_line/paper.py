@@ -42,6 +42,11 @@ def paper_command(words: list[str], program: str) -> int:
         action="store_true",
         help="exit with status 1 unless every claim was checked and holds",
     )
+    parser.add_argument(
+        "--beyond",
+        action="store_true",
+        help="also draw what a moving roll centre changes: models 1 and 2, also on swing axles",
+    )
     arguments = parser.parse_args(words)
     folder = named_file(arguments.out, "--out")
     check_folder(folder, "--out")
@@ -51,31 +56,43 @@ def paper_command(words: list[str], program: str) -> int:
         study = Study(preset(), bar.update)
         if not study.has_engine:
             print(f"{program}: {NO_ENGINE}; claim 22 is not checked", file=sys.stderr)
-        findings = _write_results(study, folder, bar)
-    print(f"{as_text(findings)}\n\n{numbers_as_text(study)}\n\nresults: {folder}")
+        findings, moving = _write_results(study, folder, bar, arguments.beyond)
+    print(f"{as_text(findings)}\n\n{numbers_as_text(study)}\n\n{moving}results: {folder}")
     return CLAIM_FAILED if arguments.strict and not _all_hold(findings) else 0
 
 
-def _write_results(study: Study, folder: Path, bar: tqdm) -> list[Finding]:
-    """Make all runs, then write figures, data and tables, all of them or none."""
-    with signals.exit_on_signal():
-        from vehicle_roll_sim.paper import figures  # matplotlib takes 0.5 s to import
+def _write_results(
+    study: Study, folder: Path, bar: tqdm, with_beyond: bool
+) -> tuple[list[Finding], str]:
+    """Make all runs, then write figures, data and tables, all of them or none.
 
-    bar.reset(len(study.runs) + len(figures.FIGURES))
+    Returns the findings, and the text about moving roll centres, '' without them.
+    """
+    with signals.exit_on_signal():
+        from vehicle_roll_sim.paper import beyond, figures  # matplotlib takes 0.5 s to import
+
+    further = len(beyond.CASES) * len(beyond.MODELS) if with_beyond else 0
+    bar.reset(len(study.runs) + len(figures.FIGURES) + further)
     for manoeuvre, case in study.runs:
         study.response(manoeuvre, case)
     findings = check_claims(study)
+    moving = beyond.pairs(study.vehicle, bar.update) if with_beyond else []
+    about_them = f"{beyond.as_text(moving)}\n\n" if moving else ""
     with filled_folder(folder) as partial:
         for figure in figures.FIGURES:
             figures.draw(figure, study, partial)
             bar.update()
         figures.draw(figures.LAG, study, partial)
         figures.draw_roll_plane(study, partial)
+        for pair in moving:
+            beyond.draw(pair, partial)
+        if moving:
+            (partial / "beyond.txt").write_text(about_them.rstrip() + "\n", encoding="utf-8")
         text = f"{as_text(findings)}\n\n{numbers_as_text(study)}\n"
         table = f"{as_markdown(findings)}\n\n{numbers_as_markdown(study)}\n"
         (partial / "claims.txt").write_text(text, encoding="utf-8")
         (partial / "claims.md").write_text(table, encoding="utf-8")
-    return findings
+    return findings, about_them
 
 
 def _all_hold(findings: list[Finding]) -> bool:

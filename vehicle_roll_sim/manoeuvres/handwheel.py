@@ -10,6 +10,7 @@ from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.base import LONGEST, STEEPEST, Manoeuvre, OpenLoop
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.steering_gear import Gear, in_words, to_handwheel, to_road_wheels
 
 LARGEST_HANDWHEEL = 1440.0
 """deg: four turns from straight ahead."""
@@ -20,32 +21,32 @@ ROUNDING = 1e-12
 """Relative tolerance for rounding in angles computed as a multiple of another angle."""
 
 
-def largest_handwheel(steering_ratio: float) -> float:
+def largest_handwheel(gear: Gear) -> float:
     """Largest handwheel angle (deg): four turns or 60 deg at the road wheels, if that is less."""
-    return min(LARGEST_HANDWHEEL, STEEPEST * steering_ratio)
+    return min(LARGEST_HANDWHEEL, float(to_handwheel(STEEPEST, gear)))
 
 
-def at_the_road_wheels(angle: float, steering_ratio: float) -> str:
+def at_the_road_wheels(angle: float, gear: Gear) -> str:
     """A handwheel angle (deg) in words, with the corresponding road-wheel angle."""
-    road_wheel = f"{angle / steering_ratio:g} deg at the road wheels"
-    return f"{angle:g} deg, which is {road_wheel} with steering_ratio {steering_ratio:g}"
+    road_wheel = f"{to_road_wheels(angle, gear):g} deg at the road wheels"
+    return f"{angle:g} deg, which is {road_wheel} with {in_words(gear)}"
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class HandwheelManoeuvre(Manoeuvre):
-    """A manoeuvre defined by handwheel angle; `for_vehicle` sets the steering ratio, nan before."""
+    """A manoeuvre defined by handwheel angle; `for_vehicle` sets the gear, nan before."""
 
     start: float = parameter("time at which steering begins", "s", 0.0, LONGEST, default=1.0)
-    steering_ratio: float = math.nan
+    gear: Gear = math.nan
 
     needs_vehicle = True
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "HandwheelManoeuvre":
-        """A copy with the vehicle's steering ratio.
+        """A copy with the vehicle's steering gear.
 
         Raises InputError if the handwheel angle exceeds the largest one of the vehicle.
         """
-        ready = dataclasses.replace(self, steering_ratio=vehicle.steering_ratio)
+        ready = dataclasses.replace(self, gear=vehicle.gear)
         return ready.filled_in(vehicle, options).checked()
 
     def filled_in(self, vehicle: Vehicle, options: Options) -> "HandwheelManoeuvre":
@@ -59,15 +60,15 @@ class HandwheelManoeuvre(Manoeuvre):
 
     def checked(self) -> "HandwheelManoeuvre":
         """Return self; raises InputError if `amplitude` exceeds the largest handwheel angle."""
-        largest = largest_handwheel(self.steering_ratio)
+        largest = largest_handwheel(self.gear)
         if not abs(self.amplitude) <= largest * (1.0 + ROUNDING):
-            allowed = f"at most {at_the_road_wheels(largest, self.steering_ratio)}"
+            allowed = f"at most {at_the_road_wheels(largest, self.gear)}"
             raise InputError("handwheel angle", self.amplitude, allowed)
         return self
 
     def road_wheel(self, handwheel: np.ndarray) -> np.ndarray:
         """Convert handwheel angles (deg) to road-wheel angles (rad)."""
-        return np.radians(handwheel / self.steering_ratio)
+        return np.radians(to_road_wheels(handwheel, self.gear))
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)

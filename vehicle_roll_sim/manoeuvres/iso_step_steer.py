@@ -18,6 +18,7 @@ from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.steering_gear import to_handwheel
 
 STEADY_WINDOW = 0.5
 """s: the steady value is the mean over this time at the end of a run."""
@@ -72,7 +73,7 @@ class IsoStepSteer(HandwheelProgramme):
         wheelbase = vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle
         curvature = wanted / max(self.speed, SLOWEST) ** 2
         before, missed_before = 0.0, -wanted
-        angle = math.degrees(wheelbase * curvature) * self.steering_ratio
+        angle = float(to_handwheel(math.degrees(wheelbase * curvature), self.gear))
         for _ in range(ATTEMPTS):
             missed = self._steady_acceleration(angle, vehicle, options) - wanted
             if abs(missed) < CLOSE_ENOUGH:

@@ -23,6 +23,7 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.steering_gear import Gear, to_handwheel
 
 LEVEL = 0.3
 """g: lateral acceleration at which the handwheel angle is determined."""
@@ -69,7 +70,7 @@ class SlowlyIncreasingSteer(HandwheelProgramme):
 
     def within_the_wheels(self) -> "SlowlyIncreasingSteer":
         """Reduce the standard's angle to the largest one of the vehicle; keep any other angle."""
-        largest = largest_handwheel(self.steering_ratio)
+        largest = largest_handwheel(self.gear)
         if abs(self.handwheel_angle) != STANDARD_ANGLE or largest >= STANDARD_ANGLE:
             return self
         angle = math.copysign(largest, self.handwheel_angle)
@@ -83,16 +84,16 @@ class SlowlyIncreasingSteer(HandwheelProgramme):
         return ramp(times, self.start, self.handwheel_rate, self.handwheel_angle)
 
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
-        angle = angle_at_level(history, self.steering_ratio)
+        angle = angle_at_level(history, self.gear)
         found = TOO_LITTLE if math.isnan(angle) else f"{angle:.3f} deg"
         return {"handwheel angle at 0.3 g": found, **self._limit_line()}
 
     def _limit_line(self) -> dict[str, str]:
         """A line of the report if the final angle is the largest one of the vehicle."""
-        largest = largest_handwheel(self.steering_ratio)
+        largest = largest_handwheel(self.gear)
         if abs(self.handwheel_angle) != largest:
             return {}
-        return {"handwheel ends at": at_the_road_wheels(largest, self.steering_ratio)}
+        return {"handwheel ends at": at_the_road_wheels(largest, self.gear)}
 
 
 SLOWLY_INCREASING_STEER = SlowlyIncreasingSteer(
@@ -105,7 +106,7 @@ SLOWLY_INCREASING_STEER = SlowlyIncreasingSteer(
 """50 mph; 13.5 deg/s to 270 deg, or to the largest handwheel angle of the vehicle."""
 
 
-def angle_at_level(history: History, steering_ratio: float) -> float:
+def angle_at_level(history: History, gear: Gear) -> float:
     """Magnitude of the handwheel angle (deg) at a lateral acceleration of 0.3 g.
 
     From a linear fit to the data between 0.1 and 0.375 g; nan without enough data.
@@ -114,7 +115,7 @@ def angle_at_level(history: History, steering_ratio: float) -> float:
     if band is None:
         return math.nan
     acceleration = np.abs(history["lateral_acceleration"][band]) / GRAVITY
-    handwheel = np.abs(np.degrees(history["steering"][band])) * steering_ratio
+    handwheel = to_handwheel(np.abs(np.degrees(history["steering"][band])), gear)
     slope, intercept = np.polyfit(handwheel, acceleration, 1)
     return float((LEVEL - intercept) / slope)
 
@@ -146,9 +147,9 @@ def _angle_to_a_side(vehicle: Vehicle, options: Options, side: float) -> float:
     steer = dataclasses.replace(
         SLOWLY_INCREASING_STEER,
         handwheel_angle=side * STANDARD_ANGLE,
-        steering_ratio=vehicle.steering_ratio,
+        gear=vehicle.gear,
     ).within_the_wheels()
-    return angle_at_level(history_to_the_level(steer, vehicle, options), steer.steering_ratio)
+    return angle_at_level(history_to_the_level(steer, vehicle, options), steer.gear)
 
 
 def history_to_the_level(

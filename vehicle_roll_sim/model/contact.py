@@ -2,9 +2,16 @@
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
+from vehicle_roll_sim.model.compliance_steer import (
+    MOST_ITERATIONS,
+    begin_to_yield,
+    has_yielded,
+    note_compliance_steer,
+)
 from vehicle_roll_sim.model.frames import yawed_to_body
-from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
-from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
+from vehicle_roll_sim.model.tire.loads import terms_of_loads
+from vehicle_roll_sim.model.tire.magic_formula import forces_at_slips
 from vehicle_roll_sim.model.tire.radii import rolling_radii
 from vehicle_roll_sim.model.tire.transient_slip import transient_slip
 from vehicle_roll_sim.model.tire.upright import upright_contact
@@ -39,7 +46,7 @@ def wheel_motion(state, tires, outputs):
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         outputs.rolling[i], outputs.sliding[i] = ug * c + vg * s, vg * c - ug * s
         outputs.tread[i] = outputs.rolling_radius[i] * spin[i]
-        outputs.side[i] = tires[FRONT if i < LR else REAR].side[i]
+        outputs.side[i] = (tires.front if i < LR else tires.rear).side[i]
 
 
 @kernel
@@ -97,14 +104,26 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 
 @kernel
 def contact_forces(state, vehicle, tires, options, outputs):
-    """Transient or steady-state slip, and contact forces in frame 2 (N; eqs 3-6)."""
+    """Transient or steady-state slip, and contact forces in frame 2 (N; eqs 3-6).
+
+    With compliance steer, slip and forces are computed until the wheels have yielded to them.
+    """
+    terms_of_loads(tires, outputs)
     rolling_radii(state[at.WHEEL_SPEED], tires, outputs)
-    wheel_motion(state, tires, outputs)
-    if options.steady_state_slip:
-        steady_state_slip(outputs)
-    else:
-        transient_slip(state, vehicle, tires, outputs)
-    tire_forces(tires, outputs)
+    yields = vehicle.details.compliance != 0.0
+    if yields:
+        begin_to_yield(outputs)
+    for iteration in range(MOST_ITERATIONS):
+        wheel_motion(state, tires, outputs)
+        if options.steady_state_slip:
+            steady_state_slip(outputs)
+        else:
+            transient_slip(state, vehicle, tires, outputs)
+        forces_at_slips(tires, outputs)
+        if not yields or has_yielded(iteration, vehicle, outputs):
+            break
+    if yields:
+        note_compliance_steer(outputs)
     for i in range(WHEEL_COUNT):
         fx, fy = outputs.tire_longitudinal[i], outputs.tire_lateral[i]
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]

@@ -6,7 +6,7 @@ sideways relative to its rim, by y = Fy / cy with the lateral stiffness cy. The 
 the nominal contact point, with the moments y Fz about the x axis and -y Fx about the z axis.
 """
 
-from vehicle_roll_sim.model.compiled.jit import kernel, math
+from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.frames import yawed_to_body
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 
@@ -16,7 +16,8 @@ def contact_moments(attitude, vehicle, outputs):
     """Add the moments due to the shift to those of the tires (N m), and express them in frame 1.
 
     They are rotated by the steering angle into frame 2, as the tire forces are (eqs 3, 4), and from
-    there into frame 1 as in equation 2.
+    there into frame 1 as in equation 2. Also their component about the spin axis, which is the y
+    axis of the W axes, inclined by gamma.
     """
     for i in range(WHEEL_COUNT):
         shift = vehicle.tire_lateral_compliance[i] * outputs.tire_lateral[i]
@@ -28,14 +29,6 @@ def contact_moments(attitude, vehicle, outputs):
         about_x, about_y, about_z = yawed_to_body(attitude, ahead, left, up)
         outputs.contact_moment_x[i] = about_x
         outputs.contact_moment_y[i], outputs.contact_moment_z[i] = about_y, about_z
-
-
-@kernel
-def spin_moment(i, outputs):
-    """Component of the contact moment of wheel i about its spin axis (N m).
-
-    The spin axis is the y axis of the W axes, inclined by gamma.
-    """
-    inclination = outputs.inclination[i]
-    turning = outputs.rolling_resistance_moment[i] * math.cos(inclination)
-    return turning + outputs.aligning_moment[i] * math.sin(inclination)
+        turning = outputs.rolling_resistance_moment[i] * outputs.inclination_cosine[i]
+        turning += outputs.aligning_moment[i] * outputs.inclination_sine[i]
+        outputs.spin_moment[i] = turning

@@ -5,7 +5,11 @@ The simplified models share these stages; the options select other forms of some
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel
-from vehicle_roll_sim.model.contact import contact_forces_on_body_axes, contact_kinematics
+from vehicle_roll_sim.model.contact import (
+    contact_forces,
+    contact_forces_on_body_axes,
+    contact_kinematics,
+)
 from vehicle_roll_sim.model.contact_moments import contact_moments
 from vehicle_roll_sim.model.frames import (
     attitude_of,
@@ -20,7 +24,7 @@ from vehicle_roll_sim.model.inclination import inclinations
 from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
-from vehicle_roll_sim.model.steering import compliant_contact_forces, steer
+from vehicle_roll_sim.model.steering import steer
 from vehicle_roll_sim.model.suspension.links import (
     applied_link_forces,
     link_forces,
@@ -42,7 +46,7 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
     inclinations(attitude, vehicle, tires, options, outputs)
-    compliant_contact_forces(state, vehicle, tires, options, outputs)
+    contact_forces(state, vehicle, tires, options, outputs)
     if options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
     if options.wheel_gyroscopics:

@@ -1,13 +1,14 @@
 """Inclination (camber) of the wheels to the road, from attitude, steering and static camber."""
 
-from vehicle_roll_sim.model.compiled.jit import kernel, math
-from vehicle_roll_sim.model.records import FRONT, REAR, WHEEL_COUNT
+from vehicle_roll_sim.model.compiled.elementary import arcsine
+from vehicle_roll_sim.model.compiled.jit import kernel, math, not_unrolled, square_root
+from vehicle_roll_sim.model.records import WHEEL_COUNT
 
 
 @kernel
 def inclinations(attitude, vehicle, tires, options, outputs):
     """gamma of every wheel (rad); 0 if nothing depends on it, to save time."""
-    is_plain = tires[FRONT].plain != 0.0 and tires[REAR].plain != 0.0
+    is_plain = tires.front.plain != 0.0 and tires.rear.plain != 0.0
     if options.contact_moments or not is_plain:
         actual_inclinations(attitude, vehicle, options, outputs)
     else:
@@ -24,11 +25,23 @@ def actual_inclinations(attitude, vehicle, options, outputs):
         sin gamma = sin(theta) sin(delta) + cos(theta) sin(phi) cos(delta),
 
     to which the static camber is added. For tires kept normal to the ground, the tilt of the axle
-    takes the place of the roll angle.
+    takes the place of the roll angle. Also sine and cosine of gamma.
     """
     s_roll, _, s_pitch, c_pitch = attitude
     for i in range(WHEEL_COUNT):
         lean = math.sin(outputs.tire_tilt[i]) if options.tire_normal_to_ground else s_roll
-        rise = s_pitch * outputs.steering_sine[i] + c_pitch * lean * outputs.steering_cosine[i]
+        outputs.inclination[i], outputs.camber[i] = c_pitch * lean, vehicle.camber[i]
+        outputs.camber_sine[i] = vehicle.camber_sine[i]
+        outputs.camber_cosine[i] = vehicle.camber_cosine[i]
+    for i in range(not_unrolled(WHEEL_COUNT)):
+        rise = outputs.inclination[i] * outputs.steering_cosine[i]
+        rise += s_pitch * outputs.steering_sine[i]
         rise = 1.0 if rise > 1.0 else (-1.0 if rise < -1.0 else rise)
-        outputs.inclination[i] = math.asin(rise) + vehicle.camber[i]
+        level, s, c = (
+            square_root(1.0 - rise * rise),
+            outputs.camber_sine[i],
+            outputs.camber_cosine[i],
+        )
+        outputs.inclination[i] = arcsine(rise) + outputs.camber[i]
+        outputs.inclination_sine[i] = rise * c + level * s
+        outputs.inclination_cosine[i] = level * c - rise * s

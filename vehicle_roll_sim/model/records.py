@@ -150,17 +150,19 @@ polynomials between knots like the curves over wheel travel.
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
     *("wheel_inertia", "gravity", "gravity_along", "gravity_across"),
-    *("roll_pitch_product", "roll_yaw_product", "pitch_yaw_product"),
     "minimum_relaxation_length",
     *("rolling_resistance_coefficient", "drag_area"),
     *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass", "axle_load_share"),
     *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
     *per_wheel("static_strut_length", "static_suspension_compression"),
-    *per_wheel("static_tire_compression", "tire_radius", "camber", "tire_lateral_compliance"),
-    *per_wheel("bar_rate", "engine_drag", "static_loaded_radius", "static_wheel_height"),
+    *per_wheel("static_tire_compression", "tire_radius", "tire_lateral_compliance"),
+    *per_wheel("camber", "camber_sine", "camber_cosine"),
+    *per_wheel("bar_rate", "static_loaded_radius", "static_wheel_height"),
     ("travel_knots", (2, KNOTS)),
     ("travel_origins", (2, KNOTS + 1)),
     ("travel_curves", (2, KNOTS + 1, COEFFICIENTS, TRAVEL_CURVE_COUNT)),
+    *per_wheel("engine_drag"),
+    *("roll_pitch_product", "roll_yaw_product", "pitch_yaw_product"),
     ("details", DETAILS),
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel.
@@ -204,15 +206,14 @@ OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 
 CURVES = (
     *("longitudinal", "lateral", "longitudinal_weight", "lateral_weight"),
-    *("longitudinal_at_shift", "lateral_at_shift", "ply_steer"),
+    *("longitudinal_at_shift", "lateral_at_shift"),
     *("upright_lateral", "trail"),
 )
 """The curves of a tire: forces at pure slip and their weighting functions; the weighting functions
-at their shifts and the curve of slip-induced ply-steer, which are 0 for many tires; and those of
-the aligning moment."""
-CURVE_COUNT, FORCE_CURVES, MAIN_CURVES = len(CURVES), 7, 4
+at their shifts, which are 0 for many tires; and those of the aligning moment."""
+CURVE_COUNT, FORCE_CURVES, MAIN_CURVES = len(CURVES), 6, 4
 LONGITUDINAL, LATERAL, LONGITUDINAL_WEIGHT, LATERAL_WEIGHT = range(MAIN_CURVES)
-LONGITUDINAL_AT_SHIFT, LATERAL_AT_SHIFT, PLY_STEER = range(MAIN_CURVES, FORCE_CURVES)
+LONGITUDINAL_AT_SHIFT, LATERAL_AT_SHIFT = range(MAIN_CURVES, FORCE_CURVES)
 UPRIGHT_LATERAL, TRAIL = range(FORCE_CURVES, CURVE_COUNT)
 
 
@@ -227,10 +228,14 @@ def per_curve_of_travel(*names: str) -> tuple:
 
 
 TIRE_TERMS = record_dtype(
-    *per_wheel("relative_load", "stiffening", "load_power"),
+    *per_wheel("rolling_depth", "relative_load", "stiffening", "slip_stiffness", "cornering_wave"),
+    *per_wheel("upright_stiffness", "load_power"),
+    *per_wheel("relaxation_fading", "longitudinal_relaxation", "lateral_relaxation"),
+    *per_wheel("longitudinal_release", "lateral_release"),
+    *per_wheel("longitudinal_damping", "lateral_damping"),
     *per_wheel("longitudinal_peak", "lateral_peak", "longitudinal_shift", "lateral_shift"),
-    *per_wheel("slip_stiffness", "cornering_stiffness", "lateral_slip_shift", "ply_steer"),
-    *per_wheel("upright_peak", "upright_shift", "trail_peak", "residual"),
+    *per_wheel("per_cornering_stiffness", "lateral_slip_shift", "ply_steer"),
+    *per_wheel("upright_peak", "upright_shift", "trail_peak", "residual", "overturning_wave"),
     *per_curve("curve_slip", "curve_stiffness", "curve_shape", "curve_curvature"),
     *per_curve("curve_bend", "curve_angle", "curve_sine"),
 )
@@ -257,7 +262,7 @@ of wheel centre and contact point by the travel (m/m).
 """
 
 COMPLIANCE_TERMS = record_dtype(*per_wheel("sine", "cosine", "angle", "gap", "step"))
-"""Work space of model/steering.
+"""Work space of model/compliance_steer.
 
 sine, cosine: of the direction of a wheel without compliance steer. angle: of compliance steer
 (rad). gap: between that of the forces and this one (rad). step: change of the angle (rad).
@@ -274,8 +279,10 @@ OUTPUTS = record_dtype(
     *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
     *per_wheel("overturning_moment", "rolling_resistance_moment", "aligning_moment"),
-    *per_wheel("inclination", "rolling_radius", "unloaded_radius"),
-    *per_wheel("contact_moment_x", "contact_moment_y", "contact_moment_z"),
+    *per_wheel("camber", "camber_sine", "camber_cosine"),
+    *per_wheel("inclination", "inclination_sine", "inclination_cosine"),
+    *per_wheel("rolling_radius", "unloaded_radius"),
+    *per_wheel("contact_moment_x", "contact_moment_y", "contact_moment_z", "spin_moment"),
     *per_wheel("steering_sine", "steering_cosine", "rolling", "sliding", "tread", "side"),
     *per_wheel("patch_slip_ratio", "patch_slip_tangent", "slip_tangent"),
     ("tire_terms", TIRE_TERMS),
@@ -285,10 +292,10 @@ OUTPUTS = record_dtype(
     ("roll_centre_height", 2),
     ("roll_centre_place", 2),
     ("suspension_terms", SUSPENSION_TERMS),
-    ("compliance_terms", COMPLIANCE_TERMS),
-    ("commanded_steering", AXLE_COUNT),
     ("body_acceleration", DEGREES_OF_ACCELERATION),
     ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
+    ("compliance_terms", COMPLIANCE_TERMS),
+    ("commanded_steering", AXLE_COUNT),
 )
 """Everything that is computed between a state and its derivative.
 

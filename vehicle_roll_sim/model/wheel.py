@@ -7,7 +7,6 @@ reversed during the step stops instead.
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
-from vehicle_roll_sim.model.contact_moments import spin_moment
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 
 
@@ -60,7 +59,7 @@ def wheel_rates(state, command, vehicle, options, outputs, rates):
         torque = drive_torque(i, hold, spin, command, vehicle)
         torque -= outputs.loaded_radius[i] * outputs.tire_longitudinal[i]
         if options.contact_moments:
-            torque += spin_moment(i, outputs)
+            torque += outputs.spin_moment[i]
         capacity = friction_capacity(i, command, vehicle, outputs)
         if capacity > 0.0:
             torque = with_friction(torque, capacity, outputs.turning[i])

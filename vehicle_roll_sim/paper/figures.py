@@ -100,7 +100,7 @@ def draw(figure: PaperFigure, study: Study, folder: Path) -> None:
     drawing.suptitle(figure.title)
     save_figure(drawing, folder / f"{figure.name}.png")
     samples = {case: _samples(response) for case, response in responses.items()}
-    _write_table(folder / f"{figure.name}.csv", ("model", *DATA), samples)
+    write_table(folder / f"{figure.name}.csv", ("model", *DATA), samples)
 
 
 def _draw_panel(axis, panel: tuple, responses: dict[str, Response]) -> None:
@@ -123,7 +123,7 @@ def _samples(response: Response) -> list[np.ndarray]:
     return [response.history[name][[*range(0, last, EVERY), last]] for name in DATA]
 
 
-def _write_table(path: Path, header: tuple[str, ...], curves: dict) -> None:
+def write_table(path: Path, header: tuple[str, ...], curves: dict) -> None:
     """Write the rows of all curves one after the other, with their names in the first column."""
     with path.open("w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
@@ -158,7 +158,7 @@ def draw_roll_plane(study: Study, folder: Path) -> None:
     for label, (acceleration, ratio) in curves.items():
         axis.plot(acceleration / GRAVITY, ratio, "--" if "plane" in label else "-", label=label)
     header = ("model", "lateral_acceleration", "load_transfer_ratio")
-    _write_table(folder / f"{ROLL_PLANE}.csv", header, curves)
+    write_table(folder / f"{ROLL_PLANE}.csv", header, curves)
     axis.set_xlabel("lateral acceleration (g)")
     axis.set_ylabel("load transfer ratio")
     axis.grid(alpha=0.3)

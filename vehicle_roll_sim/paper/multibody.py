@@ -23,7 +23,8 @@ from vehicle_roll_sim.model.integration.events import (
     note_peaks,
     note_rollover,
 )
-from vehicle_roll_sim.model.records import FRONT, LF, LR, REAR, RF, RR, WHEEL_COUNT
+from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEEL_COUNT
+from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.model.tire.radii import rolling_radii
 from vehicle_roll_sim.paper.engine_model import engine_model
@@ -68,9 +69,9 @@ class Multibody(Simulation):
     ):
         with unwarned():  # Simulation warns
             plant = Plant.of(vehicle, MULTIBODY)
-        (car,), self._seen_tires = plant.vehicle, kernel_argument(plant.tires)
+        (car,), (self._seen_tires,) = plant.vehicle, kernel_argument(as_one(plant.tires))
         self._car = SimpleNamespace(**{name: car[name] for name in car.dtype.names})
-        front, rear = self._seen_tires[FRONT], self._seen_tires[REAR]
+        front, rear = self._seen_tires.front, self._seen_tires.rear
         self._side = np.concatenate((front.side[:LR], rear.side[LR:]))
         self._engine = engine_model(car)
         self._data = mujoco.MjData(self._engine)

@@ -10,7 +10,13 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.table_file import read_table
-from vehicle_roll_sim.model.records import AXLE_COUNT, MODEL_STATE_SIZE, STATE_NAMES, WHEELS
+from vehicle_roll_sim.model.records import (
+    AXLE_COUNT,
+    MODEL_STATE_SIZE,
+    OUTPUTS,
+    STATE_NAMES,
+    WHEELS,
+)
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, field_of
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -68,18 +74,26 @@ def check_with_commands(wanted: bool, csv: Path | None) -> None:
         raise InputError("--with-commands", "", "together with --csv", "without a file")
 
 
+def _places_of_outputs() -> np.ndarray:
+    """Where the outputs among COLUMNS are in the flat vector of OUTPUTS."""
+    places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
+    quantities = (places[quantity] for quantity in OUTPUT_QUANTITIES)
+    accelerations = places["acceleration"][: len(ACCELERATIONS)]
+    return np.concatenate((*quantities, places["commanded_steering"][:1], accelerations)).astype(
+        int
+    )
+
+
+_OF_OUTPUTS = _places_of_outputs()
+
+
 def row_of(simulation: Simulation) -> np.ndarray:
     """The values of COLUMNS at the present simulated time, shape (len(COLUMNS),)."""
-    outputs = simulation.outputs
-    return np.concatenate(
-        (
-            [simulation.time],
-            simulation.state_vector[:MODEL_STATE_SIZE],
-            *(outputs[quantity] for quantity in OUTPUT_QUANTITIES),
-            outputs["commanded_steering"][:1],
-            outputs["acceleration"][: len(ACCELERATIONS)],
-        )
-    )
+    row = np.empty(len(COLUMNS))
+    row[0] = simulation.time
+    row[1 : 1 + MODEL_STATE_SIZE] = simulation.state_vector[:MODEL_STATE_SIZE]
+    row[1 + MODEL_STATE_SIZE :] = simulation.output_vector[_OF_OUTPUTS]
+    return row
 
 
 def roll_centres_of(simulation: Simulation) -> np.ndarray:

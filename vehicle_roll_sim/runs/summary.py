@@ -13,7 +13,7 @@ from vehicle_roll_sim.vehicle.derived_values import AXLES
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire.moments import moments_of
 
-RANGES = ("slip ratio", "slip angle", "tire load")
+RANGES = ("slip ratio", "slip angle", "tire load", "inclination")
 LABEL_WIDTH = 28
 
 

@@ -40,10 +40,8 @@ class Command:
     speed_hold_target: float = 0.0
 
     def __post_init__(self):
-        for field in dataclasses.fields(self):
-            value = getattr(self, field.name)
-            kept = _of_wheels if field.default is NO_FORCE else _number
-            object.__setattr__(self, field.name, kept(field.name, value))
+        for name, kept in KEPT.items():
+            object.__setattr__(self, name, kept(name, getattr(self, name)))
         if min(self.brake_torque) < 0.0:
             raise InputError("brake_torque", self.brake_torque, "numbers of at least 0")
         for name in ("steering", "rear_steering"):
@@ -71,11 +69,20 @@ def _number(field: str, value) -> float:
 
 
 def _of_wheels(field: str, value) -> tuple[float, ...]:
+    if value is NO_FORCE:
+        return value
     is_text = isinstance(value, str | bytes)
     is_sequence = (isinstance(value, Sequence) and not is_text) or getattr(value, "ndim", None) == 1
     if not is_sequence or len(value) != len(WHEELS):
         raise InputError(field, value, "four numbers, for lf, rf, lr and rr")
-    return tuple(_number(field, each) for each in value)
+    return tuple([_number(field, each) for each in value])
+
+
+KEPT = {
+    field.name: _of_wheels if field.default is NO_FORCE else _number
+    for field in dataclasses.fields(Command)
+}
+"""The function that checks each value of a command and converts it."""
 
 
 Programme = Callable[[np.ndarray], np.ndarray]

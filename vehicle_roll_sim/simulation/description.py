@@ -9,6 +9,7 @@ from vehicle_roll_sim.declaration import OFF, ON, InputError, parameters_of
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.tire.coefficients import (
     ALIGNING,
+    CAMBER_RANGE,
     INCLINED,
     OPTIONAL,
     OVERTURNING,
@@ -33,7 +34,6 @@ OFF_UNLESS_DESCRIBED = dict.fromkeys(SWITCHES, OFF) | {"wheel_gyroscopics": Fals
 OF_OLD_TIRES = {"version": "5.2", "combined": True}
 ALWAYS = (*SCALING, *OPTIONAL, *RANGES, *REQUIRED)
 """Coefficients that are described even if they are neutral."""
-CAMBER_RANGE = ("CAMMIN", "CAMMAX")
 BEYOND_PLAIN = {*INCLINED, *PRESSURE, *OVERTURNING, *ROLLING, *ALIGNING, *RADII, *CAMBER_RANGE}
 """Coefficients without effect on an upright tire without moments at its nominal pressure."""
 UPRIGHT = {"front_camber": 0.0, "rear_camber": 0.0}

@@ -6,6 +6,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import ON
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.suspension_use import use_details
@@ -16,7 +17,8 @@ from vehicle_roll_sim.vehicle.plausibility import plausibility, warn
 
 
 class Plant(NamedTuple):
-    """The records of one simulated vehicle, in arrays of shape (1,), tires (2,).
+    """The records of one simulated vehicle, in arrays of shape (1,), tires
+    (2,).
 
     vehicle: VEHICLE, with the gravity of its road. tires: TIRE, of front and rear axle. options:
     OPTIONS.
@@ -50,9 +52,12 @@ class Plant(NamedTuple):
 
     def parts(self) -> tuple:
         """Vehicle, tires and options in the form in which `derivatives` takes them."""
-        (vehicle,), tires, (options,) = self.arguments()
+        (vehicle,), (tires,), (options,) = self.arguments()
         return vehicle, tires, options
 
     def arguments(self, *others: np.ndarray) -> tuple:
         """The records, and `others` after them, in the form in which kernels take them."""
-        return tuple(kernel_argument(record) for record in (*self, *others))
+        return tuple(
+            kernel_argument(record)
+            for record in (self.vehicle, as_one(self.tires), self.options, *others)
+        )

@@ -90,7 +90,7 @@ OUTPUT_SIGNALS = {
     "tire_terms": Signal("", WHEEL, "terms of the Magic Formula, a record (work space)"),
     "contact_x": Signal("N", BODY, "contact force, forward"),
     "contact_y": Signal("N", BODY, "contact force, to the left"),
-    "strut_force": Signal("N", BODY, "sum of spring, damper and active force"),
+    "strut_force": Signal("N", BODY, "sum of spring, damper, stop, bar and active force"),
     "link_load_transfer": Signal("N", BODY, "load transfer through the suspension links"),
     "applied_x": Signal("N", BODY, "force at the strut top for an unaccelerated body, forward"),
     "applied_y": Signal("N", BODY, "force at the strut top for an unaccelerated body, to the left"),
@@ -106,6 +106,8 @@ OUTPUT_SIGNALS = {
     "mass_matrix": Signal(
         "kg, kg m, kg m^2", BODY, "mass matrix of these six after elimination (work space)"
     ),
+    "compliance_terms": Signal("", WHEEL, "compliance steer of the wheels (work space)"),
+    "commanded_steering": Signal("rad", BODY, "steering commands, front and rear"),
 }
 """Every field of an OUTPUTS record, in its order; fields of four values are lf, rf, lr, rr."""
 

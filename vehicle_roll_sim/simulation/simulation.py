@@ -130,6 +130,7 @@ class Simulation(Restorable):
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
+        self._output_vector = self._outputs.view(np.float64)
         self._events = no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
         self._memory = (self._state, self._outputs, self._events, self._stages)
@@ -148,6 +149,11 @@ class Simulation(Restorable):
     def state_vector(self) -> np.ndarray:
         """The state as a flat vector (a view), shape (STATE_SIZE,), named by STATE_NAMES."""
         return self._vector
+
+    @property
+    def output_vector(self) -> np.ndarray:
+        """The outputs as a flat vector (a view), in the order of OUTPUTS."""
+        return self._output_vector
 
     @property
     def model_state(self) -> np.ndarray:

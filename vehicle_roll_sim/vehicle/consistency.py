@@ -205,10 +205,11 @@ def _check_springs_carry_it(vehicle: DerivedValues) -> None:
 
 def check_one_rolling_resistance(vehicle: DerivedValues) -> None:
     """Raise InputError if rolling resistance would count twice with tire moments on."""
-    coefficient = vehicle.rolling_resistance_coefficient
+    name = "rolling_resistance_coefficient"
+    coefficient, place = vehicle.rolling_resistance_coefficient, vehicle.stated_at.get(name, name)
     for tire in vehicle.axle_tires.values():
         if coefficient and has_moment(ROLLING_RESISTANCE, tire.coefficients):
             file = f" {tire.file}" if tire.file else ""
             own = f"the tire file{file} has its own rolling resistance (QSY1 ...)"
             allowed = f"0 with tire_moments, since {own}; or tire_moments off"
-            raise InputError("rolling_resistance_coefficient", coefficient, allowed)
+            raise InputError(place, coefficient, allowed)

@@ -17,6 +17,7 @@ from vehicle_roll_sim.vehicle.axle_tires import (
     lateral_stiffness,
 )
 from vehicle_roll_sim.vehicle.masses import MOMENTS, PRODUCTS
+from vehicle_roll_sim.vehicle.steering_gear import Gear
 from vehicle_roll_sim.vehicle.suspension_details import (
     compressions_at_rest,
     details_of,
@@ -127,6 +128,11 @@ class DerivedValues:
                 value = self.cg_height - getattr(self, f"{axle}_roll_centre_{other}")
             values += [value, value]
         return np.array(values)
+
+    @property
+    def gear(self) -> Gear:
+        """The steering ratio, or the table in its place."""
+        return self.steering_gear if self.steering_ratio is None else self.steering_ratio
 
     @property
     def mass(self) -> float:
@@ -306,11 +312,14 @@ class DerivedValues:
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
         of_axles = [tabulated([*curves.values()]) for curves in self.travel_curves.values()]
         knots, origins, curves = zip(*of_axles, strict=True)
+        camber = self.per_wheel("camber") * (-1, 1, -1, 1)
         return {
             "x": (front, front, rear, rear),
             "y": self.wheel_places,
             **{name: self.inertias[name] for name in PRODUCTS},
-            "camber": self.per_wheel("camber") * (-1, 1, -1, 1),
+            "camber": camber,
+            "camber_sine": np.sin(camber),
+            "camber_cosine": np.cos(camber),
             "tire_radius": self.per_wheel("tire_radius"),
             "tire_lateral_compliance": 0.0,
             "engine_drag": np.array([0.0, 0.0, 1.0, 1.0]) * (self.engine_drag or 0.0),

@@ -58,7 +58,8 @@ class Vehicle(DerivedValues):
     other attributes are None. `axle_tires` has both, whichever was given. tire_moments,
     contact_patch_shift: the values for which `auto` stands in the options of these names.
     longitudinal: how tire files are read, `from_lateral` or ''. model: with which the vehicle is
-    simulated unless another is asked for.
+    simulated unless another is asked for. stated_at: where values were given (file, line and name),
+    for messages.
 
     payload: masses that the sprung mass carries besides. Of a vehicle with payload or with data of
     the whole vehicle (`total_mass` and so on), the attributes `sprung_mass`, `cg_height` ... are
@@ -293,8 +294,20 @@ class Vehicle(DerivedValues):
         **_CENTRE,
         alternative="rear_roll_centre_depth",
     )
-    steering_ratio: float = parameter(
-        "ratio of handwheel angle to road-wheel angle", minimum=0.1, maximum=100.0
+    steering_ratio: float | None = parameter(
+        "ratio of handwheel angle to road-wheel angle",
+        minimum=0.1,
+        maximum=100.0,
+        alternative="steering_gear",
+    )
+    steering_gear: Table | None = parameter(
+        "road-wheel angle over handwheel angle, instead of a constant steering ratio; rising, 0 "
+        "at 0",
+        "rad",
+        -3.0,
+        3.0,
+        over=("handwheel angle", 50.0),
+        alternative="steering_ratio",
     )
     minimum_relaxation_length: float = parameter(
         "lower limit of the tires' relaxation lengths", "m", 0.01, 5.0, default=0.1
@@ -443,6 +456,9 @@ class Vehicle(DerivedValues):
     payload: tuple[Load, ...] = dataclasses.field(kw_only=True, default=())
     origin: Origin | None = dataclasses.field(kw_only=True, default=None, repr=False, compare=False)
     model: str = dataclasses.field(kw_only=True, default=PAPER)
+    stated_at: dict = dataclasses.field(
+        kw_only=True, default_factory=dict, compare=False, repr=False
+    )
 
     def __post_init__(self):
         self._keep(as_given(self))
@@ -490,7 +506,9 @@ class Vehicle(DerivedValues):
                 kept = {name: value for name, value in kept.items() if name not in single}
             elif both in kept and values.keys() & {*single}:
                 kept |= dict.fromkeys(single, kept.pop(both))
-        return self.checked(kept | values, prefix=prefix, **self.not_numbers)
+        places = self.stated_at | {name: prefix + name for name in values}
+        others = self.not_numbers | {"stated_at": places}
+        return self.checked(kept | values, prefix=prefix, **others)
 
     @property
     def given(self) -> dict[str, float]:

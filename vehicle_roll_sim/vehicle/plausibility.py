@@ -109,7 +109,10 @@ def _inertias(vehicle: Vehicle) -> Iterator[str]:
 
 
 def _suspension(vehicle: Vehicle, axle: str, wheel: int) -> Iterator[str]:
-    spring, tire, damper = f"{axle}_spring_stiffness", f"{axle}_tire_stiffness", f"{axle}_damping"
+    tire = f"{axle}_tire_stiffness"
+    spring, damper = f"{axle}_spring_stiffness", f"{axle}_damping"
+    spring = spring if spring in vehicle.given else f"{axle}_spring_force"
+    damper = damper if damper in vehicle.given else f"{axle}_damper_force"
     names = ("spring_stiffness", "tire_stiffness", "damping")
     stiffness, tires, damping = (float(vehicle.per_wheel(name)[wheel]) for name in names)
     mass = float(vehicle.sprung_mass * vehicle.axle_load_share[wheel])

@@ -1,9 +1,10 @@
-"""Checks of springs, dampers and stops against each other."""
+"""Checks of springs, dampers, stops and steering gear against each other."""
 
 import itertools
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.records import STOPS
+from vehicle_roll_sim.vehicle.steering_gear import check_gear
 from vehicle_roll_sim.vehicle.suspension_details import force_and_slope, spring_of
 from vehicle_roll_sim.vehicle.suspension_parameters import AXLES, MOTION_RATIOS
 from vehicle_roll_sim.vehicle.travel_curves import TravelCurve
@@ -12,7 +13,9 @@ LOWEST_RATIO = 0.01
 
 
 def check_suspension(vehicle) -> None:
-    """Raise InputError for values of an axle that do not agree with each other."""
+    """Raise InputError for values that do not agree with each other."""
+    if "steering_gear" in vehicle.given:
+        check_gear("steering_gear", vehicle.given["steering_gear"])
     for axle in AXLES:
         for name in MOTION_RATIOS:
             _check_ratio(vehicle.given, f"{axle}_{name}")

@@ -1,5 +1,7 @@
 """Springs, dampers, stops and steering geometry: from parameters to the record DETAILS."""
 
+import dataclasses
+
 import numpy as np
 from scipy.optimize import brentq
 
@@ -89,6 +91,20 @@ def damper_travel_of(vehicle, axle: str) -> TravelCurve:
 def ratio_at_rest(vehicle, axle: str, part: str) -> float:
     """Motion ratio of a spring or damper at travel 0."""
     return force_and_slope(travel_of(vehicle, axle, part), 0.0)[1]
+
+
+def with_linear_dampers(vehicle):
+    """The vehicle with mean damping coefficients where bump and rebound have one each.
+
+    A linear model has one coefficient, and at rest a damper is neither in bump nor in rebound.
+    """
+    changed = {}
+    for axle in AXLES:
+        bump, rebound = (getattr(vehicle, f"{axle}_{n}") for n in ("damping", "rebound_damping"))
+        if rebound is not None:
+            changed[f"{axle}_damping"] = (bump + rebound) / 2
+            changed[f"{axle}_rebound_damping"] = None
+    return dataclasses.replace(vehicle, **changed)
 
 
 def compression_under(spring: TravelCurve, load: float) -> float:

@@ -7,7 +7,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.records import LF, OUTPUTS, RF, WHEEL_COUNT
-from vehicle_roll_sim.model.tire.coefficients import on_axles
+from vehicle_roll_sim.model.tire.coefficients import as_one, on_axles
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.model.tire.radii import effective_rolling_radius, free_spin, loaded_radius
 from vehicle_roll_sim.vehicle.tire_file import Tire
@@ -73,7 +73,7 @@ def evaluate(
 
 def _forces(record: np.ndarray, points: np.ndarray, wheel: int) -> np.ndarray:
     """Forces and moments, shape (n, 5), at points (n, 5); every batch is one of four wheels."""
-    tires, outputs = kernel_argument(on_axles(record, record)), np.zeros(1, OUTPUTS)
+    (tires,), outputs = kernel_argument(as_one(on_axles(record, record))), np.zeros(1, OUTPUTS)
     found, seen = np.empty((len(points), 5)), outputs[0]
     for first in range(0, len(points), WHEEL_COUNT):
         batch = points[first : first + WHEEL_COUNT]
@@ -94,7 +94,10 @@ def _forces(record: np.ndarray, points: np.ndarray, wheel: int) -> np.ndarray:
 
 
 def _radii(record: np.ndarray, point: np.ndarray, forces: np.ndarray, wheel: int) -> tuple:
-    """Loaded and effective rolling radius (m) at a point; nan where the file has none."""
+    """Loaded and effective rolling radius (m) at a point; nan where the file has none.
+
+    Off the ground the loaded radius is that of the free tire.
+    """
     (tire,), side = kernel_argument(record), record["side"][0, wheel]
     load, ratio, _, inclination, speed = (float(each) for each in point)
     if not (tire.VERTICAL_STIFFNESS > 0.0 and tire.UNLOADED_RADIUS > 0.0 and tire.LONGVL > 0.0):
@@ -102,7 +105,7 @@ def _radii(record: np.ndarray, point: np.ndarray, forces: np.ndarray, wheel: int
     spin = free_spin((1 + ratio) * speed, load, tire)
     rolling = effective_rolling_radius(load, spin, tire)
     effective = rolling if tire.rolls_on_own_radius else np.nan
-    if tire.version < 6.0 or load <= 0.0:
+    if tire.version < 6.0:
         return np.nan, effective
     gamma, fx, fy = side * inclination, forces[0], side * forces[1]
-    return loaded_radius(load, spin, gamma, float(fx), float(fy), tire), effective
+    return loaded_radius(max(load, 0.0), spin, gamma, float(fx), float(fy), tire), effective

@@ -42,7 +42,7 @@ def tire_record(
     tire["version"], tire["combined"], tire["moments"] = float(version), combined, moments
     tire["pressure_change"] = change
     tire["pressure_effect"] = (1 + change) ** values["QSY8"]
-    tire["plain"] = combined and not moments and _is_plain(values, change)
+    tire["plain"] = version == "5.2" and combined and not moments and _is_plain(values, change)
     radii = ("VERTICAL_STIFFNESS", "UNLOADED_RADIUS")
     effective = any(values[name] != 0.0 for name in ("DREFF", "FREFF"))
     tire["rolls_on_own_radius"] = effective and all(values[name] > 0.0 for name in radii)

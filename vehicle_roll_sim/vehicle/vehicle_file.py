@@ -116,7 +116,7 @@ def load_vehicle(path: str | Path) -> Vehicle:
     }
     others = _others(path, values, where)
     try:
-        return Vehicle(**numbers, **others)
+        return Vehicle(**numbers, **others, stated_at=where)
     except InputError as error:  # inconsistent values
         field = where.get(error.field, f"{path}: {error.field}")
         raise InputError(field, error.value, error.allowed, error.problem) from None

@@ -11,6 +11,8 @@ from vehicle_roll_sim.model.compiled import elementary
 arctan, sine, cosine = map(entry, (elementary.arctan, elementary.sine, elementary.cosine))
 cosine_of_arctan = entry(elementary.cosine_of_arctan)
 sine_of_twice_arctan = entry(elementary.sine_of_twice_arctan)
+exponential, logarithm = entry(elementary.exponential), entry(elementary.logarithm)
+arcsine = entry(elementary.arcsine)
 CASES = 20_000
 UNITS = 2.5
 """Units in the last place of the result: a handful of rounded operations."""
@@ -45,6 +47,20 @@ def test_beyond_a_million_radians_they_are_as_exact_as_their_argument(mine, exac
     expected = exact(angles.astype(np.longdouble))
     error = np.abs(np.array([mine(float(x)) for x in angles]) - expected)
     assert (error <= np.spacing(angles)).all()
+
+
+def test_exponential_and_logarithm_are_right_over_all_sizes():
+    assert errors(exponential, np.exp, np.linspace(-700.0, 700.0, CASES)).max() < UNITS
+    assert errors(exponential, np.exp, np.linspace(-2.0, 2.0, CASES)).max() < UNITS
+    assert errors(logarithm, np.log, EVERY_SIZE).max() < UNITS
+    assert errors(logarithm, np.log, np.linspace(0.01, 4.0, CASES)).max() < UNITS
+    assert (exponential(0.0), logarithm(1.0)) == (1.0, 0.0)
+    assert exponential(1e4) == exponential(700.0) == 1 / exponential(-1e4)
+
+
+def test_the_arc_sine_is_right_up_to_its_ends():
+    assert errors(arcsine, np.arcsin, np.linspace(-1.0, 1.0, CASES)).max() < 4
+    assert (arcsine(1.0), arcsine(-1.0), arcsine(0.0)) == (math.pi / 2, -math.pi / 2, 0.0)
 
 
 def test_the_compositions_are_those_of_the_functions():

@@ -62,12 +62,11 @@ def load_at(p, radius, fx, fy, camber, dp, spin):
 def loaded_radius(p, load, fx, fy, camber, dp, spin):
     """Rl (m): the first radius, from the free one downwards, that carries the load."""
     free = free_radius(p, spin)
-    above, below = free, np.full_like(free, np.nan)
-    for step in range(1, GRID + 1):
-        radius = free * (1 - step / GRID)
-        carries = load_at(p, radius, fx, fy, camber, dp, spin) >= load
-        below = np.where(np.isnan(below) & carries, radius, below)
-        above = np.where(np.isnan(below), radius, above)
+    radii = free * (1 - np.arange(GRID + 1.0)[:, None] / GRID)
+    carry = load_at(p, radii, fx, fy, camber, dp, spin)[1:] >= load
+    first, each = 1 + carry.argmax(axis=0), np.arange(radii.shape[1])
+    below = np.where(carry.any(axis=0), radii[first, each], np.nan)
+    above = np.where(carry.any(axis=0), radii[first - 1, each], radii[-1])
     for _ in range(SETTLED):
         middle = (above + below) / 2
         carries = load_at(p, middle, fx, fy, camber, dp, spin) >= load

@@ -10,7 +10,7 @@ from programmes import SHIFTS, with_tire
 
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import LF, OUTPUTS
-from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, REQUIRED, SCALING, on_axles
+from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, REQUIRED, SCALING, as_one, on_axles
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 
 LEFT, RIGHT = 1.0, -1.0
@@ -27,7 +27,7 @@ def forces_of(tire, kappa: float, alpha: float, load: float, side: float = LEFT)
     outputs["slip_ratio"], outputs["slip_tangent"] = kappa, math.tan(alpha)
     outputs["normal_force"], outputs["side"] = load, side
     tires = on_axles(tire.record(), tire.record())
-    tire_forces(kernel_argument(tires), kernel_argument(outputs)[0])
+    tire_forces(kernel_argument(as_one(tires))[0], kernel_argument(outputs)[0])
     return outputs[0]["tire_longitudinal"][LF], outputs[0]["tire_lateral"][LF]
 
 

@@ -5,12 +5,14 @@ import re
 import signal
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import pytest
+from forked import open_process
 from peers import PATIENCE, RACE_FOR_A_PORT
 
 from vehicle_roll_sim.command_line.main import main
-from vehicle_roll_sim.ros.orchestration import compare
+from vehicle_roll_sim.ros.orchestration import compare, comparison, demo
 from vehicle_roll_sim.runs.history import History
 
 COMPARE = [sys.executable, "-m", "vehicle_roll_sim.ros.executables", "compare"]
@@ -69,6 +71,34 @@ def begin(started, tmp_path, domain):
             process.communicate(timeout=PATIENCE)
 
 
+@pytest.fixture
+def call(tmp_path, domain, monkeypatch, capsys):
+    """call(*words): `compare` in this process, with nodes that are forked; as `ended`."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
+    nodes, usual = [], {each: signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)}
+
+    def open_node(*words, **options):
+        nodes.append(open_process(*words, **options))
+        return nodes[-1]
+
+    forking = SimpleNamespace(**vars(subprocess) | {"Popen": open_node})
+    for module in (comparison, demo):
+        monkeypatch.setattr(module, "subprocess", forking)
+
+    def call_one(*words: str) -> tuple[int, str, list[str]]:
+        monkeypatch.setattr(sys, "argv", ["compare", *words, "--domain", str(domain)])
+        status = compare.main()
+        assert nodes
+        assert all(node.poll() is not None for node in nodes)
+        printed = capsys.readouterr()
+        return status, printed.out, printed.err.splitlines()
+
+    yield call_one
+    for signum, handler in usual.items():
+        signal.signal(signum, handler)
+
+
 def ended(process: subprocess.Popen) -> tuple[int, str, list[str]]:
     """Status, what was printed, and lines of errors."""
     out, err = process.communicate(timeout=PATIENCE)
@@ -124,14 +154,11 @@ def test_a_script_from_anywhere_is_compared_in_figures_rows_and_a_picture(
         ("[0.0] * 4", ("--simulator", "vehicle.cg_heigth:=1"), 2, "did you mean vehicle.cg_height"),
     ],
 )
-def test_a_node_that_ends_too_early_ends_it_and_is_named(
-    begin, script, domain, answer, words, status, line
-):
-    found, out, err = ended(begin(script(answer), *SHORT, *words))
+def test_a_node_that_ends_too_early_ends_it_and_is_named(call, script, answer, words, status, line):
+    found, out, err = call(script(answer), *SHORT, *words)
     assert (found, out) == (status, "")
     assert re.search(f"^compare: error: .*{line}", err[-1])
     assert status == 1 or len(err) == 1
-    assert in_domain(domain) == []
 
 
 def test_ctrl_c_ends_every_node_that_it_started(begin, script, peer, domain):

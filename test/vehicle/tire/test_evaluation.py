@@ -106,7 +106,11 @@ def test_left_and_right_wheel_are_mirror_images(name):
 @pytest.mark.parametrize("name", FILES)
 def test_nothing_without_load(name):
     for load in (0.0, -1.0, -1e4):
-        assert evaluate(tire_of(name), load, 0.3, -0.2, 0.1)[:5] == (0.0,) * 5
+        off_the_ground = evaluate(tire_of(name), load, 0.3, -0.2, 0.1)
+        assert off_the_ground[:5] == (0.0,) * 5
+        if name != "mf52_full":
+            almost = evaluate(tire_of(name), 1e-6, 0.3, -0.2)
+            assert off_the_ground.loaded_radius == pytest.approx(almost.loaded_radius, abs=1e-9)
 
 
 @pytest.mark.parametrize("name", FILES)

@@ -129,8 +129,8 @@ def test_the_stand_in_for_its_longitudinal_force_is_the_side_force(read, kind):
     c = tire.coefficients
     at = c["FNOMIN"]
     for slip in (0.01, 0.05, 0.2, 0.6):
-        assert curves.curve(c, "X", at, slip) == pytest.approx(
-            -curves.curve(c, "Y", at, slip), rel=1e-12
+        assert curves.curve(c, "X", at).force(slip) == pytest.approx(
+            -curves.curve(c, "Y", at).force(slip), rel=1e-12
         )
     step = 1e-4 * at
     for load in (at - step, at, at + step):

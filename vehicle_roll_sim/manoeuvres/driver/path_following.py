@@ -13,6 +13,7 @@ from vehicle_roll_sim.manoeuvres.driver.single_track import SingleTrack
 from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.steering_gear import Gear, ratio_ahead, to_road_wheels
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -37,16 +38,14 @@ class DriverSettings:
 class PathFollowing(DriverSettings, Manoeuvre):
     """A driver follows a path; `for_vehicle` sets the driver's internal model of the vehicle."""
 
-    steering_ratio: float = math.nan
+    gear: Gear = math.nan
     model: SingleTrack | None = None
 
     needs_vehicle = True
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "PathFollowing":
-        """A copy with the steering ratio and the linear single-track model of the vehicle."""
-        return dataclasses.replace(
-            self, steering_ratio=vehicle.steering_ratio, model=SingleTrack.of(vehicle)
-        )
+        """A copy with the steering gear and the linear single-track model of the vehicle."""
+        return dataclasses.replace(self, gear=vehicle.gear, model=SingleTrack.of(vehicle))
 
     @abc.abstractmethod
     def path_ahead(self, x: float, y: float, distance: float) -> np.ndarray:
@@ -54,12 +53,12 @@ class PathFollowing(DriverSettings, Manoeuvre):
 
     def steering(self) -> PreviewSteering:
         """A new steering controller for one run."""
-        ratio = self.steering_ratio
+        limit = float(to_road_wheels(self.handwheel_limit, self.gear))
         return PreviewSteering(
             self.model,
             self.path_ahead,
             preview=self.preview_time,
             delay=self.driver_delay,
-            rate=math.radians(self.handwheel_rate / ratio),
-            limit=math.radians(min(self.handwheel_limit / ratio, STEEPEST)),
+            rate=math.radians(self.handwheel_rate / ratio_ahead(self.gear)),
+            limit=math.radians(min(limit, STEEPEST)),
         )

@@ -1,11 +1,13 @@
 """The linear single-track model of a vehicle: the internal model of the path-following driver."""
 
 import dataclasses
+import functools
 
 import numpy as np
 
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import FRONT, LF, LR, OUTPUTS, REAR, WHEEL_COUNT
+from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -48,7 +50,11 @@ class SingleTrack:
     def rates(self, speed: float) -> tuple[np.ndarray, np.ndarray]:
         """A (2, 2) and b (2,) of d(v, r)/dt = A (v, r) + b delta at a forward speed (m/s)."""
         forces = self.slip / speed - speed * self.turning
-        return np.linalg.solve(self.inertia, forces), np.linalg.solve(self.inertia, self.steer)
+        return np.linalg.solve(self.inertia, forces), self._steered
+
+    @functools.cached_property
+    def _steered(self) -> np.ndarray:
+        return np.linalg.solve(self.inertia, self.steer)
 
 
 def cornering_stiffnesses(vehicle: Vehicle) -> np.ndarray:
@@ -61,7 +67,7 @@ def cornering_stiffnesses(vehicle: Vehicle) -> np.ndarray:
         outputs = np.zeros(1, OUTPUTS)
         outputs["side"], outputs["normal_force"] = side, loads
         outputs["slip_tangent"] = slip
-        tire_forces(kernel_argument(tires), kernel_argument(outputs)[0])
+        tire_forces(kernel_argument(as_one(tires))[0], kernel_argument(outputs)[0])
         forces.append(outputs["tire_lateral"][0])
     slopes = (forces[0] - forces[1]) / (2 * SMALL_SLIP)
     return np.array([slopes[:LR].sum(), slopes[LR:].sum()])

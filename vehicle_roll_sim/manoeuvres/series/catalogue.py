@@ -85,7 +85,7 @@ class AmplitudeLadder(Series):
         self, ready: ScaledManoeuvre, direction: str, vehicle: Vehicle, options: Options
     ) -> Iterator[tuple]:
         side = SIDES[direction]
-        for scalar in ladder(ready.steering_at_03g, largest_handwheel(ready.steering_ratio)):
+        for scalar in ladder(ready.steering_at_03g, largest_handwheel(ready.gear)):
             manoeuvre = dataclasses.replace(ready, scalar=side * scalar).checked()
             _, history = driven(manoeuvre, vehicle, options)
             result: SineWithDwellResult = manoeuvre.result(history)
@@ -95,12 +95,12 @@ class AmplitudeLadder(Series):
 
     def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
         """A line if the vehicle cannot reach the standard's final amplitude."""
-        largest = largest_handwheel(vehicle.steering_ratio)
+        largest = largest_handwheel(vehicle.gear)
         _, scalar, amplitude, *_ = rows[-1]
         wanted = final_amplitude(abs(amplitude) / scalar)
         if wanted <= largest:
             return {}
-        end = at_the_road_wheels(largest, vehicle.steering_ratio)
+        end = at_the_road_wheels(largest, vehicle.gear)
         return {"amplitudes end at": f"{end}; the standard requires {wanted:.4g} deg"}
 
     def verdict(self, rows: list[tuple]) -> str:

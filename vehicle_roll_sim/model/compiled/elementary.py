@@ -1,10 +1,12 @@
-"""Arc tangent, sine and cosine from basic arithmetic, accurate to about the last digit.
+"""Arc tangent, sine, exponential function and others from basic arithmetic.
+
+They are accurate to about the last digit.
 
 Without function calls and branches, a loop over the wheels can be vectorized. The same operations
 in plain Python give the same bits.
 """
 
-from vehicle_roll_sim.model.compiled.jit import math, square_root, term
+from vehicle_roll_sim.model.compiled.jit import bits_of, math, of_bits, square_root, term
 
 TAN_PI_8, TAN_3_PI_8 = math.sqrt(2) - 1, math.sqrt(2) + 1
 """Limits of the argument reduction: above the first the arc tangent is computed as
@@ -17,6 +19,17 @@ HALF_TURNS = 1 / math.pi
 """Half turns per radian."""
 ROUNDING = 1.5 * 2**52
 """Adding and subtracting this constant rounds to the nearest integer, up to 2^51."""
+
+LN_2, LN_2_REST = 0.6931471803691238, 1.9082149292705877e-10
+"""ln 2 in two parts; the first has 33 bits."""
+POWERS_OF_2 = 52
+"""Position of the exponent in the bits of a double."""
+EXPONENT_BIAS = 1023
+SQUARE_ROOT_HALF = 0x3FE6A09E667F3BCD
+"""The bits of sqrt(1 / 2)."""
+FLOAT_OF_INTEGER = 0x4330000000000000
+"""The bits of 2^52; with a smaller integer in the lowest bits, those of their sum."""
+LARGEST_EXPONENT = 700.0
 
 
 @term
@@ -91,6 +104,43 @@ def cosine(x):
     half_turns = nearest(size * HALF_TURNS - 0.5)
     rest = (size - (half_turns + 0.5) * PI) - (half_turns + 0.5) * PI_REST
     return alternating(half_turns, -sine_within_half_turn(rest))
+
+
+@term
+def arcsine(x):
+    """asin x (rad), for |x| up to 1."""
+    return 2.0 * arctan(x / (1.0 + square_root((1.0 - x) * (1.0 + x))))
+
+
+@term
+def exponential(x):
+    """exp x, a series times a power of 2; beyond LARGEST_EXPONENT that of the limit."""
+    x = max(-LARGEST_EXPONENT, min(LARGEST_EXPONENT, x))
+    power = x * (1.0 / (LN_2 + LN_2_REST)) + ROUNDING
+    whole = power - ROUNDING
+    r = (x - whole * LN_2) - whole * LN_2_REST
+    q = r * r
+    low = cubic(r, 1 / 2, 1 / 6, 1 / 24, 1 / 120)
+    middle = cubic(r, 1 / 720, 1 / 5040, 1 / 40320, 1 / 362880)
+    high = cubic(r, 1 / 3628800, 1 / 39916800, 1 / 479001600, 1 / 6227020800)
+    series = 1.0 + (r + q * (low + (q * q) * (middle + (q * q) * high)))
+    return of_bits(bits_of(series) + (bits_of(power) << POWERS_OF_2))
+
+
+@term
+def logarithm(x):
+    """ln x for x from 1e-300 on: that of a power of 2, plus 2 artanh z for the rest, with
+    z = (x - 1) / (x + 1)."""
+    bits = bits_of(x)
+    power = (bits - SQUARE_ROOT_HALF + (EXPONENT_BIAS << POWERS_OF_2)) >> POWERS_OF_2
+    rest = of_bits(bits - ((power - EXPONENT_BIAS) << POWERS_OF_2))
+    whole = of_bits(power + FLOAT_OF_INTEGER) - (2.0**52 + EXPONENT_BIAS)
+    z = (rest - 1.0) / (rest + 1.0)
+    q = z * z
+    q4 = (q * q) * (q * q)
+    low, middle = cubic(q, 2 / 3, 2 / 5, 2 / 7, 2 / 9), cubic(q, 2 / 11, 2 / 13, 2 / 15, 2 / 17)
+    series = z * q * (low + q4 * (middle + q4 * (2 / 19 + q * (2 / 21))))
+    return whole * LN_2 + (2.0 * z + (series + whole * LN_2_REST))
 
 
 @term

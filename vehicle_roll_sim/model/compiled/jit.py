@@ -7,6 +7,7 @@ without it the same function runs as plain Python, slower.
 import contextlib
 import functools
 import math as standard_math
+import struct
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -98,6 +99,55 @@ def _square_root():
 
 
 square_root = _square_root()
+
+
+def _not_unrolled():
+    if not COMPILED:
+        return lambda count: count
+    import llvmlite.ir
+
+    @numba.extending.intrinsic
+    def not_unrolled(_, count):
+        def generate(context, builder, signature, arguments):
+            integer = arguments[0].type
+            same = llvmlite.ir.FunctionType(integer, [integer])
+            return builder.asm(same, "", "=r,0", arguments, side_effect=False)
+
+        return numba.types.intp(numba.types.intp), generate
+
+    return not_unrolled
+
+
+not_unrolled = _not_unrolled()
+"""A number of iterations, hidden from the compiler: it would unroll short loops, over the wheels,
+before it could vectorize them."""
+
+
+def _reinterpretation(to: str):
+    """The bits of a float as an integer (to: "int64"), or the reverse (to: "float64")."""
+    if not COMPILED:
+        source, target = ("<d", "<q") if to == "int64" else ("<Q", "<d")
+        kept = None if to == "int64" else 2**64 - 1
+
+        def reinterpreted(x):
+            return struct.unpack(target, struct.pack(source, x if kept is None else x & kept))[0]
+
+        return reinterpreted
+    result = getattr(numba.types, to)
+    source = numba.types.float64 if to == "int64" else numba.types.int64
+
+    @numba.extending.intrinsic
+    def reinterpreted(_, x):
+        def generate(context, builder, signature, arguments):
+            return builder.bitcast(arguments[0], context.get_value_type(result))
+
+        return result(source), generate
+
+    return reinterpreted
+
+
+bits_of, of_bits = _reinterpretation("int64"), _reinterpretation("float64")
+"""The bits of a float as a signed integer, and the float with the lowest 64 bits of an integer."""
 
 
 def constants(values: type):

@@ -34,7 +34,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
 
     state: flat vector laid out as STATE, changed in place. commands: 2 * steps + 1 records, for the
     beginning, the middle and the end of each step, or a single one that is held. start_ns, step_ns:
-    simulated time and step (ns). plant: vehicle, the tires of both axles, options, limits and a
+    simulated time and step (ns). plant: vehicle, tires, options, limits and a
     zero command, in arrays of records, as are outputs and events. stages: work space.
 
     If the initial state is implausible or has a non-finite rate, no step is taken; a step that
@@ -43,7 +43,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     `stages`. At the end `outputs` correspond to the final state and the last command or, after
     divergence, which the command may have caused, to the zero command.
     """
-    vehicle, tires, options, limits = plant[0][0], plant[1], plant[2][0], plant[3][0]
+    vehicle, tires, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
     idle = plant[4][0]
     out, seen = outputs[0], events[0]
     car = (vehicle, tires, options, out)

@@ -10,8 +10,8 @@ from vehicle_roll_sim.model.kinematic.derivatives import kinematic_derivatives
 def derivatives(state, command, vehicle, tires, options, outputs, rates):
     """Write the time derivative of `state` to `rates`, and intermediate quantities to `outputs`.
 
-    state, rates: flat vectors laid out as records.STATE. tires: the TIRE records of front and rear
-    axle. The other arguments are records. Rates and outputs that the model does not have are left
+    state, rates: flat vectors laid out as records.STATE. The other arguments are records (tires: of
+    TIRES). Rates and outputs that the model does not have are left
     unchanged: nan from the start of a run.
     """
     if options.eight_dof:

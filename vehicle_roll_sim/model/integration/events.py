@@ -7,9 +7,7 @@ import numpy as np
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import (
-    FRONT,
     LR,
-    REAR,
     STATE,
     STATE_SIZE,
     WHEEL_COUNT,
@@ -33,7 +31,7 @@ class Condition(enum.IntEnum):
 
 
 VALUE, TIME = 0, 1
-SLIP_RATIO, SLIP_ANGLE, NORMAL_FORCE = 0, 1, 2
+SLIP_RATIO, SLIP_ANGLE, NORMAL_FORCE, INCLINATION = 0, 1, 2, 3
 
 EVENTS = record_dtype(
     *per_wheel("lift_off_time"),
@@ -41,7 +39,7 @@ EVENTS = record_dtype(
     ("rollover_time", (1,)),
     ("peak_roll", 2),
     ("peak_lateral_acceleration", 2),
-    ("out_of_range_time", 3),
+    ("out_of_range_time", 4),
 )
 """Events and peaks of a run; times (s) are nan until the event.
 
@@ -49,7 +47,8 @@ lift_off_time: first time at which the normal load of each wheel reaches 0. roll
 which the roll angle reaches its limit. Both are interpolated linearly between steps. support: of
 each wheel at the last step (N). peak_roll, peak_lateral_acceleration: signed value (rad, m/s^2) and
 time of the largest magnitude at the steps. out_of_range_time: first time at which the slip ratio,
-slip angle or load of any loaded tire leaves the range of the tire file.
+slip angle, load or inclination of any loaded tire leaves the range of the tire file; inclination
+counts for tires that depend on it only.
 """
 
 LIMITS = record_dtype("rollover_angle", "minimum_speed", ("largest", STATE_SIZE))
@@ -95,18 +94,21 @@ def crossing_time(time, step, before, after):
 def note_peaks(time, state, tires, outputs, events):
     """Update the peaks of roll angle and lateral acceleration, and the tire range events.
 
-    tires: the TIRE records of front and rear axle.
+    tires: the TIRES record.
     """
     keep_peak(time, state[at.ROLL], events.peak_roll)
     keep_peak(time, outputs.acceleration[1], events.peak_lateral_acceleration)
     for i in range(WHEEL_COUNT):
-        fz, tire = outputs.normal_force[i], tires[FRONT if i < LR else REAR]
+        fz, tire = outputs.normal_force[i], tires.front if i < LR else tires.rear
         if fz > 0.0:
             kappa, alpha = outputs.slip_ratio[i], outputs.slip_angle[i]
             noted = events.out_of_range_time
             note_range(time, kappa, tire.KPUMIN, tire.KPUMAX, noted, SLIP_RATIO)
             note_range(time, alpha, tire.ALPMIN, tire.ALPMAX, noted, SLIP_ANGLE)
             note_range(time, fz, tire.FZMIN, tire.FZMAX, noted, NORMAL_FORCE)
+            if tire.plain == 0.0:
+                gamma = outputs.inclination[i]
+                note_range(time, gamma, tire.CAMMIN, tire.CAMMAX, noted, INCLINATION)
 
 
 @kernel

@@ -40,6 +40,7 @@ def place_on_road(state, vehicle, attitude, outputs):
         inverse = 1.0 / cosine
         outputs.steering_sine[i], outputs.steering_cosine[i] = -ahead * inverse, left * inverse
         terms.lean[i] = rise * inverse
+        outputs.inclination_sine[i], outputs.inclination_cosine[i] = rise, cosine
         x, y, below = terms.wheel[0, i], terms.wheel[1, i], terms.wheel[2, i]
         height = z + up_x * x + up_y * y + up_z * below
         radius = outputs.unloaded_radius[i]

@@ -7,6 +7,7 @@ Stages that it shares with model 1 are those of `fourteen_dof`.
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel
+from vehicle_roll_sim.model.contact import contact_forces
 from vehicle_roll_sim.model.contact_moments import contact_moments
 from vehicle_roll_sim.model.fourteen_dof import accelerations, body_rates
 from vehicle_roll_sim.model.frames import attitude_of, heading_of
@@ -27,7 +28,7 @@ from vehicle_roll_sim.model.kinematic.motion import (
 )
 from vehicle_roll_sim.model.kinematic.roll_centre import roll_centres
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
-from vehicle_roll_sim.model.steering import compliant_contact_forces, steer
+from vehicle_roll_sim.model.steering import steer
 from vehicle_roll_sim.model.suspension.struts import strut_forces
 from vehicle_roll_sim.model.wheel import wheel_rates
 
@@ -45,7 +46,7 @@ def kinematic_derivatives(state, command, vehicle, tires, options, outputs, rate
     wheel_velocities(state, outputs)
     place_on_road(state, vehicle, attitude, outputs)
     contact_motion(state, attitude, outputs)
-    compliant_contact_forces(state, vehicle, tires, options, outputs)
+    contact_forces(state, vehicle, tires, options, outputs)
     if options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
     if options.wheel_gyroscopics:

@@ -61,13 +61,14 @@ CARCASS = (
     *("LATERAL_STIFFNESS", *numbered("PCFY", 1, 2, 3)),
 )
 RANGES = ("KPUMIN", "KPUMAX", "ALPMIN", "ALPMAX", "FZMIN", "FZMAX")
+CAMBER_RANGE = ("CAMMIN", "CAMMAX")
 STATE_OF_TIRE = (
     *("version", "pressure_change", "pressure_effect", "lowest_weight"),
     *("combined", "moments", "plain", "rolls_on_own_radius", "shared"),
 )
 COEFFICIENTS = (
     *(*SCALING, *REQUIRED, *OPTIONAL, *INCLINED, *PRESSURE, *OVERTURNING, *ROLLING, *ALIGNING),
-    *(*RADII, *CARCASS, *RANGES),
+    *(*RADII, *CARCASS, *RANGES, *CAMBER_RANGE),
 )
 
 TIRE = record_dtype(*COEFFICIENTS, *STATE_OF_TIRE, *per_wheel("side"))
@@ -81,11 +82,14 @@ pressure and no moment is computed, so that the plain forms suffice. rolls_on_ow
 whether the file gives the effective rolling radius. shared: whether both axles have this tire.
 side: -1 at the wheels where the tire is mirrored, else +1.
 """
+TIRES = record_dtype(("front", TIRE), ("rear", TIRE))
+"""The tires of both axles in one record: compiled code passes records on at less cost than arrays,
+whose references it counts."""
 NEUTRAL = (
     dict.fromkeys(COEFFICIENTS, 0.0)
     | {name: 1.0 for name in COEFFICIENTS if name.startswith("L") and len(name) < len("LONGVL")}
     | {"PKY4": 2.0, "QSY7": 1.0, "Q_RE0": 1.0}
-    | {name: -np.inf if name.endswith("MIN") else np.inf for name in RANGES}
+    | {name: -np.inf if name.endswith("MIN") else np.inf for name in (*RANGES, *CAMBER_RANGE)}
 )
 """The value of each coefficient that a version does not have, with which the terms that it lacks
 vanish: scaling factors are 1."""
@@ -103,3 +107,8 @@ def on_axles(front: np.ndarray, rear: np.ndarray) -> np.ndarray:
     tires = np.concatenate((front, rear))
     tires["shared"] = tires[FRONT].tobytes() == tires[REAR].tobytes()
     return tires
+
+
+def as_one(tires: np.ndarray) -> np.ndarray:
+    """TIRE records of both axles, shape (2,), as one TIRES record, shape (1,); not a copy."""
+    return tires.view(TIRES)

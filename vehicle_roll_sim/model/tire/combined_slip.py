@@ -4,7 +4,7 @@ gamma: as in `pure_slip`. The shifts of the weighting functions, RHX1, RHY1 and 
 scaling factor and always apply.
 """
 
-from vehicle_roll_sim.model.compiled.elementary import cosine_of_arctan
+from vehicle_roll_sim.model.compiled.elementary import arctan, cosine_of_arctan, sine
 from vehicle_roll_sim.model.compiled.jit import term
 
 
@@ -33,13 +33,13 @@ def lateral_weight_curve(alpha, kappa, gamma, dfz, tire):
 
 
 @term
-def slip_ply_steer(alpha, gamma, dfz, peak, tire):
-    """DVy kappa: peak of the lateral force induced by slip ratio (N; E67)."""
+def slip_ply_steer(kappa, alpha, gamma, dfz, peak, tire):
+    """SVy kappa: lateral force induced by slip ratio (N; E66, E67)."""
     reach = tire.RVY1 + tire.RVY2 * dfz
     if gamma is not None:
         reach = (reach + tire.RVY3 * tire.LGAY * gamma) * tire.combined
     reach = peak * reach * cosine_of_arctan(tire.RVY4 * alpha)
-    return reach * tire.LVYKA
+    return reach * tire.LVYKA * sine(tire.RVY5 * arctan(tire.RVY6 * kappa))
 
 
 @term

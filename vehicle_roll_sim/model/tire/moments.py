@@ -9,6 +9,8 @@ from vehicle_roll_sim.model.compiled.elementary import (
     arctan,
     cosine,
     cosine_of_arctan,
+    exponential,
+    logarithm,
     sine,
     square_root,
     squared_tangent,
@@ -17,6 +19,8 @@ from vehicle_roll_sim.model.compiled.jit import math, term
 
 LOW_SPEED = 1.0
 """m/s: below this speed, moments that depend on the rolling direction fade out."""
+SMALLEST_LOAD = 1e-300
+"""Of the nominal load: keeps a logarithm finite."""
 
 
 @term
@@ -68,14 +72,14 @@ def trail_curve(alpha, induced, gamma, dfz, tire):
 
 
 @term
-def residual_moment(angle, induced, gamma, fz, dfz, slope, peak, forward, tire):
+def residual_moment(angle, induced, gamma, fz, dfz, slope, forward, tire):
     """Mzr: residual aligning moment (N m; E36-E38, E45-E47).
 
-    angle: slip angle with the shift at which the lateral force is 0 (rad). slope, peak: Ky and Dy.
+    angle: slip angle with the shift at which the lateral force is 0 (rad). slope: By Cy.
     """
     inclined = tire.LGAZ * gamma
     stiffness = tire.QBZ9 * stiffness_over_friction(tire)
-    stiffness += tire.QBZ10 * slope / peak if peak != 0.0 else 0.0
+    stiffness += tire.QBZ10 * slope
     camber = (tire.QDZ8 + tire.QDZ9 * dfz) * (1 + tire.PPZ2 * tire.pressure_change)
     camber += (tire.QDZ10 + tire.QDZ11 * dfz) * abs(inclined)
     moment = (tire.QDZ6 + tire.QDZ7 * dfz) * tire.LRES + camber * inclined * tire.LKZC
@@ -92,15 +96,24 @@ def longitudinal_arm(gamma, dfz, fy, tire):
 
 
 @term
-def overturning_moment(gamma, fz, fy, tire):
-    """Mx (N m; E69). QSX1-QSX11 and QSX12-QSX14 are alternatives; a file gives one of them."""
+def overturning_wave(gamma, fz, fy, tire):
+    """The product of cosine and sine in Mx (E69)."""
+    per_load = 1.0 / tire.FNOMIN
+    stretched, force = tire.QSX6 * (fz * per_load), fy * per_load
+    wave = cosine(tire.QSX5 * arctan(stretched * stretched))
+    return wave * sine(tire.QSX7 * gamma + tire.QSX8 * arctan(tire.QSX9 * force))
+
+
+@term
+def overturning_moment(gamma, fz, fy, wave, tire):
+    """Mx (N m; E69). QSX1-QSX11 and QSX12-QSX14 are alternatives; a file gives one of them.
+
+    wave: see `overturning_wave`.
+    """
     per_load = 1.0 / tire.FNOMIN
     load, force = fz * per_load, fy * per_load
     part = tire.QSX1 * tire.LVMX - tire.QSX2 * gamma * (1 + tire.PPMX1 * tire.pressure_change)
     part += tire.QSX3 * force - tire.QSX12 * gamma * abs(gamma)
-    stretched = tire.QSX6 * load
-    wave = cosine(tire.QSX5 * arctan(stretched * stretched))
-    wave *= sine(tire.QSX7 * gamma + tire.QSX8 * arctan(tire.QSX9 * force))
     part += tire.QSX4 * wave + tire.QSX10 * arctan(tire.QSX11 * load) * gamma
     moment = fz * part + fy * (tire.QSX13 + tire.QSX14 * abs(gamma))
     return tire.UNLOADED_RADIUS * tire.LMX * moment
@@ -110,9 +123,8 @@ def overturning_moment(gamma, fz, fy, tire):
 def load_power(fz, tire):
     """(Fz / Fz0)^QSY7 of E70."""
     load = fz / tire.FNOMIN
-    if tire.QSY7 == 1.0 or load <= 0.0:
-        return load
-    return math.exp(tire.QSY7 * math.log(load))
+    power = exponential(tire.QSY7 * logarithm(max(load, SMALLEST_LOAD)))
+    return load if tire.QSY7 == 1.0 or load <= 0.0 else power
 
 
 @term

@@ -65,6 +65,12 @@ def camber_shift(gamma, fz, dfz, tire):
 
 
 @term
+def inverse(value):
+    """1 / value; 0 for 0."""
+    return 1.0 / value if value != 0.0 else 0.0
+
+
+@term
 def stiffness_factor(slope, shape, peak):
     """B of a curve from its slope at zero slip; 0 if the peak is 0 (E16, E26)."""
     return slope / (shape * peak) if peak != 0.0 else 0.0
@@ -86,12 +92,24 @@ def cornering_stiffness(gamma, fz, tire):
     nominal = tire.LFZO * tire.FNOMIN
     if gamma is None:
         return tire.PKY1 * nominal * tire.LKY * sine_of_twice_arctan(fz / (tire.PKY2 * nominal))
-    dp, inclined = tire.pressure_change, tire.LGAY * gamma
-    load = (tire.PKY2 + tire.PKY5 * inclined * inclined) * (1 + tire.PPY2 * dp) * nominal
-    wave = sine(tire.PKY4 * arctan(fz / load))
-    wave = wave if wave * tire.PKY2 > 0.0 else 0.0
-    wave *= above_zero(1 + tire.PPY1 * dp) * above_zero(1 - tire.PKY3 * abs(inclined))
-    return tire.PKY1 * nominal * tire.LKY * wave
+    return stiffness_of_wave(gamma, cornering_wave(gamma, fz, tire), tire)
+
+
+@term
+def cornering_wave(gamma, fz, tire):
+    """The sine in Ky alpha (E25); it depends on inclination only through PKY5."""
+    inclined, nominal = tire.LGAY * gamma, tire.LFZO * tire.FNOMIN
+    load = (tire.PKY2 + tire.PKY5 * inclined * inclined) * nominal
+    wave = sine(tire.PKY4 * arctan(fz / (load * (1 + tire.PPY2 * tire.pressure_change))))
+    return wave if wave * tire.PKY2 > 0.0 else 0.0
+
+
+@term
+def stiffness_of_wave(gamma, wave, tire):
+    """Ky alpha from its sine (N/rad; E25)."""
+    factor = tire.PKY1 * tire.LFZO * tire.FNOMIN * tire.LKY
+    factor *= above_zero(1 + tire.PPY1 * tire.pressure_change)
+    return factor * wave * above_zero(1 - tire.PKY3 * abs(tire.LGAY * gamma))
 
 
 @term
@@ -105,19 +123,18 @@ def longitudinal_curve(kappa, dfz, slope, peak, tire):
 
 
 @term
-def lateral_slip_shift(gamma, fz, dfz, slope, tire):
+def lateral_slip_shift(gamma, fz, dfz, per_slope, tire):
     """SHy: horizontal shift of the lateral force (rad; E27, E30).
 
     From version 6.1 on, the shift follows from the camber force Kyg0 gamma; in 5.2 it is given
-    directly, as PHY3 gamma.
+    directly, as PHY3 gamma. per_slope: 1 / Ky, or 0 if Ky is 0.
     """
     shift = (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
     if gamma is not None:
         inclined = tire.LGAY * gamma
         force = fz * (tire.PKY6 + tire.PKY7 * dfz) * (1 + tire.PPY5 * tire.pressure_change)
         force = force * tire.LKYC * inclined - camber_shift(gamma, fz, dfz, tire)
-        by_force = force / slope if slope != 0.0 else 0.0
-        shift += tire.PHY3 * inclined if tire.version < 6.0 else by_force
+        shift += tire.PHY3 * inclined if tire.version < 6.0 else force * per_slope
     return shift
 
 

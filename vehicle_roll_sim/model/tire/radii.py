@@ -11,8 +11,9 @@ with q1 from the vertical stiffness. In version 6.1 r = R_OMEGA - RL and Y = Q_F
 both depend on the loaded radius RL and on inclination.
 """
 
+from vehicle_roll_sim.model.compiled.elementary import arctan
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
-from vehicle_roll_sim.model.records import AXLE_COUNT, LR
+from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 
 STEPS, HALVINGS = 200, 60
 """Search for the loaded radius: steps over the radius, then bisections of the step that brackets
@@ -29,13 +30,19 @@ def free_radius(spin, tire):
     return tire.UNLOADED_RADIUS * (tire.Q_RE0 + tire.Q_V1 * ratio * ratio)
 
 
+@term
+def rolling_depth(fz, tire):
+    """R_OMEGA - RE (m) at a load (N); 0 if the tire file does not give it."""
+    load = max(fz, 0.0) / tire.FNOMIN
+    stiffness = tire.VERTICAL_STIFFNESS * (1 + tire.PFZ1 * tire.pressure_change)
+    part = tire.DREFF * arctan(tire.BREFF * load) + tire.FREFF * load
+    return tire.FNOMIN / stiffness * part if tire.rolls_on_own_radius != 0.0 else 0.0
+
+
 @kernel
 def effective_rolling_radius(fz, spin, tire):
     """RE (m) at a load (N) and a spin (rad/s)."""
-    load = max(fz, 0.0) / tire.FNOMIN
-    stiffness = tire.VERTICAL_STIFFNESS * (1 + tire.PFZ1 * tire.pressure_change)
-    part = tire.DREFF * math.atan(tire.BREFF * load) + tire.FREFF * load
-    return free_radius(spin, tire) - tire.FNOMIN / stiffness * part
+    return free_radius(spin, tire) - rolling_depth(fz, tire)
 
 
 @kernel
@@ -51,15 +58,14 @@ def free_spin(speed, fz, tire):
 def rolling_radii(spin, tires, outputs):
     """Rolling radius of every wheel (m); the loaded radius if its tire file gives none.
 
-    spin: of every wheel (rad/s).
+    spin: of every wheel (rad/s). After `terms_of_loads`.
     """
-    for axle in range(AXLE_COUNT):
-        tire = tires[axle]
-        for i in range(axle * LR, axle * LR + LR):
-            outputs.rolling_radius[i] = outputs.loaded_radius[i]
-            if tire.rolls_on_own_radius != 0.0:
-                fz = outputs.normal_force[i]
-                outputs.rolling_radius[i] = effective_rolling_radius(fz, spin[i], tire)
+    terms = outputs.tire_terms
+    for i in range(WHEEL_COUNT):
+        tire = tires.front if i < LR else tires.rear
+        outputs.rolling_radius[i] = outputs.loaded_radius[i]
+        if tire.rolls_on_own_radius != 0.0:
+            outputs.rolling_radius[i] = free_radius(spin[i], tire) - terms.rolling_depth[i]
 
 
 @term

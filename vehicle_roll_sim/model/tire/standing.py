@@ -65,7 +65,7 @@ def held_slips(along, across, gamma, side, fz, tire):
     kappa = held(pure_slip.longitudinal_curve(along, dfz, slope, peak, tire), along)
     slope = pure_slip.cornering_stiffness(gamma, fz, tire)
     peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz
-    shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, slope, tire)
+    shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, pure_slip.inverse(slope), tire)
     alpha = side * arctan(across)
     curve = pure_slip.lateral_curve(alpha, gamma, dfz, shift, slope, peak, tire)
     return kappa, side * math.tan(held(curve, alpha))

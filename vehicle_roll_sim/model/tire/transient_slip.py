@@ -14,10 +14,11 @@ TAU = SIGMA / 15 m/s (less longitudinally, if that would stop a light wheel with
 """
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.compiled.elementary import cosine, sine_of_twice_arctan
-from vehicle_roll_sim.model.compiled.jit import kernel, math, term
-from vehicle_roll_sim.model.records import AXLE_COUNT, LR, WHEEL_COUNT, vehicle_constants
-from vehicle_roll_sim.model.tire.pure_slip import cornering_stiffness, slip_stiffness
+from vehicle_roll_sim.model.compiled.elementary import cosine, exponential, sine_of_twice_arctan
+from vehicle_roll_sim.model.compiled.jit import kernel, math, not_unrolled, term
+from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
+from vehicle_roll_sim.model.tire.coefficients import all_tire_constants
+from vehicle_roll_sim.model.tire.pure_slip import relative_load
 from vehicle_roll_sim.model.tire.standing import held_slips
 
 LOW_SPEED = 1.0
@@ -30,41 +31,63 @@ RELEASE_TIME = 0.02
 """RELEASE (s): time constant of the decay of slip beyond XHELD, and of any slip off the ground."""
 
 
-@term
-def relaxation_lengths(fz, radius, vehicle, tire):
-    """Longitudinal and lateral relaxation length at load fz (m).
+@kernel
+def relaxation_lengths(tire, least, outputs):
+    """Longitudinal and lateral relaxation length of every wheel, at least `least` (m).
 
-    Files of version 5.2 give them (PTX1-PTX3, PTY1, PTY2); in 6.1 and 6.2 they are slip stiffness
-    and cornering stiffness over the carcass stiffness (A3.9, A3.10).
+    After `terms_of_loads`. Files of version 5.2 give them (PTX1-PTX3, PTY1, PTY2); in 6.1 and 6.2
+    they follow from the stiffness of the carcass.
     """
-    nominal = tire.LFZO * tire.FNOMIN
-    dfz = (fz - nominal) / nominal
-    floor = vehicle.minimum_relaxation_length
     if tire.version > 6.0:
-        along, across = lengths_by_stiffness(fz, dfz, tire)
-        return max(along * tire.LSGKP, floor), max(across * tire.LSGAL, floor)
-    along = fz * (tire.PTX1 + tire.PTX2 * dfz) * math.exp(-tire.PTX3 * dfz)
-    along *= radius / tire.FNOMIN * tire.LSGKP
-    across = 0.0
-    if tire.PTY2 != 0.0:
-        across = tire.PTY1 * sine_of_twice_arctan(fz / (tire.PTY2 * nominal))
-    across *= radius * tire.LFZO * tire.LSGAL
-    return max(along, floor), max(across, floor)
+        lengths_by_stiffness(tire, least, outputs)
+    else:
+        lengths_by_coefficients(tire, least, outputs)
 
 
 @kernel
-def lengths_by_stiffness(fz, dfz, tire):
-    """Relaxation lengths (m) of the upright tire; 0 if the file gives no carcass stiffness."""
-    dp, along, across = tire.pressure_change, 0.0, 0.0
-    stiffness = 1 + tire.PCFX1 * dfz + tire.PCFX2 * dfz * dfz
-    stiffness *= tire.LONGITUDINAL_STIFFNESS * (1 + tire.PCFX3 * dp)
-    if stiffness > 0.0:
-        along = slip_stiffness(0.0, fz, dfz, math.exp(tire.PKX3 * dfz), tire) / stiffness
-    stiffness = 1 + tire.PCFY1 * dfz + tire.PCFY2 * dfz * dfz
-    stiffness *= tire.LATERAL_STIFFNESS * (1 + tire.PCFY3 * dp)
-    if stiffness > 0.0:
-        across = cornering_stiffness(0.0, fz, tire) / stiffness
-    return abs(along), abs(across)
+def lengths_by_coefficients(tire, least, outputs):
+    """Relaxation lengths of 5.2, at least `least` (m)."""
+    terms, is_plain = outputs.tire_terms, tire.plain != 0.0
+    tire = all_tire_constants(tire)
+    if is_plain:
+        for i in range(WHEEL_COUNT):
+            dfz = relative_load(outputs.normal_force[i], tire)
+            terms.relaxation_fading[i] = math.exp(-tire.PTX3 * dfz)
+    else:
+        for i in range(not_unrolled(WHEEL_COUNT)):
+            dfz = relative_load(outputs.normal_force[i], tire)
+            terms.relaxation_fading[i] = exponential(-tire.PTX3 * dfz)
+    nominal, has_lateral = tire.LFZO * tire.FNOMIN, tire.PTY2 != 0.0
+    for i in range(not_unrolled(WHEEL_COUNT)):
+        fz, radius = outputs.normal_force[i], outputs.unloaded_radius[i]
+        dfz = relative_load(fz, tire)
+        along = fz * (tire.PTX1 + tire.PTX2 * dfz) * terms.relaxation_fading[i]
+        along *= radius / tire.FNOMIN * tire.LSGKP
+        across = tire.PTY1 * sine_of_twice_arctan(fz / (tire.PTY2 * nominal))
+        across = across if has_lateral else 0.0
+        across *= radius * tire.LFZO * tire.LSGAL
+        terms.longitudinal_relaxation[i] = max(along, least)
+        terms.lateral_relaxation[i] = max(across, least)
+
+
+@kernel
+def lengths_by_stiffness(tire, least, outputs):
+    """Relaxation lengths of 6.1 and 6.2, at least `least` (m).
+
+    Slip stiffness and cornering stiffness of the upright tire over the stiffnesses of the carcass
+    (A3.9, A3.10); 0 if the file does not give those.
+    """
+    terms, tire = outputs.tire_terms, all_tire_constants(tire)
+    for i in range(not_unrolled(WHEEL_COUNT)):
+        dfz, dp = terms.relative_load[i], tire.pressure_change
+        stiffness = 1 + tire.PCFX1 * dfz + tire.PCFX2 * dfz * dfz
+        stiffness *= tire.LONGITUDINAL_STIFFNESS * (1 + tire.PCFX3 * dp)
+        along = abs(terms.slip_stiffness[i]) * tire.LSGKP / stiffness
+        terms.longitudinal_relaxation[i] = max(along if stiffness > 0.0 else 0.0, least)
+        stiffness = 1 + tire.PCFY1 * dfz + tire.PCFY2 * dfz * dfz
+        stiffness *= tire.LATERAL_STIFFNESS * (1 + tire.PCFY3 * dp)
+        across = abs(terms.upright_stiffness[i]) * tire.LSGAL / stiffness
+        terms.lateral_relaxation[i] = max(across if stiffness > 0.0 else 0.0, least)
 
 
 @term
@@ -87,47 +110,61 @@ def transient_slip(state, vehicle, tires, outputs):
     for i in range(WHEEL_COUNT):
         outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i] = along[i], across[i]
         outputs.unloaded_radius[i] = vehicle.tire_radius[i]
-    vehicle = vehicle_constants(vehicle)
-    for axle in range(AXLE_COUNT):
-        tire = tires[axle]
-        for i in range(axle * LR, axle * LR + LR):
-            outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i], kappa, tangent = (
-                damped_slip(
-                    outputs.patch_slip_ratio[i],
-                    outputs.patch_slip_tangent[i],
-                    outputs.rolling[i],
-                    outputs.sliding[i],
-                    outputs.tread[i],
-                    outputs.normal_force[i],
-                    outputs.side[i] * outputs.inclination[i],
-                    outputs.side[i],
-                    outputs.unloaded_radius[i],
-                    vehicle,
-                    tire,
-                )
-            )
-            outputs.slip_ratio[i], outputs.slip_tangent[i] = kappa, tangent
+    slips_of_tire(tires.front, 0, vehicle, outputs)
+    if tires.front.shared == 0.0:
+        slips_of_tire(tires.rear, LR, vehicle, outputs)
 
 
-@term
-def damped_slip(along, across, rolling, sliding, tread, fz, gamma, side, radius, vehicle, tire):
-    """Rates of the longitudinal and lateral slip (1/s), and the slips for the Magic Formula.
+@kernel
+def slips_of_tire(tire, first, vehicle, outputs):
+    """Those of one kind of tire, at the wheels from `first` on. Without load the slips decay."""
+    terms = outputs.tire_terms
+    relaxation_lengths(tire, vehicle.minimum_relaxation_length, outputs)
+    slow = False
+    for i in range(WHEEL_COUNT):
+        slow = slow or abs(outputs.rolling[i]) < LOW_SPEED
+        terms.longitudinal_release[i] = terms.lateral_release[i] = 0.0
+        terms.longitudinal_damping[i] = terms.lateral_damping[i] = 0.0
+    if slow:
+        hold_slips(tire, vehicle, outputs)
+    for i in range(not_unrolled(WHEEL_COUNT)):
+        along, across = outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i]
+        rolling, sliding = outputs.rolling[i], outputs.sliding[i]
+        long, lateral = terms.longitudinal_relaxation[i], terms.lateral_relaxation[i]
+        released = terms.longitudinal_release[i]
+        along_rate = slip_rate(along, rolling, outputs.tread[i] - rolling, long, released)
+        released = terms.lateral_release[i]
+        across_rate = slip_rate(across, rolling, sliding, lateral, released)
+        loaded, mine = outputs.normal_force[i] > 0.0, i >= first
+        damping = terms.longitudinal_damping[i]
+        kappa = along + damping * along_rate if loaded else along
+        damping = terms.lateral_damping[i]
+        tangent = across + damping * across_rate if loaded else across
+        along_rate = along_rate if loaded else -along / RELEASE_TIME
+        across_rate = across_rate if loaded else -across / RELEASE_TIME
+        outputs.slip_ratio[i] = kappa if mine else outputs.slip_ratio[i]
+        outputs.slip_tangent[i] = tangent if mine else outputs.slip_tangent[i]
+        along_rate = along_rate if mine else outputs.longitudinal_slip_rate[i]
+        across_rate = across_rate if mine else outputs.lateral_slip_rate[i]
+        outputs.longitudinal_slip_rate[i], outputs.lateral_slip_rate[i] = along_rate, across_rate
 
-    rolling, sliding: velocity of the contact point along and across the wheel (m/s). tread: spin
-    times rolling radius (m/s). gamma, side: as for `held_slips`. Without load the slips decay.
-    """
-    if fz <= 0.0:
-        return -along / RELEASE_TIME, -across / RELEASE_TIME, along, across
-    long, lateral = relaxation_lengths(fz, radius, vehicle, tire)
-    weight, along_released, across_released = standstill(rolling), 0.0, 0.0
-    if weight > 0.0:
-        along_held, across_held = held_slips(along, across, gamma, side, fz, tire)
-        along_released = weight * (along - along_held)
-        across_released = weight * (across - across_held)
-    along_rate = slip_rate(along, rolling, tread - rolling, long, along_released)
-    across_rate = slip_rate(across, rolling, sliding, lateral, across_released)
-    slope = fz * tire.PKX1 * tire.LKX * radius**2  # about Kx r^2
-    firm = max(DAMPING_SPEED, slope / (vehicle.wheel_inertia * QUICKEST_DAMPING))
-    along += long / firm * weight * along_rate
-    across += lateral / DAMPING_SPEED * weight * across_rate
-    return along_rate, across_rate, along, across
+
+@kernel
+def hold_slips(tire, vehicle, outputs):
+    """The standstill terms of every wheel: w (x - XHELD) and TAU w, which is 0 at speed."""
+    terms = outputs.tire_terms
+    for i in range(WHEEL_COUNT):
+        terms.longitudinal_release[i] = terms.lateral_release[i] = 0.0
+        terms.longitudinal_damping[i] = terms.lateral_damping[i] = 0.0
+        weight, fz = standstill(outputs.rolling[i]), outputs.normal_force[i]
+        if weight > 0.0 and fz > 0.0:
+            along, across = outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i]
+            side = outputs.side[i]
+            gamma = side * outputs.inclination[i]
+            along_held, across_held = held_slips(along, across, gamma, side, fz, tire)
+            terms.longitudinal_release[i] = weight * (along - along_held)
+            terms.lateral_release[i] = weight * (across - across_held)
+            slope = fz * tire.PKX1 * tire.LKX * outputs.unloaded_radius[i] ** 2  # about Kx r^2
+            firm = max(DAMPING_SPEED, slope / (vehicle.wheel_inertia * QUICKEST_DAMPING))
+            terms.longitudinal_damping[i] = terms.longitudinal_relaxation[i] / firm * weight
+            terms.lateral_damping[i] = terms.lateral_relaxation[i] / DAMPING_SPEED * weight

@@ -6,6 +6,7 @@ does not use them.
 """
 
 import math
+from typing import NamedTuple
 
 LARGEST_EXPONENT = 700.0
 """Limit of the argument of exp, to prevent overflow."""
@@ -47,18 +48,38 @@ def friction(c: dict[str, float], axis: str, load: float) -> float:
     return (c[f"PD{axis}1"] + c[f"PD{axis}2"] * dfz) * pressure * c[f"LMU{axis}"]
 
 
-def curve(c: dict[str, float], axis: str, load: float, slip: float) -> float:
-    """D sin[C atan{B x - E (B x - atan B x)}], the force at pure slip (N; 4.E9, 4.E19)."""
+class Curve(NamedTuple):
+    """D, C, B, E without its part of the sign of slip, that part, and the scaling factor of E.
+
+    All are 0 where there is no force.
+    """
+
+    peak: float
+    shape: float
+    stiffness: float
+    curvature: float
+    asymmetry: float
+    scale: float
+
+    def force(self, slip: float) -> float:
+        """D sin[C atan{B x - E (B x - atan B x)}], the force at pure slip (N; 4.E9, 4.E19)."""
+        bend = self.curvature * (1 - self.asymmetry * math.copysign(1.0, slip))
+        x, bend = self.stiffness * slip, min(bend * self.scale, 1.0)
+        return self.peak * math.sin(self.shape * math.atan(x - bend * (x - math.atan(x))))
+
+
+NO_FORCE = Curve(*[0.0] * len(Curve._fields))
+
+
+def curve(c: dict[str, float], axis: str, load: float) -> Curve:
+    """The curve of the force along axis X or Y at a load (N)."""
     dfz = load / nominal_load(c) - 1.0
     shape, peak = c[f"PC{axis}1"] * c[f"LC{axis}"], friction(c, axis, load) * load
     if shape * peak == 0.0:
-        return 0.0
+        return NO_FORCE
     slope = slip_stiffness(c, load) if axis == "X" else cornering_stiffness(c, load)
     bend = c[f"PE{axis}1"] + c[f"PE{axis}2"] * dfz
     if axis == "X":
-        bend = (bend + c["PEX3"] * dfz * dfz) * (1 - c["PEX4"] * math.copysign(1.0, slip))
-    else:
-        bend *= 1 - c["PEY3"] * math.copysign(1.0, slip)
-    x = slope / (shape * peak) * slip
-    bend = min(bend * c[f"LE{axis}"], 1.0)
-    return peak * math.sin(shape * math.atan(x - bend * (x - math.atan(x))))
+        bend += c["PEX3"] * dfz * dfz
+    asymmetry = c["PEX4"] if axis == "X" else c["PEY3"]
+    return Curve(peak, shape, slope / (shape * peak), bend, asymmetry, c[f"LE{axis}"])

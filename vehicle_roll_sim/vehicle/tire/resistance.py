@@ -101,8 +101,9 @@ def _fault(c: dict[str, float], load: float) -> Fault | None:
 def _turning(c: dict[str, float], axis: str, sign: float, load: float) -> Fault | None:
     """The fault of a pure-slip curve that changes sign within the file's slip range."""
     low, high = ("KPUMIN", "KPUMAX") if axis == "X" else ("ALPMIN", "ALPMAX")
+    curve = curves.curve(c, axis, load)
     for slip in (s * way for s in SLIPS for way in (-1.0, 1.0)):
-        if c[low] <= slip <= c[high] and sign * curves.curve(c, axis, load, slip) * slip < 0.0:
+        if c[low] <= slip <= c[high] and sign * curve.force(slip) * slip < 0.0:
             problem = f"reverses F{axis.lower()} at a slip of {slip:g} and {load:.0f} N"
             allowed = "a shape factor of at most 2, so that the force opposes slip"
             return Fault(f"PC{axis}1", problem, allowed)
