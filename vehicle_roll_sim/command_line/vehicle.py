@@ -21,6 +21,7 @@ from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.combinations import combinations
 from vehicle_roll_sim.vehicle.derived_values import AXLES, GRAVITY
+from vehicle_roll_sim.vehicle.figures import figures_of
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
 
@@ -122,8 +123,6 @@ def _value_line(name: str, shown: str, unit: str, about: str) -> str:
 
 
 def _figure_lines(vehicle: Vehicle) -> list[str]:
-    from vehicle_roll_sim.vehicle.figures import figures_of
-
     figures = figures_of(vehicle)
     unsprung = figures.mass - vehicle.sprung_mass
     behind, height = figures.cg_to_front_axle, figures.cg_height
@@ -167,8 +166,6 @@ def _limit_of_speed(vehicle: Vehicle, understeer: float) -> tuple[str, str]:
 
 
 def _axle_lines(vehicle: Vehicle) -> list[str]:
-    from vehicle_roll_sim.vehicle.figures import figures_of
-
     axles = figures_of(vehicle).axles
     rows = [f"{'axle':28}" + "".join(f"{axle:>12}" for axle in AXLES)]
     for label, (field, factor, unit) in AXLE_ROWS.items():
