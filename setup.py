@@ -21,7 +21,7 @@ setup(
     classifiers=[f"Programming Language :: Python :: 3.{minor}" for minor in (11, 12, 13, 14)],
     python_requires=">=3.11",
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
-    package_data={f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir"]},
+    package_data={f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir", "presets/*.csv"]},
     data_files=[
         ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
         (SHARE, ["package.xml", "LICENSE", "CHANGELOG.rst", *sorted(glob("*.md"))]),

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from vehicle_roll_sim.manoeuvres.catalogue import PAPER, STANDARD
 from vehicle_roll_sim.manoeuvres.nhtsa import METRES_PER_SECOND_OF_A_MPH
+from vehicle_roll_sim.vehicle import combinations as together
 from vehicle_roll_sim.vehicle import plausibility as usual
 
 DEFINITIONS = {
@@ -86,6 +87,23 @@ def usual_values() -> tuple[tuple[str, str], ...]:
         (
             "steering angle of the road wheels",
             f"at most {usual.LARGEST_STEERING:.4f} rad, {math.degrees(usual.LARGEST_STEERING):g}°",
+        ),
+    )
+
+
+def usual_combinations() -> tuple[tuple[str, str], ...]:
+    """The quantities that vehicle.combinations looks at, and what is usual."""
+    return (
+        ("static stability factor", _between(together.STATIC_STABILITY)),
+        (
+            "roll gradient on a fixed roll axis, tires included",
+            f"at most {together.LARGEST_ROLL_GRADIENT:g} deg/g",
+        ),
+        ("share of the front axle in the roll stiffness", _between(together.FRONT_SHARE)),
+        ("share of the front axle in the weight", _between(together.FRONT_LOAD)),
+        (
+            "static load of a tire",
+            f"{_between(together.LOAD_OF_TIRE)} times LFZO FNOMIN of its file",
         ),
     )
 

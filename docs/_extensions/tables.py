@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
-from definitions import definitions, usual_values
+from definitions import definitions, usual_combinations, usual_values
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.command_line.parameters import parameter_table
@@ -203,6 +203,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "launch arguments": argument_table,
     "manoeuvres": manoeuvre_table,
     "plausibility": lambda: table(("quantity", "usual"), *usual_values()),
+    "combinations": lambda: table(("quantity", "usual"), *usual_combinations()),
     "vehicle": lambda: parameter_table(preset()),
     "fields of state": lambda: as_markdown("state"),
     "fields of outputs": lambda: as_markdown("outputs"),

@@ -7,7 +7,7 @@ over travel are taken from `vehicle.travel_curves`, which has tests of its own.
 import dataclasses
 
 import numpy as np
-from random_states import attitude, wheel_positions
+from random_states import attitude, inertia_tensor, wheel_positions
 
 from vehicle_roll_sim import Vehicle
 from vehicle_roll_sim.simulation.road import Road
@@ -133,11 +133,11 @@ def energy(vehicle: Vehicle, road: Road, state, command):
     down, ahead, across = road.gravity(G)
     gravity = np.array([ahead, across, -down])
     rates = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
-    inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
     velocity = np.array([state["u"], state["v"], state["w"]])
     body = np.array([state["x"], state["y"], state["z"]])
     total = vehicle.sprung_mass * (velocity @ velocity / 2 - gravity @ body)
-    total += inertia @ rates**2 / 2 + vehicle.wheel_inertia * (state["wheel_speed"] ** 2).sum() / 2
+    total += rates @ inertia_tensor(vehicle) @ rates / 2
+    total += vehicle.wheel_inertia * (state["wheel_speed"] ** 2).sum() / 2
     compression = state["suspension_compression"]
     total += vehicle.per_wheel("spring_stiffness") @ compression**2 / 2
     apart = compression - compression[OTHER]
@@ -154,10 +154,9 @@ def momenta(vehicle: Vehicle, state, command) -> np.ndarray:
     """Linear momentum, and angular momentum about the origin of the ground frame; shape (6,)."""
     rotation = attitude(state["roll"], state["pitch"], state["yaw"])
     rates = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
-    inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
     body = np.array([state["x"], state["y"], state["z"]])
     linear = vehicle.sprung_mass * rotation @ np.array([state["u"], state["v"], state["w"]])
-    angular = rotation @ (inertia * rates) + np.cross(body, linear)
+    angular = rotation @ inertia_tensor(vehicle) @ rates + np.cross(body, linear)
     for i, each in enumerate(wheels(vehicle, state, command)):
         part = vehicle.per_wheel("unsprung_mass")[i] * each.velocity
         linear, angular = linear + part, angular + np.cross(each.centre, part)

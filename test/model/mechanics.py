@@ -5,7 +5,13 @@ hide a term. Rates are taken along the model's own by a complex step, without tr
 """
 
 import numpy as np
-from random_states import attitude, strut_lengths, wheel_centres, wheel_positions
+from random_states import (
+    attitude,
+    inertia_tensor,
+    strut_lengths,
+    wheel_centres,
+    wheel_positions,
+)
 
 from vehicle_roll_sim.model.records import STATE
 from vehicle_roll_sim.simulation.road import Road
@@ -31,10 +37,9 @@ def momenta(vehicle, state) -> tuple[np.ndarray, np.ndarray]:
     rotation = attitude(state["roll"], state["pitch"], state["yaw"])
     rates = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
     body = np.array([state["u"], state["v"], state["w"]])
-    inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
     position = np.array([state["x"], state["y"], state["z"]])
     linear = vehicle.sprung_mass * rotation @ body
-    angular = rotation @ (inertia * rates) + np.cross(position, linear)
+    angular = rotation @ inertia_tensor(vehicle) @ rates + np.cross(position, linear)
     parts = vehicle.per_wheel("unsprung_mass")[:, None] * (unsprung(vehicle, state) @ rotation.T)
     moments = np.cross(wheel_centres(vehicle, state), parts)
     return linear + parts.sum(axis=0), angular + moments.sum(axis=0)
@@ -100,8 +105,8 @@ def energy(vehicle, road: Road, state) -> float:
     body = np.array([state["x"], state["y"], state["z"]])
     velocity = np.array([state["u"], state["v"], state["w"]])
     rates = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
-    inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
-    total = vehicle.sprung_mass * velocity @ velocity / 2 + inertia @ rates**2 / 2
+    total = vehicle.sprung_mass * velocity @ velocity / 2
+    total += rates @ inertia_tensor(vehicle) @ rates / 2
     total += masses @ (unsprung(vehicle, state) ** 2).sum(axis=1) / 2
     total += vehicle.wheel_inertia * (state["wheel_speed"] ** 2).sum() / 2
     total -= vehicle.sprung_mass * gravity @ body

@@ -26,8 +26,16 @@ REVERSED = {"y", "roll", "yaw", "v", "roll_rate", "yaw_rate", "lateral_slip"}
 def wheel_positions(vehicle: Vehicle) -> np.ndarray:
     """(x, y) of every strut in the body (m), one row per wheel."""
     a, b = vehicle.cg_to_front_axle, vehicle.cg_to_rear_axle
-    f, r = vehicle.front_track / 2, vehicle.rear_track / 2
-    return np.array([[a, f], [a, -f], [-b, r], [-b, -r]])
+    f, r, aside = vehicle.front_track / 2, vehicle.rear_track / 2, vehicle.cg_offset or 0.0
+    return np.array([[a, f - aside], [a, -f - aside], [-b, r - aside], [-b, -r - aside]])
+
+
+def inertia_tensor(vehicle: Vehicle) -> np.ndarray:
+    """The sprung mass's, about its c.g. along the body's axes, shape (3, 3) (kg m^2)."""
+    products = (vehicle.roll_pitch_product, vehicle.roll_yaw_product, vehicle.pitch_yaw_product)
+    xy, xz, yz = (value or 0.0 for value in products)
+    x, y, z = vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia
+    return np.array([[x, -xy, -xz], [-xy, y, -yz], [-xz, -yz, z]])
 
 
 def attitude(roll, pitch, yaw) -> np.ndarray:

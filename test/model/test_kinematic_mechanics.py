@@ -12,7 +12,7 @@ from guided_wheels import (
     wheels,
 )
 from programmes import Evaluation, with_moments
-from random_states import attitude, mirrored, random_command, random_state
+from random_states import OTHER_SIDE, attitude, mirrored, random_command, random_state
 
 from vehicle_roll_sim import Options, Vehicle
 from vehicle_roll_sim.model.records import STATE
@@ -32,11 +32,19 @@ LARGEST = {
     "carrier_pitch_change": 0.1,
 }
 """Of the values of a random table (m, rad), over travels of a decimetre or two."""
+ASIDE = {"cg_offset": 0.1, "roll_pitch_product": 30.0, "pitch_yaw_product": 30.0}
+"""Largest values (m, kg m^2) of what changes its sign in a mirror."""
 
 
 def random_suspension(vehicle: Vehicle, rng: np.random.Generator) -> Vehicle:
-    """Tables of random values, single numbers, or nothing, with bars and static camber."""
+    """Tables of random values, single numbers, or nothing, with bars and static camber.
+
+    The body is not symmetric.
+    """
+    (of_body,) = rng.spawn(1)
     values = {
+        **{name: of_body.uniform(-most, most) for name, most in ASIDE.items()},
+        "roll_yaw_product": of_body.uniform(-100.0, 100.0),
         "front_anti_roll_bar_rate": rng.uniform(0.0, 2e4),
         "rear_anti_roll_bar_stiffness": rng.uniform(0.0, 4e4),
         "front_camber": rng.uniform(-0.05, 0.05),
@@ -169,9 +177,13 @@ def test_contact_point_load_and_inclination_are_those_of_the_geometry(suspended,
 
 def test_left_and_right_are_alike(suspended, rng):
     evaluation = Evaluation(suspended, Options(model="2"))
+    other = suspended.with_values({name: -getattr(suspended, name) for name in ASIDE})
+    through_the_mirror = Evaluation(other, Options(model="2"))
     for state, command, rates, outputs in cases(suspended, evaluation, rng):
         straight, centres = rates.copy(), outputs.copy()
-        opposite = evaluation.rates(mirrored(state), mirrored(command))
+        through_the_mirror.outputs["turning"] = outputs["turning"][OTHER_SIDE]
+        opposite = through_the_mirror.rates(mirrored(state), mirrored(command))
+        outputs = through_the_mirror.outputs
         for name in STATE.names:
             expected = mirrored(straight)[name]
             scale = 1e-10 * (1.0 + np.abs(expected).max())

@@ -74,6 +74,17 @@ def test_their_moments_are_all_that_changes_the_angular_momentum(vehicle, evalua
         assert close(slope(angular), np.cross(*external(vehicle, state, outputs)[::-1])), state
 
 
+@pytest.mark.parametrize("product", [-150.0, 90.0])
+def test_so_it_is_with_a_product_of_inertia(unequal_axles, links, product):
+    vehicle = unequal_axles.with_values({"roll_yaw_product": product})
+    evaluation = Evaluation(vehicle, Options(euler_terms=True, **links))
+    for state, rates, outputs in random_cases(vehicle, evaluation, seed=12):
+        linear, angular = momenta(vehicle, along(state, rates))
+        forces, points = external(vehicle, state, outputs)
+        assert close(slope(linear), forces), state
+        assert close(slope(angular), np.cross(points, forces)), state
+
+
 def test_with_contact_moments_they_and_the_forces_are_all_that_changes_the_momentum(on_moments):
     vehicle, evaluation = on_moments
     for state, rates, outputs in random_cases(vehicle, evaluation, seed=8):

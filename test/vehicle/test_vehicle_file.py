@@ -89,6 +89,12 @@ ABSENT = {
     **{f"{axle}_{name}": value for axle in ("front", "rear") for name, value in DETAILS.items()},
     "ackermann_percentage": 70.0,
     "engine_drag": 2.0,
+    "cg_offset": 0.05,
+    "total_cg_offset": 0.05,
+    "roll_yaw_product": 40.0,
+    "total_roll_yaw_product": 40.0,
+    "roll_pitch_product": 20.0,
+    "pitch_yaw_product": 10.0,
 }
 """What the reference vehicle does not have."""
 TABLES = {"steering_gear": ("steering_ratio", "[[0, 0], [1, 0.1], [6, 0.5]]")} | {
@@ -100,12 +106,33 @@ TABLES = {"steering_gear": ("steering_ratio", "[[0, 0], [1, 0.1], [6, 0.5]]")} |
     )
 }
 """What a vehicle file may have in place of numbers."""
+TOTALS = {
+    "total_mass": 1760.0,
+    "total_roll_inertia": 1142.0,
+    "total_pitch_inertia": 2595.0,
+    "total_yaw_inertia": 2713.0,
+    "total_cg_to_front_axle": 1.062,
+    "total_cg_to_rear_axle": 1.478,
+    "total_cg_height": 0.66,
+}
+"""What a vehicle file may have in place of the sprung mass's."""
 WHOLE_YAML = REFERENCE_YAML + "".join(f"{name}: {value}\n" for name, value in OPTIONAL.items())
 """A file that leaves nothing out."""
 
 
+def of_sprung_mass(name: str) -> str:
+    """The parameter in whose place that of the whole vehicle stands."""
+    return "sprung_mass" if name == "total_mass" else name.removeprefix("total_")
+
+
 def whole_with(name: str) -> str:
     """A file that leaves nothing out, with the parameter of that name."""
+    if name in TOTALS:
+        text = WHOLE_YAML
+        for each in TOTALS if "axle" in name else [name]:
+            if each == name or "axle" in each:
+                text = edited(text, of_sprung_mass(each), f"{each}: {TOTALS[each]}")
+        return text
     if name in TABLES:
         other, table = TABLES[name]
         return edited(WHOLE_YAML, other, f"{name}: {table}")
@@ -156,7 +183,9 @@ def path(tmp_path):
 def test_the_reference_vehicle_is_that_of_the_source():
     vehicle = preset("reference")
     assert {name: getattr(vehicle, name) for name in SOURCE} == SOURCE
-    assert {*PARAMETERS} - {*SOURCE} == {*("steering_ratio", *OPTIONAL, *HEIGHTS, *TABLES, *ABSENT)}
+    assert {*PARAMETERS} - {*SOURCE} == {
+        *("steering_ratio", *OPTIONAL, *HEIGHTS, *TABLES, *TOTALS, *ABSENT)
+    }
 
 
 def test_what_the_source_does_not_have_is_optional_and_nothing_else_is(vehicle_from):
@@ -172,7 +201,7 @@ def test_what_the_source_does_not_have_is_optional_and_nothing_else_is(vehicle_f
 
 @pytest.mark.parametrize("name", [n for n in PARAMETERS if "pressure" not in n and n not in TABLES])
 def test_every_value_of_the_file_arrives_under_its_name(vehicle_from, name):
-    value = (preset("reference").given | HEIGHTS | ABSENT)[name] * 1.01 or 0.5
+    value = (preset("reference").given | HEIGHTS | TOTALS | ABSENT)[name] * 1.01 or 0.5
     loaded = vehicle_from(edited(whole_with(name), name, f"{name}: {value!r}"))
     assert getattr(loaded, name) == value
     assert type(getattr(loaded, name)) is float
@@ -191,14 +220,14 @@ def test_zero_is_refused_where_nothing_is_not_allowed(vehicle_from, path, name):
         vehicle_from(edited(whole_with(name), name, f"{name}: 0"))
 
 
-@pytest.mark.parametrize("name", [n for n in REQUIRED if n not in {*HEIGHTS, *TABLES}])
+@pytest.mark.parametrize("name", [n for n in REQUIRED if n not in {*HEIGHTS, *TABLES, *TOTALS}])
 def test_a_missing_key_is_named(vehicle_from, path, name):
     with refused(path, name):
         vehicle_from(edited(REFERENCE_YAML, name, ""))
 
 
 def test_all_that_is_missing_is_named_at_once(vehicle_from, path):
-    missing = [name for name in REQUIRED if name not in ("sprung_mass", "tire")]
+    missing = [name for name in REQUIRED if name not in ("sprung_mass", "total_mass", "tire")]
     with refused(path, *missing, "tire: missing", "vehicle_roll_sim template"):
         vehicle_from("sprung_mass: 1440\n")
 

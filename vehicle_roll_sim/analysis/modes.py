@@ -2,14 +2,34 @@
 
 import dataclasses
 import math
+from collections.abc import Iterable
 
 import numpy as np
 from scipy import linalg
+
+from vehicle_roll_sim.model.records import WHEELS
 
 NEUTRAL = 1e-6
 """1/s: poles closer to 0 count as 0; the remainder is rounding."""
 SHARE = 0.4
 """Smallest participation of a state that is listed, relative to the largest one in the mode."""
+MOTIONS = {
+    "roll": "roll",
+    "roll_rate": "roll",
+    "z": "bounce",
+    "w": "bounce",
+    "pitch": "pitch",
+    "pitch_rate": "pitch",
+    "v": "yaw",
+    "yaw_rate": "yaw",
+    **{
+        f"{name}_{wheel}": "front hop" if wheel.endswith("f") else "rear hop"
+        for name in ("unsprung_velocity", "suspension_compression")
+        for wheel in WHEELS
+    },
+}
+"""The motion of a mode in which a state participates most."""
+BODY_MOTIONS = ("bounce", "pitch", "roll", "yaw", "front hop", "rear hop")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -27,6 +47,20 @@ class Mode:
     damping: float
     time_constant: float
     states: tuple[str, ...]
+
+    @property
+    def motion(self) -> str:
+        """One of BODY_MOTIONS, or '' for a mode of tires or wheel speeds, or one without swing."""
+        return MOTIONS.get(self.states[0], "") if self.pole.imag else ""
+
+
+def natural_modes(modes: Iterable[Mode]) -> dict[str, Mode]:
+    """The slowest oscillation of each of BODY_MOTIONS that has one."""
+    found = {}
+    for mode in modes:
+        if mode.motion:
+            found.setdefault(mode.motion, mode)
+    return {motion: found[motion] for motion in BODY_MOTIONS if motion in found}
 
 
 def modes_of(a: np.ndarray, state_names: tuple[str, ...]) -> list[Mode]:

@@ -9,6 +9,8 @@ COMMANDS = {
     "replay": "Simulate the runs in a bag again from their applied commands, and compare.",
     "series": "Run a test series of a standard or a search over entry speeds: table and verdict.",
     "plot": "Plot recorded runs in the standard figure.",
+    "vehicle": "Show the contents of a vehicle file and what follows from it: figures and modes.",
+    "vehicles": "List the vehicles that come with the package, with their figures.",
     "tire": "Show the contents of a tire file and how the tire behaves: table, figure, points.",
     "linearize": "Linearise the model about steady driving: trim state, A, B, C, D and poles.",
     "paper": "Reproduce Shim and Ghike (2007): figures, data, and a verdict on every claim.",

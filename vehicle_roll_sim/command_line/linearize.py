@@ -3,6 +3,8 @@
 import argparse
 import dataclasses
 import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values, named_file
 from vehicle_roll_sim.command_line import signals
@@ -23,9 +25,12 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
+if TYPE_CHECKING:
+    from vehicle_roll_sim.analysis.modes import Mode  # scipy takes 0.25 s to import
+
 HARDEST = 30.0
 """m/s^2: no tire can hold a turn this hard."""
-HEADER = f"{'real':>10}{'imaginary':>12}{'frequency':>11}{'damping':>9}{'time const.':>13}  states"
+HEADER = f"{'real':>10}{'imaginary':>12}{'frequency':>11}{'damping':>9}{'time const.':>13}"
 UNITS = f"{'1/s':>10}{'1/s':>12}{'Hz':>11}{'':9}{'s':>13}"
 
 
@@ -135,12 +140,18 @@ def _pole_lines(model) -> list[str]:
     """The poles as a table, slowest first; a complex pair takes one line."""
     from vehicle_roll_sim.analysis.modes import modes_of
 
-    rows = ["", HEADER, UNITS]
-    for mode in modes_of(model.a, model.state_names):
+    modes = modes_of(model.a, model.state_names)
+    return pole_table("states", ((mode, ", ".join(mode.states)) for mode in modes))
+
+
+def pole_table(about: str, modes: "Iterable[tuple[Mode, str]]") -> list[str]:
+    """Modes as a table, each with what is said of it in the last column, named `about`."""
+    rows = ["", f"{HEADER}  {about}", UNITS]
+    for mode, said in modes:
         pole = mode.pole
         swing = f"±{pole.imag:.4f}" if pole.imag else "0"
         damping = "-" if math.isnan(mode.damping) else f"{mode.damping:.4f}"
         constant = "-" if math.isinf(mode.time_constant) else f"{mode.time_constant:.4f}"
         numbers = f"{pole.real:10.4f}{swing:>12}{mode.frequency:11.4f}{damping:>9}{constant:>13}"
-        rows.append(f"{numbers}  {', '.join(mode.states)}")
+        rows.append(f"{numbers}  {said}")
     return [*rows, ""]

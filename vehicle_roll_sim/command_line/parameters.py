@@ -25,7 +25,7 @@ def parameter_table(vehicle: Vehicle) -> str:
     rows = [HEADER, ("---",) * len(HEADER)]
     for name, parameter in parameters_of(Vehicle).items():
         allowed = f"{parameter.minimum:g} … {parameter.maximum:g}"
-        value, source = _value(vehicle, name)
+        value, source = value_of(vehicle, name)
         shown = UNKNOWN if value is None else in_words(value)
         meaning = parameter.description + (f" (here: {source})" if source else "")
         rows.append((f"`{name}`", parameter.symbol, shown, parameter.unit, allowed, meaning))
@@ -39,7 +39,7 @@ def in_words(value: float | tuple) -> str:
     return f"{value:.10g}"
 
 
-def _value(vehicle: Vehicle, name: str) -> tuple[float | None, str]:
+def value_of(vehicle: Vehicle, name: str) -> tuple[float | tuple | None, str]:
     """The value of a parameter and, if it was not given, where it comes from; None without value.
 
     A roll centre height has a value also if its alternative was given, and the tires of an axle
@@ -50,9 +50,17 @@ def _value(vehicle: Vehicle, name: str) -> tuple[float | None, str]:
         return vehicle.given[name], ""
     if name in taken:
         return taken[name]
+    if vehicle.origin and vehicle.origin.derived.get(name) is not None:
+        return vehicle.origin.derived[name], "from the mass of the whole vehicle and its payload"
     axle, _, measure = name.partition("_")
     if axle not in AXLES:
         return None, ""
     if "roll_centre" in measure:
-        return float(getattr(vehicle, measure)[AXLES[axle]]), ""
-    return vehicle.at_axle(axle, measure), ""
+        other = "height" if measure.endswith("depth") else "depth"
+        source = f"cg_height less {axle}_roll_centre_{other}"
+        return float(getattr(vehicle, measure)[AXLES[axle]]), source
+    if measure == "anti_roll_bar_rate" and f"{axle}_anti_roll_bar_stiffness" in vehicle.given:
+        source = f"{axle}_anti_roll_bar_stiffness over the square of {axle}_track"
+        return float(vehicle.bar_rate[AXLES[axle]]), source
+    value = vehicle.at_axle(axle, measure)
+    return value, "" if value is None else measure

@@ -20,7 +20,8 @@ from vehicle_roll_sim.simulation.simulation import (
 )
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
-from vehicle_roll_sim.vehicle.vehicle_file import TIRES, load_vehicle, on_tires, preset
+from vehicle_roll_sim.vehicle.shipped import vehicle_named
+from vehicle_roll_sim.vehicle.vehicle_file import TIRES, on_tires, preset
 
 
 @dataclasses.dataclass(frozen=True)
@@ -68,8 +69,16 @@ def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
     """Add all options that `chosen_vehicle` reads."""
     group = parser.add_argument_group("vehicle")
     group.add_argument(
-        "--vehicle", metavar="FILE.yaml", help="vehicle file (default: the reference vehicle)"
+        "--vehicle",
+        metavar="FILE",
+        help="vehicle file, or name of a shipped vehicle (default: the reference vehicle)",
     )
+    add_changes(group)
+    add_strict(group)
+
+
+def add_changes(group: argparse._ArgumentGroup) -> None:
+    """Add the options that change the vehicle of a file."""
     for name, whose in zip(TIRES, ("the vehicle's own", *("that of this axle",) * 2), strict=True):
         about = f"tire file to use instead of {whose}"
         group.add_argument(_option(name), metavar="FILE.tir", help=about)
@@ -80,14 +89,23 @@ def add_vehicle_options(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="override one value of the vehicle file; repeatable",
     )
-    add_strict(group)
 
 
 def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
-    """The vehicle that the options of `add_vehicle_options` describe; raises InputError."""
+    """The vehicle that the options of `add_vehicle_options` describe; raises InputError.
+
+    Warns of values that are not plausible, or refuses them.
+    """
+    vehicle = read_vehicle(arguments)
+    warn_or_refuse(plausibility(vehicle), arguments)
+    return vehicle
+
+
+def read_vehicle(arguments: argparse.Namespace) -> Vehicle:
+    """The same vehicle, plausible or not."""
     vehicle_file = named_file(arguments.vehicle, "--vehicle")
     tires = {name: named_file(getattr(arguments, name), _option(name)) for name in TIRES}
-    vehicle = load_vehicle(vehicle_file) if vehicle_file else preset()
+    vehicle = vehicle_named(vehicle_file) if vehicle_file else preset()
     try:
         vehicle = on_tires(vehicle, {name: file for name, file in tires.items() if file})
     except InputError as error:
@@ -103,9 +121,7 @@ def chosen_vehicle(arguments: argparse.Namespace) -> Vehicle:
         if name in values:
             raise InputError(f"--set {name}", text, "each name once", "given twice")
         values[name] = number(text, f"--set {name}", known[name])
-    vehicle = vehicle.with_values(values, "--set ")
-    warn_or_refuse(plausibility(vehicle), arguments)
-    return vehicle
+    return vehicle.with_values(values, "--set ")
 
 
 def _option(name: str) -> str:

@@ -40,6 +40,7 @@ class BodySettings:
             width=self.vehicle_width or track + TIRE_WIDTH,
             ahead=vehicle.cg_to_front_axle + self.front_overhang,
             behind=vehicle.cg_to_rear_axle + self.rear_overhang,
+            aside=vehicle.cg_offset or 0.0,
         )
 
 
@@ -47,12 +48,14 @@ class BodySettings:
 class Outline:
     """A rectangle: its width, and its extent ahead of and behind the sprung c.g. (m).
 
-    It rotates with the yaw angle; roll and pitch are ignored.
+    aside: distance of the c.g. to the left of its middle (m). It rotates with the yaw
+    angle; roll and pitch are ignored.
     """
 
     width: float
     ahead: float
     behind: float
+    aside: float = 0.0
 
     def strike_times(self, history: History, cones: np.ndarray) -> np.ndarray:
         """Time at which each cone is struck, shape (n,) (s); nan if it is not.
@@ -86,8 +89,9 @@ class Outline:
         Shape (samples - 1, cones).
         """
         begin, way = places[:, :-1], np.diff(places, axis=1)
-        least = np.array([-self.behind, -self.width / 2])[:, np.newaxis, np.newaxis]
-        most = np.array([self.ahead, self.width / 2])[:, np.newaxis, np.newaxis]
+        right, left = -self.width / 2 - self.aside, self.width / 2 - self.aside
+        least = np.array([-self.behind, right])[:, np.newaxis, np.newaxis]
+        most = np.array([self.ahead, left])[:, np.newaxis, np.newaxis]
         with np.errstate(divide="ignore", invalid="ignore"):
             crossings = np.sort([(least - begin) / way, (most - begin) / way], axis=0)
         enters = np.maximum(crossings[0].max(axis=0), 0.0)

@@ -76,8 +76,9 @@ def _body(robot: ElementTree.Element, vehicle: Vehicle) -> None:
     length = front + rear
     width = max(vehicle.front_track, vehicle.rear_track) - WHEEL_WIDTH
     height = 2 * max(vehicle.cg_height - BODY_CLEARANCE, BODY_CLEARANCE)
-    _box(link, "paint", (length, width, height), ((front - rear) / 2, 0.0, 0.0))
-    _box(link, "glass", (PROUD, 0.9 * width, 0.4 * height), (front, 0.0, 0.25 * height))
+    middle = 0.0 - (vehicle.cg_offset or 0.0)
+    _box(link, "paint", (length, width, height), ((front - rear) / 2, middle, 0.0))
+    _box(link, "glass", (PROUD, 0.9 * width, 0.4 * height), (front, middle, 0.25 * height))
 
 
 def _wheel(link: ElementTree.Element, radius: float) -> None:

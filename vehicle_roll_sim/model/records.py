@@ -162,6 +162,7 @@ VEHICLE = record_dtype(
     ("travel_origins", (2, KNOTS + 1)),
     ("travel_curves", (2, KNOTS + 1, COEFFICIENTS, TRAVEL_CURVE_COUNT)),
     *per_wheel("engine_drag"),
+    *("roll_pitch_product", "roll_yaw_product", "pitch_yaw_product"),
     ("details", DETAILS),
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel.

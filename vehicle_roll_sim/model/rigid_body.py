@@ -21,6 +21,9 @@ AIR_DENSITY = 1.225
 def mass_matrix(vehicle, options, outputs):
     """Left-hand side: inertia of the body and of the unsprung masses coupled by the links.
 
+    The product of inertia is not in the paper. Jxy and Jyz are 0: they would couple pitch with
+    roll and yaw, which `solve_in_place` excludes.
+
     Symmetric and positive definite without a roll centre. With a roll centre, the lever arm in the
     roll equation is the depth of the roll centre instead of the strut length.
     """
@@ -30,6 +33,7 @@ def mass_matrix(vehicle, options, outputs):
     a[DW, DW] = vehicle.sprung_mass
     a[DWX, DWX], a[DWY, DWY] = vehicle.roll_inertia, vehicle.pitch_inertia
     a[DWZ, DWZ] = vehicle.yaw_inertia
+    a[DWX, DWZ] = a[DWZ, DWX] = 0.0 - vehicle.roll_yaw_product
     for i in range(WHEEL_COUNT):
         mu, ls = carried_mass(i, vehicle, options), outputs.strut_length[i]
         x, y = vehicle.x[i], vehicle.y[i]
@@ -95,6 +99,10 @@ def applied_forces(state, vehicle, options, attitude, outputs):
         f[DWX] += (jy - jz) * wy * wz
         f[DWY] += (jz - jx) * wz * wx
         f[DWZ] += (jx - jy) * wx * wy
+        jxz = vehicle.roll_yaw_product
+        f[DWX] += jxz * wx * wy
+        f[DWY] += jxz * (wz * wz - wx * wx)
+        f[DWZ] -= jxz * wy * wz
     for i in range(WHEEL_COUNT):
         x, y, ls, r = vehicle.x[i], vehicle.y[i], outputs.strut_length[i], outputs.loaded_radius[i]
         fx, fy, fz = outputs.applied_x[i], outputs.applied_y[i], outputs.strut_force[i]

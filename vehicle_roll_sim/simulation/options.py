@@ -17,6 +17,9 @@ from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, OPTION
 from vehicle_roll_sim.model.variants import MODELS, PAPER
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
+ASIDE = ("cg_offset", "roll_pitch_product", "pitch_yaw_product")
+"""Parameters of a vehicle that is not symmetric about its middle."""
+ROLL_YAW = "roll_yaw_product"
 SWITCHES = ("tire_moments", "contact_patch_shift")
 """Options that a vehicle file decides unless they are given."""
 SYMMETRIC, ASYMMETRIC = "symmetric", "asymmetric"
@@ -127,13 +130,29 @@ class Options:
         return options
 
     def for_vehicle(self, vehicle: Vehicle) -> "Options":
-        """The same options with on or off in place of auto, as a vehicle has it."""
+        """The same options with on or off in place of auto, as a vehicle has it.
+
+        Raises InputError for a vehicle whose mass the model cannot take.
+        """
+        self._check_mass(vehicle)
         chosen = {
             name: ON if self.has_tire_moments and getattr(vehicle, name) else OFF
             for name in SWITCHES
             if getattr(self, name) == AUTO
         }
         return dataclasses.replace(self, **chosen)
+
+    def _check_mass(self, vehicle: Vehicle) -> None:
+        """The paper's models are symmetric about the middle; its 8 DOF models have no Jxz."""
+        refused = () if self.is_kinematic else ASIDE
+        for name in (*refused, *((ROLL_YAW,) if self.has_eight_dof else ())):
+            value = getattr(vehicle, name)
+            if value:
+                of_payload = vehicle.origin and name not in vehicle.given
+                source = " (from payload or data of the whole vehicle)" if of_payload else ""
+                takes_it = "model 2" if name in ASIDE else "a model with 14 degrees of freedom"
+                allowed = f"0 in model {self.model}; {takes_it} takes it"
+                raise InputError(name, value, allowed, f"{value:.6g}{source} is not allowed")
 
 
 def options_for(vehicle: Vehicle, **values) -> Options:

@@ -9,6 +9,7 @@ from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.model.variants import MODELS
 from vehicle_roll_sim.vehicle.axle_tires import of_file
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
+from vehicle_roll_sim.vehicle.masses import PRODUCTS, tensor
 from vehicle_roll_sim.vehicle.suspension_checks import check_suspension
 from vehicle_roll_sim.vehicle.tire.moments import ROLLING_RESISTANCE, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
@@ -16,13 +17,15 @@ from vehicle_roll_sim.vehicle.travel_curves import check_knots
 
 ROLL_CENTRES = {"minimum": -5.0, "maximum": 50.0}
 """m: allowed range of the depth, and of the height, of a roll centre."""
+MOMENT = {"roll_inertia": "roll", "pitch_inertia": "pitch", "yaw_inertia": "yaw"}
+ROUNDING = 1e-9
 LARGEST_TURN = 1.0
 """rad: of a wheel carrier, in a table over wheel travel."""
 VERSION_WITHOUT_PRESSURE = "5.2"
 
 
-def check_consistency(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...]]) -> None:
-    """Raise InputError for values that are inconsistent.
+def check_given(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...]]) -> None:
+    """Raise InputError for values that must not be given together, and for wrong tires.
 
     per_axle: parameters for both axles, each with those of a single axle that may replace it.
     """
@@ -30,6 +33,10 @@ def check_consistency(vehicle: DerivedValues, per_axle: dict[str, tuple[str, ...
     _check_given_once(vehicle, per_axle)
     _check_pressures(vehicle)
     _check_taken_from_tires(vehicle)
+
+
+def check_consistency(vehicle: DerivedValues) -> None:
+    """Raise InputError for values that are inconsistent with one another."""
     _check_roll_centres(vehicle)
     _check_inertias(vehicle)
     _check_anti_roll_bars(vehicle)
@@ -132,7 +139,7 @@ def _check_carriers(vehicle: DerivedValues) -> None:
 
 
 def _check_inertias(vehicle: DerivedValues) -> None:
-    """No principal moment of inertia of a rigid body exceeds the sum of the other two."""
+    """No moment of inertia of a rigid body exceeds the sum of the other two."""
     names = ("roll_inertia", "pitch_inertia", "yaw_inertia")
     total = math.fsum(getattr(vehicle, name) for name in names)
     for name in names:
@@ -141,8 +148,31 @@ def _check_inertias(vehicle: DerivedValues) -> None:
             most = total - value
             limit = f"at most the sum of the other two moments of inertia, {most:g} kg m^2"
             excess = f"{value - most:g} kg m^2 ({100 * (value - most) / most:.2g} %) more"
-            scope = "give the inertia of the sprung mass alone, not of the whole vehicle"
-            raise InputError(name, value, f"{limit}; it is {excess}: {scope}")
+            if name in vehicle.given:
+                scope = f"give the {MOMENT[name]} inertia of the sprung mass alone, or that of the "
+                scope += f"whole vehicle as total_{name}"
+                raise InputError(name, value, f"{limit}; it is {excess}: {scope}")
+            whole = f"total_{name}"
+            problem = f"{vehicle.given[whole]:g} leaves {value:g} kg m^2 for the sprung mass"
+            raise InputError(whole, vehicle.given[whole], f"{limit}; it is {excess}", problem)
+    _check_products(vehicle)
+
+
+def _check_products(vehicle: DerivedValues) -> None:
+    """The second moments of the mass, integrals of x x, x y ..., are positive semidefinite."""
+    inertia = tensor(vehicle.inertias)
+    moments = np.trace(inertia) / 2 * np.eye(len(inertia)) - inertia
+    for name, (row, column) in PRODUCTS.items():
+        value = vehicle.inertias[name]
+        most = math.sqrt(max(moments[row, row] * moments[column, column], 0.0))
+        if abs(value) > most * (1 + ROUNDING):
+            given = name if name in vehicle.given else f"total_{name}"
+            limit = f"from {-most:g} to {most:g} kg m^2 with these moments of inertia"
+            raise InputError(given, vehicle.given.get(given, value), limit)
+    if np.linalg.eigvalsh(moments).min() < -ROUNDING * np.trace(moments):
+        given = next(name for name in PRODUCTS if vehicle.inertias[name])
+        limit = "products of inertia that a rigid body with these moments of inertia can have"
+        raise InputError(given, vehicle.inertias[given], limit)
 
 
 def _check_fits_on_its_wheels(vehicle: DerivedValues) -> None:

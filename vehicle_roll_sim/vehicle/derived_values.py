@@ -16,6 +16,7 @@ from vehicle_roll_sim.vehicle.axle_tires import (
     from_tire,
     lateral_stiffness,
 )
+from vehicle_roll_sim.vehicle.masses import MOMENTS, PRODUCTS
 from vehicle_roll_sim.vehicle.steering_gear import Gear
 from vehicle_roll_sim.vehicle.suspension_details import (
     compressions_at_rest,
@@ -30,6 +31,8 @@ from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
 GRAVITY = 9.81
 """m/s^2, the value used in the paper."""
+SIDES = np.array([1.0, -1.0, 1.0, -1.0])
+"""Of the wheels: left is positive."""
 LINEAR = {"spring_stiffness": "stiffness_at_rest", "damping": "mean_damping"}
 """Parameters of each axle that may be tables, and the values of linear models in their place."""
 BAR_SPELLINGS = tuple(
@@ -88,15 +91,16 @@ class DerivedValues:
     def lateral_stiffness_from_tires(self) -> dict[str, FromTire]:
         """The lateral stiffnesses of the tires of each axle that are not given, by name (N/m)."""
         loads = self.static_tire_compression * self.per_wheel("tire_stiffness")
+        loads = loads.reshape(len(AXLES), -1).mean(axis=1)  # of left and right wheel
         return {
             f"{axle}_tire_lateral_stiffness": lateral_stiffness(
                 tire,
                 self.at_axle(axle, "tire_pressure"),
-                float(loads[AXLES[axle]]),
+                float(load),
                 float(self.per_wheel("tire_radius")[AXLES[axle]]),
                 self.minimum_relaxation_length,
             )
-            for axle, tire in self.axle_tires.items()
+            for load, (axle, tire) in zip(loads, self.axle_tires.items(), strict=True)
             if self.at_axle(axle, "tire_lateral_stiffness") is None
         }
 
@@ -135,10 +139,25 @@ class DerivedValues:
         """Mass of the whole vehicle (kg)."""
         return self.sprung_mass + float(self.per_wheel("unsprung_mass").sum())
 
+    @property
+    def inertias(self) -> dict[str, float]:
+        """Moments and products of inertia of the sprung mass, by name (kg m^2)."""
+        return {name: getattr(self, name) or 0.0 for name in (*MOMENTS, *PRODUCTS)}
+
+    @functools.cached_property
+    def wheel_places(self) -> np.ndarray:
+        """Where the wheels are, to the left of the sprung c.g.; shape (4,) (m)."""
+        return self.per_wheel("track") / 2 * SIDES - (self.cg_offset or 0.0)
+
     @functools.cached_property
     def axle_load_share(self) -> np.ndarray:
-        """Share of the sprung weight that each wheel carries at rest; shape (4,)."""
-        return axle_load_share(self.cg_to_front_axle, self.cg_to_rear_axle)
+        """Share of the sprung weight that each wheel carries at rest; shape (4,).
+
+        The vehicle stands level across: of an axle's load, each wheel has 1/2 +- offset / track.
+        """
+        aside = 2 * (self.cg_offset or 0.0) / self.per_wheel("track")
+        of_axles = axle_load_share(self.cg_to_front_axle, self.cg_to_rear_axle)
+        return of_axles * (1.0 + aside * SIDES)
 
     @functools.cached_property
     def static_tire_compression(self) -> np.ndarray:
@@ -296,7 +315,8 @@ class DerivedValues:
         knots, origins, curves = zip(*of_axles, strict=True)
         return {
             "x": (front, front, rear, rear),
-            "y": self.per_wheel("track") / 2 * (1, -1, 1, -1),
+            "y": self.wheel_places,
+            **{name: self.inertias[name] for name in PRODUCTS},
             "camber": camber,
             "camber_sine": np.sin(camber),
             "camber_cosine": np.cos(camber),

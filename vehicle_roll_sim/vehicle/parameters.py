@@ -13,8 +13,16 @@ from vehicle_roll_sim.declaration import (
     validated,
 )
 from vehicle_roll_sim.model.variants import PAPER
-from vehicle_roll_sim.vehicle.consistency import ROLL_CENTRES, check_consistency
+from vehicle_roll_sim.vehicle.consistency import ROLL_CENTRES, check_consistency, check_given
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
+from vehicle_roll_sim.vehicle.masses import Load
+from vehicle_roll_sim.vehicle.sprung_mass import (
+    MASS_SPELLINGS,
+    WHOLE,
+    Origin,
+    as_given,
+    sprung_values,
+)
 from vehicle_roll_sim.vehicle.suspension_parameters import of_axle
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
@@ -24,6 +32,8 @@ _WHEEL_INERTIA = _INERTIA | {"minimum": 1e-6}
 _STIFFNESS = {"unit": "N/m", "minimum": 1.0, "maximum": 1e8}
 _DAMPING = {"unit": "N s/m", "minimum": 0.0, "maximum": 1e7}
 _MASS = {"unit": "kg", "minimum": 0.01, "maximum": 1e6}
+_OFFSET = {"unit": "m", "minimum": -25.0, "maximum": 25.0}
+_PRODUCT = {"unit": "kg m^2", "minimum": -1e7, "maximum": 1e7}
 _CENTRE = {"unit": "m"} | ROLL_CENTRES
 _PRESSURE = {"unit": "Pa", "minimum": 1e4, "maximum": 2e6}
 _CAMBER = {"unit": "rad", "minimum": -0.5, "maximum": 0.5}
@@ -51,6 +61,11 @@ class Vehicle(DerivedValues):
     simulated unless another is asked for. stated_at: where values were given (file, line and name),
     for messages.
 
+    payload: masses that the sprung mass carries besides. Of a vehicle with payload or with data of
+    the whole vehicle (`total_mass` and so on), the attributes `sprung_mass`, `cg_height` ... are
+    those of the sprung mass with its payload, as the equations take them; `given` has the values
+    as they were given, and `origin` both. Change such a vehicle with `with_values`.
+
     The roll centre of an axle is specified either as a depth below the c.g. or as a height above
     the ground; the other attribute is None. The specified value is kept when `cg_height` is
     replaced. `roll_centre_depth` and `roll_centre_height` give both, whichever was specified.
@@ -58,24 +73,118 @@ class Vehicle(DerivedValues):
     Raises InputError for a value that is invalid or inconsistent with the others.
     """
 
-    sprung_mass: float = parameter("mass carried by the suspension springs", **_MASS, symbol="m")
-    roll_inertia: float = parameter(
-        "moment of inertia of the sprung mass about its x axis", **_INERTIA, symbol="Jx"
+    sprung_mass: float | None = parameter(
+        "mass carried by the suspension springs", **_MASS, symbol="m", alternative="total_mass"
     )
-    pitch_inertia: float = parameter(
-        "moment of inertia of the sprung mass about its y axis", **_INERTIA, symbol="Jy"
+    roll_inertia: float | None = parameter(
+        "moment of inertia of the sprung mass about its x axis",
+        **_INERTIA,
+        symbol="Jx",
+        alternative="total_roll_inertia",
     )
-    yaw_inertia: float = parameter(
-        "moment of inertia of the sprung mass about its z axis", **_INERTIA, symbol="Jz"
+    pitch_inertia: float | None = parameter(
+        "moment of inertia of the sprung mass about its y axis",
+        **_INERTIA,
+        symbol="Jy",
+        alternative="total_pitch_inertia",
     )
-    cg_to_front_axle: float = parameter(
-        "distance from the c.g. of the sprung mass to the front axle", **_LENGTH, symbol="a"
+    yaw_inertia: float | None = parameter(
+        "moment of inertia of the sprung mass about its z axis",
+        **_INERTIA,
+        symbol="Jz",
+        alternative="total_yaw_inertia",
     )
-    cg_to_rear_axle: float = parameter(
-        "distance from the c.g. of the sprung mass to the rear axle", **_LENGTH, symbol="b"
+    cg_to_front_axle: float | None = parameter(
+        "distance from the c.g. of the sprung mass to the front axle",
+        **_LENGTH,
+        symbol="a",
+        alternative="total_cg_to_front_axle",
     )
-    cg_height: float = parameter(
-        "height of the c.g. of the sprung mass above ground at rest", **_LENGTH, symbol="h"
+    cg_to_rear_axle: float | None = parameter(
+        "distance from the c.g. of the sprung mass to the rear axle",
+        **_LENGTH,
+        symbol="b",
+        alternative="total_cg_to_rear_axle",
+    )
+    cg_height: float | None = parameter(
+        "height of the c.g. of the sprung mass above ground at rest",
+        **_LENGTH,
+        symbol="h",
+        alternative="total_cg_height",
+    )
+    total_mass: float | None = parameter(
+        "mass of the whole vehicle, instead of its sprung mass", **_MASS, alternative="sprung_mass"
+    )
+    total_roll_inertia: float | None = parameter(
+        "moment of inertia of the whole vehicle about its x axis, instead of that of the sprung "
+        "mass",
+        **_INERTIA,
+        alternative="roll_inertia",
+    )
+    total_pitch_inertia: float | None = parameter(
+        "moment of inertia of the whole vehicle about its y axis, instead of that of the sprung "
+        "mass",
+        **_INERTIA,
+        alternative="pitch_inertia",
+    )
+    total_yaw_inertia: float | None = parameter(
+        "moment of inertia of the whole vehicle about its z axis, instead of that of the sprung "
+        "mass",
+        **_INERTIA,
+        alternative="yaw_inertia",
+    )
+    total_cg_to_front_axle: float | None = parameter(
+        "distance from the c.g. of the whole vehicle to the front axle, instead of that of the "
+        "sprung mass",
+        **_LENGTH,
+        alternative="cg_to_front_axle",
+    )
+    total_cg_to_rear_axle: float | None = parameter(
+        "distance from the c.g. of the whole vehicle to the rear axle, instead of that of the "
+        "sprung mass",
+        **_LENGTH,
+        alternative="cg_to_rear_axle",
+    )
+    total_cg_height: float | None = parameter(
+        "height of the c.g. of the whole vehicle above ground at rest, instead of that of the "
+        "sprung mass",
+        **_LENGTH,
+        alternative="cg_height",
+    )
+    cg_offset: float | None = parameter(
+        "distance of the c.g. of the sprung mass to the left of the middle (model 2); by default 0",
+        **_OFFSET,
+        default=None,
+    )
+    total_cg_offset: float | None = parameter(
+        "distance of the c.g. of the whole vehicle to the left of the middle, instead of that of "
+        "the sprung mass (model 2)",
+        **_OFFSET,
+        default=None,
+    )
+    roll_yaw_product: float | None = parameter(
+        "product of inertia of the sprung mass, the integral of x z dm (14 DOF models); by default "
+        "0",
+        **_PRODUCT,
+        symbol="Jxz",
+        default=None,
+    )
+    total_roll_yaw_product: float | None = parameter(
+        "product of inertia of the whole vehicle, instead of that of the sprung mass",
+        **_PRODUCT,
+        default=None,
+    )
+    roll_pitch_product: float | None = parameter(
+        "product of inertia of the sprung mass, the integral of x y dm (model 2); by default 0",
+        **_PRODUCT,
+        symbol="Jxy",
+        default=None,
+    )
+    pitch_yaw_product: float | None = parameter(
+        "product of inertia of the sprung mass, the integral of y z dm (model 2); by default 0",
+        **_PRODUCT,
+        symbol="Jyz",
+        default=None,
     )
     front_track: float = parameter("track width of the front axle", **_LENGTH, symbol="cf")
     rear_track: float = parameter("track width of the rear axle", **_LENGTH, symbol="cr")
@@ -344,15 +453,26 @@ class Vehicle(DerivedValues):
     tire_moments: bool = dataclasses.field(kw_only=True, default=True)
     contact_patch_shift: bool = dataclasses.field(kw_only=True, default=True)
     longitudinal: str = dataclasses.field(kw_only=True, default="")
+    payload: tuple[Load, ...] = dataclasses.field(kw_only=True, default=())
+    origin: Origin | None = dataclasses.field(kw_only=True, default=None, repr=False, compare=False)
     model: str = dataclasses.field(kw_only=True, default=PAPER)
     stated_at: dict = dataclasses.field(
         kw_only=True, default_factory=dict, compare=False, repr=False
     )
 
     def __post_init__(self):
+        self._keep(as_given(self))
         keep_validated(self, self.given)
         check_alternatives(Vehicle, self.given)
-        check_consistency(self, PER_AXLE)
+        check_given(self, PER_AXLE)
+        given = self.given
+        if derived := sprung_values(self):
+            self._keep(derived | {"origin": Origin(given, derived)})
+        check_consistency(self)
+
+    def _keep(self, values: dict) -> None:
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
 
     @classmethod
     def checked(
@@ -377,7 +497,8 @@ class Vehicle(DerivedValues):
         """
         known, given = parameters_of(Vehicle), self.given
         kept = {n: value for n, value in given.items() if known[n].alternative not in values}
-        for name, other in (*BAR_SPELLINGS, *((b, a) for a, b in BAR_SPELLINGS)):
+        spellings = (*BAR_SPELLINGS, *MASS_SPELLINGS)
+        for name, other in (*spellings, *((b, a) for a, b in spellings)):
             if name in values:
                 kept.pop(other, None)
         for both, single in PER_AXLE.items():
@@ -391,18 +512,31 @@ class Vehicle(DerivedValues):
 
     @property
     def given(self) -> dict[str, float]:
-        """Every given value by name; of two alternatives, only the one that was specified."""
+        """Every given value by name; of two alternatives, only the one that was specified.
+
+        Not what `origin.derived` has.
+        """
+        if self.origin:
+            return dict(self.origin.given)
         known = parameters_of(Vehicle)
         values = {name: getattr(self, name) for name in known}
         return {n: v for n, v in values.items() if v is not None or known[n].default is not None}
 
     @property
     def not_numbers(self) -> dict:
-        """The fields that are not parameters: tires, and what is on by default."""
+        """The fields that are not parameters: tires, payload, and what is on by default."""
         names = {field.name for field in dataclasses.fields(self)} - {*parameters_of(Vehicle)}
+        names.remove("origin")
         return {name: getattr(self, name) for name in names}
 
     def with_depths(self) -> "Vehicle":
-        """The same vehicle, bit for bit, with its roll centres specified as depths."""
-        depths = {axle: float(self.roll_centre_depth[wheel]) for axle, wheel in AXLES.items()}
-        return self.with_values({f"{axle}_roll_centre_depth": d for axle, d in depths.items()})
+        """The same vehicle, bit for bit, as its sprung mass with depths of roll centres."""
+        depths = {
+            f"{axle}_roll_centre_depth": float(self.roll_centre_depth[wheel])
+            for axle, wheel in AXLES.items()
+        }
+        if not self.origin:
+            return self.with_values(depths)
+        values = {n: v for n, v in self.given.items() if n not in WHOLE and "roll_centre" not in n}
+        values |= {n: v for n, v in self.origin.derived.items() if v is not None}
+        return self.checked(values | depths, **self.not_numbers | {"payload": ()})

@@ -28,6 +28,13 @@ ABOUT_OPTIONAL = """\
 # These are optional. The values shown are the defaults, but for tire radius and stiffnesses, whose
 # defaults are those of the tire file.
 """
+ABOUT_THE_PAYLOAD = """\
+# Masses that the sprung mass carries besides; its data above are those of the vehicle without them.
+# m, kg, kg m^2. left_of_middle and the moments of inertia about its own c.g. are 0 if left out.
+# payload:
+#   - {mass: 75, behind_front_axle: 1.3, height: 0.7, left_of_middle: 0.35}
+#   - {mass: 60, behind_front_axle: 1.4, height: 1.6, pitch_inertia: 9, yaw_inertia: 9}
+"""
 ABOUT_SWITCHES = """\
 # Whether the moments of the tires act, and whether contact patches shift sideways under lateral
 # force (true or false; true if left out, but the vehicle of the paper has neither).
@@ -64,7 +71,8 @@ def vehicle_template() -> str:
         (optional if is_optional else lines).append(f"{line:{COMMENT_AT}}# {_about(parameter)}\n")
     switches = (f"{name}: {str(getattr(vehicle, name)).lower()}\n" for name in SWITCHES)
     optional = [ABOUT_OPTIONAL, *optional, ABOUT_SWITCHES, *switches]
-    return "".join([ABOUT_THE_VEHICLE, *lines, *optional, ABOUT_THE_MODEL, ABOUT_THE_TIRE])
+    parts = [*lines, *optional, ABOUT_THE_PAYLOAD, ABOUT_THE_MODEL, ABOUT_THE_TIRE]
+    return "".join([ABOUT_THE_VEHICLE, *parts])
 
 
 def _about(parameter: Parameter) -> str:

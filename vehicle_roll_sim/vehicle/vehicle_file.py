@@ -12,6 +12,7 @@ import yaml
 
 from vehicle_roll_sim.declaration import LONGEST_SHOWN, InputError, parameters_of, unknown_name
 from vehicle_roll_sim.files.text_file import read_text
+from vehicle_roll_sim.vehicle.masses import Load
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
 
@@ -39,6 +40,8 @@ TIRES = ("tire", "front_tire", "rear_tire")
 """Keys that name a tire file: one for all wheels, or one for each axle."""
 SWITCHES = ("tire_moments", "contact_patch_shift")
 """Keys that say what the options of these names mean by `auto`."""
+PAYLOAD = "payload"
+"""Key of the masses that the sprung mass carries besides."""
 LONGITUDINAL, FROM_LATERAL = "longitudinal", "from_lateral"
 """Key and value by which a lateral-only tire file gets a stand-in for longitudinal forces."""
 MODEL = "model"
@@ -99,7 +102,7 @@ def load_vehicle(path: str | Path) -> Vehicle:
     values, lines = _mapping(path)
     where = {name: f"{path}: line {line}: {name}" for name, line in lines.items()}
     known = parameters_of(Vehicle)
-    expected = (*known, *TIRES, *SWITCHES, LONGITUDINAL, MODEL)
+    expected = (*known, *TIRES, *SWITCHES, LONGITUDINAL, PAYLOAD, MODEL)
     for name in values:
         if name not in expected:
             raise unknown_name(name, expected, f"{path}: line {lines[name]}: name")
@@ -133,10 +136,35 @@ def _others(path: Path, values: dict, where: dict[str, str]) -> dict:
             if not isinstance(values[name], bool):
                 raise InputError(where[name], values[name], "true or false")
             others[name] = values[name]
+    if PAYLOAD in values:
+        others[PAYLOAD] = _payload(values[PAYLOAD], where[PAYLOAD])
     for name in TIRES:
         if name in values:
             others[name] = _tire(path, values[name], where[name], others.get(LONGITUDINAL, ""))
     return others
+
+
+def _payload(values, where: str) -> tuple[Load, ...]:
+    """The payload from a list of mappings; raises InputError."""
+    known = parameters_of(Load)
+    required = [name for name, declared in known.items() if declared.default is MISSING]
+    if not isinstance(values, list) or not all(isinstance(each, dict) for each in values):
+        allowed = "a list of masses, each with " + ", ".join(required)
+        raise InputError(where, values, allowed)
+    loads = []
+    for number, given in enumerate(values, 1):
+        field = f"{where}: mass {number}"
+        for name in given:
+            if name not in known:
+                raise unknown_name(str(name), known, f"{field}: name")
+        if missing := [name for name in required if name not in given]:
+            raise InputError(f"{field}: {', '.join(missing)}", None, "all are required")
+        try:
+            loads.append(Load(**given))
+        except InputError as error:
+            problem, allowed = error.problem, error.allowed
+            raise InputError(f"{field}: {error.field}", error.value, allowed, problem) from None
+    return tuple(loads)
 
 
 def _missing(values: dict) -> list[str]:

@@ -139,6 +139,13 @@ def system(state, vehicle, options, outputs):
     f[DWX] += (jy - jz) * wy * wz
     f[DWY] += (jz - jx) * wz * wx
     f[DWZ] += (jx - jy) * wx * wy
+    jxy, jxz, jyz = vehicle.roll_pitch_product, vehicle.roll_yaw_product, vehicle.pitch_yaw_product
+    a[DWY, DWX] -= jxy
+    a[DWZ, DWX] -= jxz
+    a[DWZ, DWY] -= jyz
+    f[DWX] += jyz * (wy * wy - wz * wz) + wx * (jxz * wy - jxy * wz)
+    f[DWY] += jxz * (wz * wz - wx * wx) + wy * (jxy * wz - jyz * wx)
+    f[DWZ] += jxy * (wx * wx - wy * wy) + wz * (jyz * wx - jxz * wy)
     if options.contact_moments:
         for i in range(WHEEL_COUNT):
             f[DWX] += outputs.contact_moment_x[i]

@@ -21,7 +21,8 @@ from vehicle_roll_sim.messages.urdf import urdf
 from vehicle_roll_sim.ros.launching.processes import PACKAGE, ends_all
 from vehicle_roll_sim.ros.launching.values import YES, log_words
 from vehicle_roll_sim.simulation.options import Options, options_for
-from vehicle_roll_sim.vehicle.vehicle_file import load_vehicle, preset
+from vehicle_roll_sim.vehicle.shipped import vehicle_named
+from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 WHEELS, RVIZ = "robot_state_publisher", "rviz2"
 """Packages; their executables have the same names."""
@@ -38,7 +39,7 @@ def pictures(given: Mapping[str, str]) -> list[Node]:
     with_rviz = given["use_rviz"] == YES
     if with_rviz:
         _require(RVIZ, ", or use_rviz:=false")
-    vehicle = load_vehicle(given["vehicle_file"]) if given["vehicle_file"] else preset()
+    vehicle = vehicle_named(given["vehicle_file"]) if given["vehicle_file"] else preset()
     options = Options(model=given["model"]) if given["model"] else options_for(vehicle)
     text = urdf(vehicle, options)
     described = {"robot_description": ParameterValue(text, value_type=str)}

@@ -29,10 +29,10 @@ from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
+from vehicle_roll_sim.vehicle.shipped import vehicle_named
 from vehicle_roll_sim.vehicle.vehicle_file import (
     LONGITUDINAL,
     TIRES,
-    load_vehicle,
     on_tires,
     preset,
 )
@@ -85,7 +85,7 @@ def declare(node: Node) -> Declared:
     settings = Settings(**_declare_class(node, Settings))
     limits = CommandLimits(**_declare_class(node, CommandLimits))
     road = Road(**_declare_class(node, Road))
-    vehicle = load_vehicle(settings.vehicle_file) if settings.vehicle_file else preset()
+    vehicle = vehicle_named(settings.vehicle_file) if settings.vehicle_file else preset()
     vehicle = _on_tires(node, vehicle)
     vehicle = vehicle.with_values(_given_of_vehicle(node), VEHICLE_PREFIX)
     for name, value in vehicle.given.items():  # a dump with both alternatives could not be loaded

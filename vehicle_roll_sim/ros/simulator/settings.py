@@ -139,7 +139,9 @@ class Settings:
     )
     frame_prefix: str = parameter("prefix of the frame names in all messages", default="")
     vehicle_file: str = parameter(
-        "path of the vehicle file (YAML); empty: the reference vehicle", default=""
+        "path of the vehicle file (YAML), or name of a shipped vehicle; empty: the reference "
+        "vehicle",
+        default="",
     )
     strict: bool = parameter(
         "refuse an implausible vehicle instead of logging a warning", default=False
