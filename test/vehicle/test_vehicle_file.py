@@ -89,6 +89,10 @@ ABSENT = {
     **{f"{axle}_{name}": value for axle in ("front", "rear") for name, value in DETAILS.items()},
     "ackermann_percentage": 70.0,
     "engine_drag": 2.0,
+    "front_drive_share": 0.4,
+    "front_brake_share": 0.7,
+    "front_differential_damping": 20.0,
+    "rear_differential_damping": 50.0,
 }
 """What the reference vehicle does not have."""
 TABLES = {

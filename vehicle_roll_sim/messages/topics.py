@@ -45,8 +45,12 @@ COMMAND_MEANINGS = {
     "opposes the spin and holds a wheel that does not turn",
     "normal_force_cmd": "active force at each suspension corner; positive pushes the body up and "
     "the wheel down",
-    "speed_cmd": "forward speed for the speed controller; ignored while wheel torques are "
-    "commanded",
+    "speed_cmd": "forward speed for the speed controller; ignored while wheel torques or a drive "
+    "torque are commanded",
+    "drive_torque_cmd": "total drive torque at the wheels, signed, distributed by the vehicle's "
+    "`front_drive_share`; ignored while wheel torques are commanded",
+    "brake_cmd": "total brake torque, not below 0, distributed by the vehicle's "
+    "`front_brake_share`; ignored while brake torques of wheels are commanded",
 }
 COMMANDS = tuple(
     Topic(
