@@ -5,7 +5,7 @@ Nodes, bags and the documentation take them from here.
 
 import dataclasses
 
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, channels
 from vehicle_roll_sim.live.command_limits import UNITS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.options import Options
@@ -63,6 +63,8 @@ COMMANDS = tuple(
     for name, channel in channels().items()
 )
 """What the simulator subscribes to; the depth is that of publishers in this package."""
+TOTAL_TORQUES = tuple(topic for topic in COMMANDS if channels()[topic.name].field in (DRIVE, BRAKE))
+"""Commands that the vehicle distributes to the wheels."""
 STATE_SET = (
     Topic("state", ARRAY, meaning="time since the reset, then the states of the model"),
     Topic(
