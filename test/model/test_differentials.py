@@ -1,4 +1,4 @@
-"""Differentials: torques cancel, speeds equalize at a known rate, power is only taken."""
+"""Differentials: torques cancel, and speeds equalize at a known rate."""
 
 import numpy as np
 import pytest
