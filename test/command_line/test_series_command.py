@@ -1,8 +1,12 @@
 """`series`: a table with its verdict, the same as CSV, and refusals."""
 
 import csv
+import itertools
 
 import pytest
+
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.manoeuvres.series import catalogue
 
 CENTRES = ("--set", "front_roll_centre_height=0.1", "--set", "rear_roll_centre_height=0.15")
 STABLE = ("--set", "cg_height=0.5", *CENTRES)
@@ -114,3 +118,59 @@ def test_a_quick_steering_gets_its_verdict_and_where_the_amplitudes_end(command,
     assert (result.status, result.err) == (0, "")
     assert result.value["amplitudes end at"].startswith("240 deg, which is 60 deg at the road")
     assert result.value["verdict"]
+
+
+@pytest.fixture
+def ends_at_the_second_run(monkeypatch):
+    """Makes a series end with an exception after its first run."""
+
+    def arrange(end: BaseException) -> None:
+        driven = catalogue.driven
+        runs = itertools.count(1)
+
+        def interrupted(*given):
+            if next(runs) > 1:
+                raise end
+            return driven(*given)
+
+        monkeypatch.setattr(catalogue, "driven", interrupted)
+
+    return arrange
+
+
+SHORT = ("nhtsa_j_turn", "--set", "steering_ratio=1.5", *STABLE)
+"""A series with few runs."""
+
+
+def test_a_series_that_is_refused_in_the_middle_keeps_the_runs_before(
+    command, folder, ends_at_the_second_run
+):
+    ends_at_the_second_run(InputError("model", "1", "another model"))
+    result = command("series", *SHORT, "--csv", "series.csv")
+    assert result.status == 2
+    assert result.err.splitlines() == [
+        "vehicle_roll_sim: error: --model: '1' is not allowed: another model"
+    ]
+    assert len(table_of(result)) == 2
+    assert len((folder / "series.csv").read_text().splitlines()) == 2
+    assert result.value["verdict"] == "none: the series ended after 1 run"
+    assert result.value["CSV"] == "series.csv"
+
+
+def test_a_series_that_is_interrupted_keeps_the_runs_before(
+    command, folder, ends_at_the_second_run
+):
+    ends_at_the_second_run(KeyboardInterrupt())
+    assert command("series", *SHORT, "--csv", "series.csv").status == 130
+    assert len((folder / "series.csv").read_text().splitlines()) == 2
+
+
+def test_amplitudes_of_a_standard_end_where_the_road_wheels_do(command):
+    words = ("nhtsa_j_turn", "--set", "steering_ratio=4", "--steering-at-03g", "48")
+    result = command("run", *words, "--duration", "1.2", *STABLE)
+    assert result.status == 0
+    assert result.value["handwheel amplitude"] == "240.000 deg"
+    assert result.value["handwheel ends at"].startswith("240 deg, which is 60 deg at the road")
+    beyond = command("run", *words, "--scalar", "8.1", *STABLE)
+    assert beyond.status == 2
+    assert "at most 240 deg, which is 60 deg at the road wheels" in beyond.err

@@ -95,6 +95,10 @@ ABSENT = {
     "total_roll_yaw_product": 40.0,
     "roll_pitch_product": 20.0,
     "pitch_yaw_product": 10.0,
+    "front_drive_share": 0.4,
+    "front_brake_share": 0.7,
+    "front_differential_damping": 20.0,
+    "rear_differential_damping": 50.0,
 }
 """What the reference vehicle does not have."""
 TABLES = {"steering_gear": ("steering_ratio", "[[0, 0], [1, 0.1], [6, 0.5]]")} | {

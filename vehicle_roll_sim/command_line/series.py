@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Callable, Iterable
+from pathlib import Path
 
 from tqdm import tqdm
 
@@ -51,8 +52,19 @@ def series_command(words: list[str], program: str) -> int:
     options = chosen_options(arguments, vehicle)
     with signals.exit_on_signal():
         compile_model()
-    with tqdm(delay=1.0, disable=None, leave=False, unit=" runs") as bar:
-        result = _driven(series, vehicle, options, bar.update)
+    try:
+        with tqdm(delay=1.0, disable=None, leave=False, unit=" runs") as bar:
+            result = _driven(series, vehicle, options, bar.update)
+    except BaseException as end:  # a refusal, a failure or a signal, after some of the runs
+        if getattr(end, "driven", ()):
+            _show(end.driven, path)
+        raise
+    _show(result, path)
+    return 0
+
+
+def _show(result: SeriesResult, path: Path | None) -> None:
+    """Print the result, and write it to the CSV file if there is one."""
     if path:
         result.write_csv(path)
     print(result.table)
@@ -61,7 +73,6 @@ def series_command(words: list[str], program: str) -> int:
     print(line("verdict", result.verdict))
     if path:
         print(line("CSV", path))
-    return 0
 
 
 def _adjusted(series: Series, arguments: argparse.Namespace) -> Series:
@@ -82,7 +93,11 @@ def _driven(
     try:
         return drive_series(series, vehicle, options, progress)
     except InputError as error:
-        raise as_option(error) if error.field in parameters_of(Options) else error from None
+        if error.field not in parameters_of(Options):
+            raise
+        named = as_option(error)
+        named.driven = getattr(error, "driven", ())
+        raise named from None
 
 
 def _class_of(declaring) -> type:

@@ -44,19 +44,31 @@ class HandwheelManoeuvre(Manoeuvre):
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "HandwheelManoeuvre":
         """A copy with the vehicle's steering gear.
 
-        Raises InputError if the handwheel angle exceeds the largest one of the vehicle.
+        A standard's own handwheel angle ends at the largest one of the vehicle. Raises InputError
+        if any other exceeds it.
         """
         ready = dataclasses.replace(self, gear=vehicle.gear)
-        return ready.filled_in(vehicle, options).checked()
+        return ready.filled_in(vehicle, options).within_the_wheels().checked()
 
     def filled_in(self, vehicle: Vehicle, options: Options) -> "HandwheelManoeuvre":
         """A copy with any other values that depend on the vehicle and its model."""
+        return self
+
+    def within_the_wheels(self) -> "HandwheelManoeuvre":
+        """Reduce a standard's own angle to the largest one of the vehicle; keep any other."""
         return self
 
     @property
     @abc.abstractmethod
     def amplitude(self) -> float:
         """The largest handwheel angle (deg, left positive)."""
+
+    def limit_line(self) -> dict[str, str]:
+        """A line of the report if the largest angle is the largest one of the vehicle."""
+        largest = largest_handwheel(self.gear)
+        if not math.isclose(abs(self.amplitude), largest, rel_tol=ROUNDING):
+            return {}
+        return {"handwheel ends at": at_the_road_wheels(largest, self.gear)}
 
     def checked(self) -> "HandwheelManoeuvre":
         """Return self; raises InputError if `amplitude` exceeds the largest handwheel angle."""

@@ -116,5 +116,9 @@ def _text(value: float, unit: str) -> str:
     return "unknown" if math.isnan(value) else f"{value:.3f} {unit}"
 
 
-SINE_WITH_DWELL = SineWithDwell(speed=80 / 3.6, scalar=5.0, duration=6.0, speed_hold=HOLD)
+LADDER_TO = 6.5
+"""Largest `scalar` of the standard's series, unless 270 deg need a larger one."""
+SINE_WITH_DWELL = SineWithDwell(
+    speed=80 / 3.6, scalar=5.0, largest_of_standard=LADDER_TO, duration=6.0, speed_hold=HOLD
+)
 """80 km/h, then coasting; the smallest amplitude of the series at which all criteria apply."""

@@ -11,7 +11,6 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
     LARGEST_HANDWHEEL,
     METRES_PER_SECOND_OF_A_MPH,
     HandwheelProgramme,
-    at_the_road_wheels,
     largest_handwheel,
     ramp,
 )
@@ -86,14 +85,7 @@ class SlowlyIncreasingSteer(HandwheelProgramme):
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         angle = angle_at_level(history, self.gear)
         found = TOO_LITTLE if math.isnan(angle) else f"{angle:.3f} deg"
-        return {"handwheel angle at 0.3 g": found, **self._limit_line()}
-
-    def _limit_line(self) -> dict[str, str]:
-        """A line of the report if the final angle is the largest one of the vehicle."""
-        largest = largest_handwheel(self.gear)
-        if abs(self.handwheel_angle) != largest:
-            return {}
-        return {"handwheel ends at": at_the_road_wheels(largest, self.gear)}
+        return {"handwheel angle at 0.3 g": found, **self.limit_line()}
 
 
 SLOWLY_INCREASING_STEER = SlowlyIncreasingSteer(
@@ -134,11 +126,11 @@ def steering_at_03g(vehicle: Vehicle, options: Options) -> float:
     """Handwheel angle (deg) at 0.3 g: mean of a slowly increasing steer to the left and the right.
 
     On a level road. One run to each side is enough because simulated runs are repeatable. Raises
-    InputError if the vehicle does not reach 0.375 g.
+    InputError if the vehicle does not reach 0.375 g, or too quickly for a fit.
     """
     angles = [_angle_to_a_side(vehicle, options, side) for side in (1.0, -1.0)]
     if any(map(math.isnan, angles)):
-        problem = "this vehicle does not reach 0.375 g in a slowly increasing steer"
+        problem = "the slowly increasing steer of this vehicle has " + TOO_LITTLE
         raise InputError("steering_at_03g", 0.0, "a number above 0 deg", problem)
     return float(np.mean(angles))
 

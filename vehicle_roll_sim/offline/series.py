@@ -74,7 +74,8 @@ def series(
     name: name of the manoeuvre. values: parameters with the names and units of the command's
     options; any of those on the range of entry speeds selects the entry-speed search. vehicle: by
     default the reference vehicle. progress: called after every run. Returns a SeriesResult. Raises
-    InputError.
+    InputError. An exception in the middle of a series has an attribute `driven`, the SeriesResult
+    of the runs before it.
     """
     if not isinstance(name, str):
         raise InputError("name", name, "the name of a manoeuvre")
@@ -103,11 +104,20 @@ def drive_series(
 ) -> SeriesResult:
     """Drive a series with its present values; arguments and result as for `series`."""
     rows = []
-    for row in chosen.rows(vehicle, options):
-        rows.append(row)
-        progress()
+    try:
+        for row in chosen.rows(vehicle, options):
+            rows.append(row)
+            progress()
+    except BaseException as end:  # a signal too
+        end.driven = SeriesResult(chosen.columns, rows, {}, _unfinished(rows))
+        raise
     remarks = chosen.remarks(vehicle, rows)
     return SeriesResult(chosen.columns, rows, remarks, chosen.verdict(rows))
+
+
+def _unfinished(rows: list[tuple]) -> str:
+    runs = "1 run" if len(rows) == 1 else f"{len(rows)} runs"
+    return f"none: the series ended after {runs}"
 
 
 def _cell(value: float | str) -> str:

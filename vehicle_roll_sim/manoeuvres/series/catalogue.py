@@ -17,6 +17,7 @@ from vehicle_roll_sim.manoeuvres.double_lane_change import (
 from vehicle_roll_sim.manoeuvres.driver.path_following import PathFollowing
 from vehicle_roll_sim.manoeuvres.handwheel import (
     METRES_PER_SECOND_OF_A_MPH,
+    ROUNDING,
     at_the_road_wheels,
     largest_handwheel,
 )
@@ -25,13 +26,17 @@ from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
 from vehicle_roll_sim.manoeuvres.series.base import COMPLETE, Series, driven, ending_of
 from vehicle_roll_sim.manoeuvres.series.entry_speed_search import EntrySpeedSearch
 from vehicle_roll_sim.manoeuvres.series.speed_search import SpeedSearch
-from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL, SineWithDwellResult
+from vehicle_roll_sim.manoeuvres.sine_with_dwell import (
+    LADDER_TO,
+    SINE_WITH_DWELL,
+    SineWithDwellResult,
+)
 from vehicle_roll_sim.manoeuvres.steady_turn import RisingSpeed
 from vehicle_roll_sim.model.integration.events import VALUE
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-LADDER_FROM, LADDER_STEP, LADDER_TO = 1.5, 0.5, 6.5
+LADDER_FROM, LADDER_STEP = 1.5, 0.5
 """Scalars of the sine with dwell: handwheel amplitude over the handwheel angle at 0.3 g."""
 LEAST_FINAL, LARGEST_FINAL = 270.0, 300.0
 """deg: limits of the final amplitude, which is otherwise 6.5 times the angle at 0.3 g."""
@@ -62,6 +67,13 @@ class SpeedSeries(Series):
             yield speed, manoeuvre.amplitude, peak, lift, ending
             if not (math.isnan(lift) and ending == COMPLETE):
                 return
+
+    def remarks(self, vehicle: Vehicle, rows: list[tuple]) -> dict[str, str]:
+        """A line if the amplitudes end where the road wheels turn no further."""
+        largest = largest_handwheel(vehicle.gear)
+        if abs(rows[0][2]) < largest * (1.0 - ROUNDING):
+            return {}
+        return {"amplitudes end at": at_the_road_wheels(largest, vehicle.gear)}
 
     def verdict(self, rows: list[tuple]) -> str:
         ended = [row for row in rows if not math.isnan(row[4]) or row[-1] != COMPLETE]
