@@ -30,7 +30,8 @@ LENGTHS = (0, 1, 3, 4, 5, 1_000_000)
 SECOND = 1_000_000_000
 TIMEOUT = SECOND // 2
 """ns: the default of `command_timeout`."""
-SIZES = {**{topic: len(values) for topic, values in GOOD.items()}, "speed_cmd": 1}
+TOTALS = ("speed_cmd", "drive_torque_cmd", "brake_cmd")
+SIZES = {**{topic: len(values) for topic, values in GOOD.items()}, **dict.fromkeys(TOTALS, 1)}
 WRONG_LENGTHS = [(t, n) for t, size in SIZES.items() for n in LENGTHS if n != size]
 WRONG_VALUES = [(t, n, v) for t, size in SIZES.items() for n in range(size) for v in NOT_FINITE]
 
@@ -44,21 +45,21 @@ def filled(timeout: float = 0.5, policy: str = "hold") -> CommandInbox:
 
 
 def test_it_knows_the_topics_of_the_interface():
-    assert set(CommandInbox().channels) == {*GOOD, "speed_cmd"}
+    assert set(CommandInbox().channels) == {*GOOD, *TOTALS}
 
 
 def test_a_speed_is_no_part_of_a_command_and_gives_way_to_wheel_torques():
     inbox = CommandInbox(timeout=0.5)
-    assert inbox.speed(0) is None
+    assert inbox.total("speed_cmd", 0) is None
     assert inbox.receive("speed_cmd", (12.0,), 0) == ""
     assert inbox.command(0) == Command()
-    assert inbox.speed(TIMEOUT) == 12.0
-    assert inbox.speed(TIMEOUT + 1) is None  # silent
+    assert inbox.total("speed_cmd", TIMEOUT) == 12.0
+    assert inbox.total("speed_cmd", TIMEOUT + 1) is None  # silent
     inbox.receive("speed_cmd", (3.0,), SECOND)
     inbox.receive("wheel_torque_cmd", GOOD["wheel_torque_cmd"], SECOND)
-    assert inbox.speed(SECOND) is None
+    assert inbox.total("speed_cmd", SECOND) is None
     inbox.receive("speed_cmd", (4.0,), 2 * SECOND)  # by now the torques are silent
-    assert inbox.speed(2 * SECOND) == 4.0
+    assert inbox.total("speed_cmd", 2 * SECOND) == 4.0
 
 
 def test_before_any_message_nothing_is_commanded_and_nothing_counts_as_silent():

@@ -19,9 +19,10 @@ pytestmark = pytest.mark.unmeasured
 LIMIT_OF = {topic: channel.limit for topic, channel in channels().items()}
 SIZE_OF = {topic: channel.size for topic, channel in channels().items()}
 USUAL = CommandLimits()
-FIELDS = {t: c.field for t, c in channels().items() if t != "speed_cmd"}
+TOTALS = ("speed_cmd", "drive_torque_cmd", "brake_cmd")
+FIELDS = {t: c.field for t, c in channels().items() if t not in TOTALS}
 HUGE = (1e10, 1e308)
-ONE_SIDED = "brake_torque_cmd"
+ONE_SIDED = ("brake_torque_cmd", "brake_cmd")
 PERIOD_NS, PERIOD = 10_000_000, 0.01
 TEN_SECONDS = 10_000_000_000
 """ns"""
@@ -33,8 +34,8 @@ def limit(topic: str, limits: CommandLimits = USUAL) -> float:
 
 def applied(inbox: CommandInbox, topic: str, now_ns: int = 0):
     """What a topic commands, as values."""
-    if topic == "speed_cmd":
-        return (inbox.speed(now_ns),)
+    if topic in TOTALS:
+        return (inbox.total(topic, now_ns),)
     value = getattr(inbox.command(now_ns), FIELDS[topic])
     return value if isinstance(value, tuple) else (value,)
 
@@ -44,7 +45,7 @@ def applied(inbox: CommandInbox, topic: str, now_ns: int = 0):
 @pytest.mark.parametrize("topic", LIMIT_OF)
 def test_a_huge_value_is_driven_as_the_limit_and_counted(topic, huge, sign):
     inbox = CommandInbox()
-    sign = abs(sign) if topic == ONE_SIDED else sign
+    sign = abs(sign) if topic in ONE_SIDED else sign
     values = [0.0] * SIZE_OF[topic]
     values[-1] = sign * huge
     reason = inbox.receive(topic, values, 0)
@@ -148,7 +149,7 @@ def driven_at_limits(speed: float, segments) -> Session:
 
 
 def huge_values(topic: str):
-    lowest = 0.0 if topic == ONE_SIDED else -1e308
+    lowest = 0.0 if topic in ONE_SIDED else -1e308
     one = st.sampled_from([lowest, 0.0, 1e308])
     return st.lists(one, min_size=SIZE_OF[topic], max_size=SIZE_OF[topic])
 

@@ -329,6 +329,8 @@ def test_commands_have_the_units_and_sizes_that_their_limits_are_for():
         "brake_torque_cmd": ("N m", ARRAY),
         "normal_force_cmd": ("N", ARRAY),
         "speed_cmd": ("m/s", FLOAT),
+        "drive_torque_cmd": ("N m", FLOAT),
+        "brake_cmd": ("N m", FLOAT),
     }
 
 

@@ -42,6 +42,8 @@ EFFECTS = {
     "wheel_torque_cmd": gains_speed,
     "brake_torque_cmd": loses_speed,
     "speed_cmd": loses_speed,
+    "drive_torque_cmd": gains_speed,
+    "brake_cmd": loses_speed,
     "normal_force_cmd": leans_left,
 }
 

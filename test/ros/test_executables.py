@@ -99,6 +99,8 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
         "brake_torque_cmd": four,
         "normal_force_cmd": four,
         "speed_cmd": 13.0,
+        "drive_torque_cmd": 0.0,
+        "brake_cmd": 0.0,
     }
     topics = [topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED) if is_installed(topic)]
     names = {f"/{topic.name.removeprefix('/')}" for topic in topics}

@@ -95,6 +95,10 @@ ABSENT = {
     "pressure_centre_height": -0.1,
     "front_lift_area": 0.2,
     "rear_lift_area": -0.1,
+    "front_drive_share": 0.4,
+    "front_brake_share": 0.7,
+    "front_differential_damping": 20.0,
+    "rear_differential_damping": 50.0,
 }
 """What the reference vehicle does not have."""
 TABLES = {

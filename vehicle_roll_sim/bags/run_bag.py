@@ -18,6 +18,7 @@ from vehicle_roll_sim.messages.topics import (
     ROLLOVER,
     SIMULATION_DESCRIPTION,
     STAMPED,
+    TOTAL_TORQUES,
     TRANSFORMS,
     set_of,
 )
@@ -51,8 +52,9 @@ def run_bag(
 class RunBag:
     """Observer of a run that writes every set to a bag, stamped and logged in simulated time.
 
-    The bag has the topics of a recording. The topics of the `commanded` fields of a Command have
-    the values applied in each period; diagnostics stay empty.
+    The bag has the topics of a recording, without those of total torques: a run commands wheels.
+    The topics of the `commanded` fields of a Command have the values applied in each period;
+    diagnostics stay empty.
     """
 
     def __init__(
@@ -68,7 +70,8 @@ class RunBag:
         absent = () if ROLL_CENTRE in in_set else (ROLL_CENTRE,)
         published = (topic for topic in PUBLISHED if topic not in absent)
         with_header = (topic for topic in in_set if topic in STAMPED)
-        topics = (*COMMANDS, *published, *with_header)
+        commands = (topic for topic in COMMANDS if topic not in TOTAL_TORQUES)
+        topics = (*commands, *published, *with_header)
         self._connections = {
             topic.name: bag.add_topic(topic, "/" + topic.name.lstrip("/")) for topic in topics
         }

@@ -10,8 +10,15 @@ from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import NO_FORCE, Command
 
 HOLD, CENTRE = "hold", "centre"
-SPEED = "speed"
-"""The only channel that is not a field of a Command; the speed controller acts on it."""
+SPEED, DRIVE, BRAKE = TOTALS = ("speed", "drive_torque", "brake")
+"""Channels that are no fields of a Command: a speed for the speed controller, and total torques,
+which the driveline and the brake system distribute."""
+OVERRULED_BY = {
+    "speed_cmd": ("wheel_torque_cmd", "drive_torque_cmd"),
+    "drive_torque_cmd": ("wheel_torque_cmd",),
+    "brake_cmd": ("brake_torque_cmd",),
+}
+"""The topics of these channels, and those that they give way to."""
 DEFAULT_TIMEOUT = 0.5
 """s of simulated time"""
 DROPPED, CLAMPED = "message dropped", "clamped"
@@ -53,6 +60,8 @@ def channels() -> dict[str, Channel]:
         "brake_torque_cmd": Channel("brake_torque", WHEEL_COUNT, "brake_torque_limit", 0.0),
         "normal_force_cmd": Channel("normal_force", WHEEL_COUNT, "normal_force_limit"),
         "speed_cmd": Channel(SPEED, 1, "speed_limit"),
+        "drive_torque_cmd": Channel(DRIVE, 1, "drive_torque_limit"),
+        "brake_cmd": Channel(BRAKE, 1, "brake_limit", 0.0),
     }
 
 
@@ -100,7 +109,7 @@ class CommandInbox:
         values = {}
         for channel in self.channels.values():
             channel.answered = False
-            if channel.arrival_ns is None or channel.field == SPEED:
+            if channel.arrival_ns is None or channel.field in TOTALS:
                 continue
             silent = self.is_silent(channel, now_ns)
             value = self.limits.clamped(channel.limit, channel.value)
@@ -113,13 +122,25 @@ class CommandInbox:
             self._values, self._command = values, Command(**values)
         return self._command
 
-    def speed(self, now_ns: int) -> float | None:
-        """The commanded speed (m/s), or None if there is none or wheel torques are commanded."""
-        speed, torque = self.channels["speed_cmd"], self.channels["wheel_torque_cmd"]
-        driven = torque.arrival_ns is not None and not self.is_silent(torque, now_ns)
-        if speed.arrival_ns is None or self.is_silent(speed, now_ns) or driven:
+    def total(self, topic: str, now_ns: int) -> float | None:
+        """The value of `speed_cmd`, `drive_torque_cmd` or `brake_cmd` (m/s, N m).
+
+        None if there is none, or while a topic is in force that it gives way to.
+        """
+        channel = self.channels[topic]
+        if not self.is_in_force(topic, now_ns) or self.overruled_by(topic, now_ns):
             return None
-        return self.limits.clamped(speed.limit, speed.value)[0]
+        return self.limits.clamped(channel.limit, channel.value)[0]
+
+    def is_in_force(self, topic: str, now_ns: int) -> bool:
+        """Whether a topic has received a valid message within the timeout."""
+        channel = self.channels[topic]
+        return channel.arrival_ns is not None and not self.is_silent(channel, now_ns)
+
+    def overruled_by(self, topic: str, now_ns: int) -> str:
+        """The topic in force that this topic gives way to, or ''."""
+        others = OVERRULED_BY.get(topic, ())
+        return next((other for other in others if self.is_in_force(other, now_ns)), "")
 
     def unanswered(self, topics: Sequence[str]) -> list[str]:
         """Those of `topics` that received no message, not even an invalid one, since `command`."""

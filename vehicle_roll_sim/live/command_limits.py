@@ -71,6 +71,23 @@ class CommandLimits:
         default=MAXIMUM_SPEED,
     )
 
+    drive_torque_limit: float = parameter(
+        "drive_torque_cmd is clamped to this total torque",
+        "N m",
+        0.0,
+        LARGEST_LIMIT,
+        tunable=True,
+        default=20_000.0,
+    )
+    brake_limit: float = parameter(
+        "brake_cmd is clamped to this total torque",
+        "N m",
+        0.0,
+        LARGEST_LIMIT,
+        tunable=True,
+        default=40_000.0,
+    )
+
     def clamped(self, name: str, values: tuple[float, ...]) -> tuple[float, ...]:
         """`values` clamped to the limit of that name, of either sign."""
         limit = getattr(self, name)

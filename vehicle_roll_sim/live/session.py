@@ -1,5 +1,7 @@
 """A simulation driven by external commands, one publish period at a time; no ROS, no clock."""
 
+import dataclasses
+
 from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
@@ -39,11 +41,11 @@ class Session:
     def run_period(self) -> None:
         """Advance by one publish period with the present commands, unless the model has stopped."""
         now, period = self.simulation.time_ns, self.period_ns / NANOSECONDS
-        command = self.inbox.command(now)
+        command = self._with_totals(self.inbox.command(now), now)
         if self.stopped:
             return
         self.applied = self.inbox.limits.steered(self.applied, command, period)
-        target = self.inbox.speed(now)
+        target = self.inbox.total("speed_cmd", now)
         if target is None:
             self.controller.reset()
         else:
@@ -51,6 +53,17 @@ class Session:
             slope = float(self.simulation.outputs["slope_gravity"][0])
             self.applied = self.controller.drive(self.applied, target, speed, period, slope)
         self.simulation.step(self.applied, period)
+
+    def _with_totals(self, command: Command, now_ns: int) -> Command:
+        """The command with the total torques, if any, distributed to the wheels."""
+        drive = self.inbox.total("drive_torque_cmd", now_ns)
+        brake = self.inbox.total("brake_cmd", now_ns)
+        vehicle, fields = self.simulation.vehicle, {}
+        if drive is not None:
+            fields["wheel_torque"] = tuple((drive * vehicle.drive_shares).tolist())
+        if brake is not None:
+            fields["brake_torque"] = tuple((brake * vehicle.brake_shares).tolist())
+        return dataclasses.replace(command, **fields) if fields else command
 
     @property
     def stopped(self) -> bool:

@@ -50,6 +50,10 @@ def command_troubles(session: Session, publishers: Publishers) -> list[str]:
         if session.inbox.is_silent(channel, session.simulation.time_ns):
             timeout, instead = session.inbox.timeout, _instead(channel, session)
             troubles.append(f"{topic}: no message within {timeout:g} s of simulation: {instead}")
+        now = session.simulation.time_ns
+        winner = session.inbox.overruled_by(topic, now)
+        if winner and session.inbox.is_in_force(topic, now):
+            troubles.append(f"{topic}: ignored while {winner} is commanded")
         names = publishers.get(topic, ())
         if len(names) > 1:
             listed = ", ".join(names)

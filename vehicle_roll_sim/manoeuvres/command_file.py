@@ -15,6 +15,8 @@ from vehicle_roll_sim.files.table_file import read_table
 from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 LARGEST_FILE = 200_000_000
@@ -28,6 +30,10 @@ COLUMNS = {
     },
 }
 """Column name: field of the command, and index of the wheel if the field has four values."""
+TOTALS = {"drive_torque": "wheel_torque", "brake": "brake_torque"}
+"""Columns with a total torque (N m), and the field that it is distributed to."""
+BRAKES = ("brake", "brake_torque_lf", "brake_torque_rf", "brake_torque_lr", "brake_torque_rr")
+"""Columns whose values are at least 0."""
 EXAMPLE = """\
 time,steering,brake_torque_lf,brake_torque_rf
 0.0,0.0,0,0
@@ -47,12 +53,23 @@ class CommandTable(OpenLoop):
 
     times: (n,) (s), non-decreasing; where two are equal, the commands step from the values of the
     first row to those of the second. columns: arrays (n,) by column name (rad, N m, N). file: name
-    used in warnings.
+    used in warnings. shares: by column of TOTALS the share of each wheel, shape (4,); `for_vehicle`
+    sets it.
     """
 
     times: np.ndarray
     columns: dict[str, np.ndarray]
     file: str = ""
+    shares: dict[str, np.ndarray] = dataclasses.field(default_factory=dict)
+
+    @property
+    def needs_vehicle(self) -> bool:
+        return bool(self.columns.keys() & TOTALS.keys())
+
+    def for_vehicle(self, vehicle: Vehicle, options: Options) -> "CommandTable":
+        """A copy that distributes total torques as the vehicle does."""
+        shares = {"drive_torque": vehicle.drive_shares, "brake": vehicle.brake_shares}
+        return dataclasses.replace(self, shares=shares)
 
     @property
     def doubts(self) -> list[str]:
@@ -68,7 +85,8 @@ class CommandTable(OpenLoop):
 
     @property
     def commanded(self) -> tuple[str, ...]:
-        return (*super().commanded, *(COLUMNS[name][0] for name in self.columns))
+        fields = (TOTALS.get(name) or COLUMNS[name][0] for name in self.columns)
+        return (*super().commanded, *fields)
 
     @property
     def steps_at(self) -> tuple[float, ...]:
@@ -83,11 +101,17 @@ class CommandTable(OpenLoop):
         first = int(np.searchsorted(self.times, times[-1]))
         ends_on_row = len(times) > 1 and first < len(self.times) and self.times[first] == times[-1]
         for name, values in self.columns.items():
-            field, wheel = COLUMNS[name]
-            column = commands[field] if wheel is None else commands[field][:, wheel]
-            column[:] = np.interp(times, self.times, values)
+            column = np.interp(times, self.times, values)
             if ends_on_row:
                 column[-1] = values[first]
+            if name in TOTALS:
+                commands[TOTALS[name]] = np.outer(column, self.shares[name])
+                continue
+            field, wheel = COLUMNS[name]
+            if wheel is None:
+                commands[field] = column
+            else:
+                commands[field][:, wheel] = column
 
 
 def load_commands(path: str | Path) -> CommandTable:
@@ -118,7 +142,7 @@ def command_table(columns: Mapping[str, Sequence[float]]) -> CommandTable:
         if len(values) != len(table["time"]):
             counts = f"{len(values)} values", f"{len(table['time'])} values, one for each time"
             raise InputError(f"commands: {name}", *counts)
-        if name.startswith("brake_torque") and values.min() < 0.0:
+        if name in BRAKES and values.min() < 0.0:
             raise InputError(f"commands: {name}", float(values.min()), "numbers of at least 0")
     return _table(table, "commands", ["commands: time"] * len(table["time"]))
 
@@ -169,10 +193,15 @@ def _check_time(where: str, latest: list[float]) -> None:
 
 def _check_header(where: str, header: list[str]) -> None:
     for name in header:
-        if name not in COLUMNS and name != "time":
-            raise unknown_name(str(name), ("time", *COLUMNS), f"{where}: column")
+        if name not in COLUMNS and name not in TOTALS and name != "time":
+            raise unknown_name(str(name), ("time", *COLUMNS, *TOTALS), f"{where}: column")
         if header.count(name) > 1:
             raise InputError(f"{where}: column", name, "each column once")
+    for total, field in TOTALS.items():
+        others = [name for name in header if name.startswith(f"{field}_")]
+        if total in header and others:
+            problem = f"{total} together with {others[0]}"
+            raise InputError(f"{where}: column", total, "a total, or values of wheels", problem)
     if "time" not in header:
         raise InputError(where, ",".join(header), "column names that include `time`")
 
@@ -190,6 +219,6 @@ def _number(path: Path, line: int, name: str, text: str) -> float:
         raise InputError(
             f"{path}: line {line}: {name}", text, "a finite number, with a decimal point"
         )
-    if value < 0.0 and name.startswith("brake_torque"):
+    if value < 0.0 and name in BRAKES:
         raise InputError(f"{path}: line {line}: {name}", text, "a number of at least 0")
     return value

@@ -5,7 +5,7 @@ Nodes, bags and the documentation take them from here.
 
 import dataclasses
 
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, channels
 from vehicle_roll_sim.live.command_limits import UNITS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.options import Options
@@ -45,8 +45,12 @@ COMMAND_MEANINGS = {
     "opposes the spin and holds a wheel that does not turn",
     "normal_force_cmd": "active force at each suspension corner; positive pushes the body up and "
     "the wheel down",
-    "speed_cmd": "forward speed for the speed controller; ignored while wheel torques are "
-    "commanded",
+    "speed_cmd": "forward speed for the speed controller; ignored while wheel torques or a drive "
+    "torque are commanded",
+    "drive_torque_cmd": "total drive torque at the wheels, signed, distributed by the vehicle's "
+    "`front_drive_share`; ignored while wheel torques are commanded",
+    "brake_cmd": "total brake torque, not below 0, distributed by the vehicle's "
+    "`front_brake_share`; ignored while brake torques of wheels are commanded",
 }
 COMMANDS = tuple(
     Topic(
@@ -59,6 +63,8 @@ COMMANDS = tuple(
     for name, channel in channels().items()
 )
 """What the simulator subscribes to; the depth is that of publishers in this package."""
+TOTAL_TORQUES = tuple(topic for topic in COMMANDS if channels()[topic.name].field in (DRIVE, BRAKE))
+"""Commands that the vehicle distributes to the wheels."""
 STATE_SET = (
     Topic("state", ARRAY, meaning="time since the reset, then the states of the model"),
     Topic(

@@ -41,11 +41,16 @@ def with_friction(torque, capacity, turning):
 
 @term
 def drive_torque(i, hold, spin, command, vehicle):
-    """Torque of the drive shaft of wheel i (N m): command, speed hold, drag of the engine."""
+    """Torque of the drive shaft of wheel i (N m): command, speed hold, engine drag, differential.
+
+    An open differential gives both wheels the same torque, which the command contains. A viscous
+    coupling adds a torque from the faster to the slower wheel of the axle; i ^ 1 is the other one.
+    """
     torque = command.wheel_torque[i]
     if i >= LR:
         torque += hold
-    return torque - vehicle.engine_drag[i] * spin[i]
+    torque -= vehicle.engine_drag[i] * spin[i]
+    return torque - vehicle.differential_damping[i] * (spin[i] - spin[i ^ 1])
 
 
 @kernel

@@ -1,4 +1,8 @@
-"""Speed controller: tracks a commanded speed with equal drive and brake torques at all wheels."""
+"""Speed controller: tracks a commanded speed with drive and brake torques.
+
+They are equal at all wheels, but for a vehicle with a `front_drive_share`, which distributes the
+drive torque; the drive limit then is that of the mean over the wheels.
+"""
 
 import dataclasses
 
@@ -48,6 +52,9 @@ class SpeedController:
         """N m at each wheel for 1 m/s^2."""
         resistance = vehicle.rolling_resistance_coefficient * GRAVITY
         self._torque_of_resistance = resistance * self._torque_of_gravity
+        is_given = vehicle.front_drive_share is not None
+        self._distribution = WHEEL_COUNT * vehicle.drive_shares if is_given else np.ones(4)
+        """Torque of each wheel over their mean."""
         self.reset()
 
     def reset(self) -> None:
@@ -105,10 +112,9 @@ class SpeedController:
         brake = _within(self.brake_limit, torque)
         return _within(drive_limit, torque - brake), abs(brake)
 
-    @staticmethod
-    def _with(command: Command, drive: float, brake: float) -> Command:
+    def _with(self, command: Command, drive: float, brake: float) -> Command:
         brakes = tuple(max(brake, commanded) for commanded in command.brake_torque)
-        drives = (drive,) * WHEEL_COUNT
+        drives = tuple((drive * self._distribution).tolist())
         return dataclasses.replace(command, wheel_torque=drives, brake_torque=brakes)
 
 

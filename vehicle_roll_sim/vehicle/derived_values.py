@@ -30,6 +30,8 @@ from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
 GRAVITY = 9.81
 """m/s^2, the value used in the paper."""
+FRONT_BRAKE_SHARE = 0.6
+"""Share of a total brake torque at the front axle, if none is given."""
 LINEAR = {"spring_stiffness": "stiffness_at_rest", "damping": "mean_damping"}
 """Parameters of each axle that may be tables, and the values of linear models in their place."""
 BAR_SPELLINGS = tuple(
@@ -52,6 +54,11 @@ def _times(given: float | tuple, sign: float) -> float | tuple:
     if isinstance(given, tuple):
         return tuple((travel, sign * value) for travel, value in given)
     return sign * float(given)
+
+
+def _shares(front: float) -> np.ndarray:
+    """The share of each wheel, shape (4,), both wheels of an axle alike."""
+    return np.array([front, front, 1.0 - front, 1.0 - front]) / 2.0
 
 
 class DerivedValues:
@@ -185,6 +192,17 @@ class DerivedValues:
         return np.array(rates)
 
     @functools.cached_property
+    def drive_shares(self) -> np.ndarray:
+        """Share of a total drive torque at each wheel, shape (4,); rear-wheel drive by default."""
+        return _shares(self.front_drive_share or 0.0)
+
+    @functools.cached_property
+    def brake_shares(self) -> np.ndarray:
+        """Share of a total brake torque at each wheel, shape (4,)."""
+        front = self.front_brake_share
+        return _shares(FRONT_BRAKE_SHARE if front is None else front)
+
+    @functools.cached_property
     def static_loaded_radius(self) -> np.ndarray:
         """Distance from each wheel centre to its contact point at rest, shape (4,) (m)."""
         flattening = self.static_tire_compression * np.cos(self.per_wheel("camber"))
@@ -283,7 +301,7 @@ class DerivedValues:
 
         x, y: in the plane of the c.g. (m). camber: positive with the top towards the right (rad).
         tire_lateral_compliance: 0, as for a contact patch that does not shift. engine_drag: at the
-        driven wheels, those of the rear axle (N m s/rad).
+        driven wheels (N m s/rad). differential_damping: 0 for an open differential.
         """
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
         of_axles = [tabulated([*curves.values()]) for curves in self.travel_curves.values()]
@@ -294,7 +312,10 @@ class DerivedValues:
             "camber": self.per_wheel("camber") * (-1, 1, -1, 1),
             "tire_radius": self.per_wheel("tire_radius"),
             "tire_lateral_compliance": 0.0,
-            "engine_drag": np.array([0.0, 0.0, 1.0, 1.0]) * (self.engine_drag or 0.0),
+            "engine_drag": np.where(self.drive_shares > 0.0, self.engine_drag or 0.0, 0.0),
+            "differential_damping": np.repeat(
+                [getattr(self, f"{axle}_differential_damping") or 0.0 for axle in AXLES], 2
+            ),
             "travel_knots": knots,
             "travel_origins": origins,
             "travel_curves": curves,

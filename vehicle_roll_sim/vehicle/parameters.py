@@ -39,6 +39,19 @@ PER_AXLE = {
 """Parameters of both axles, and those of one axle that are given instead."""
 
 
+def differential_of(axle: str):
+    """The declaration of the viscous coupling in an axle's differential; it may be absent."""
+    return parameter(
+        f"viscous coupling of the {axle} wheels: torque from the faster to the slower one per "
+        "difference of their speeds; 0, the default, is an open differential, a large value a "
+        "locked one",
+        "N m s/rad",
+        0.0,
+        1e5,
+        default=None,
+    )
+
+
 @dataclasses.dataclass(frozen=True)
 class Vehicle(DerivedValues):
     """A vehicle: the values of a vehicle file, and its tires.
@@ -332,6 +345,23 @@ class Vehicle(DerivedValues):
     pressure_centre_height: float | None = of_air("pressure_centre_height")
     front_lift_area: float | None = of_air("front_lift_area")
     rear_lift_area: float | None = of_air("rear_lift_area")
+    front_drive_share: float | None = parameter(
+        "share of a total drive torque that the front wheels get: 0 is rear-wheel drive, 1 front-"
+        "wheel drive; by default 0, and speed_cmd drives all wheels alike",
+        "",
+        0.0,
+        1.0,
+        default=None,
+    )
+    front_brake_share: float | None = parameter(
+        "share of a total brake torque that the front wheels get; by default 0.6",
+        "",
+        0.0,
+        1.0,
+        default=None,
+    )
+    front_differential_damping: float | None = differential_of("front")
+    rear_differential_damping: float | None = differential_of("rear")
     tire: Tire | None = dataclasses.field(kw_only=True, default=None)
     front_tire: Tire | None = dataclasses.field(kw_only=True, default=None)
     rear_tire: Tire | None = dataclasses.field(kw_only=True, default=None)

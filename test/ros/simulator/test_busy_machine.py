@@ -20,7 +20,10 @@ from vehicle_roll_sim.ros.topics import message_class
 
 pytestmark = pytest.mark.unmeasured
 
-SCALARS = {"steering_cmd": 0.0, "rear_steering_cmd": 0.0, "speed_cmd": 13.0}
+SCALARS = {
+    **dict.fromkeys(("steering_cmd", "rear_steering_cmd", "drive_torque_cmd", "brake_cmd"), 0.0),
+    "speed_cmd": 13.0,
+}
 FLOOD = 6.0
 """s"""
 BURST = 20
