@@ -62,9 +62,9 @@ FAULTS = (
     ),
     Fault(
         "wrong factor: twice the aerodynamic drag",
-        "model/rigid_body.py",
-        "return AIR_DENSITY / 2 * vehicle.drag_area * u * abs(u)",
-        "return AIR_DENSITY * vehicle.drag_area * u * abs(u)",
+        "model/air.py",
+        "return vehicle.air_density / 2 * vehicle.drag_area * u * abs(u)",
+        "return vehicle.air_density * vehicle.drag_area * u * abs(u)",
         RATES + "test_energy_changes_by_named_powers_and_nothing_else",
     ),
     Fault(

@@ -95,6 +95,12 @@ ABSENT = {
     "total_roll_yaw_product": 40.0,
     "roll_pitch_product": 20.0,
     "pitch_yaw_product": 10.0,
+    "air_density": 1.1,
+    "side_force_area": 4.0,
+    "pressure_centre_ahead": 0.3,
+    "pressure_centre_height": -0.1,
+    "front_lift_area": 0.2,
+    "rear_lift_area": -0.1,
     "front_drive_share": 0.4,
     "front_brake_share": 0.7,
     "front_differential_damping": 20.0,
@@ -143,6 +149,8 @@ def whole_with(name: str) -> str:
     if "_stop_" in name:
         axle = name.partition("_")[0]
         return WHOLE_YAML + "".join(f"{axle}_{of}: {value}\n" for of, value in STOPS.items())
+    if name.startswith("pressure_centre"):
+        return WHOLE_YAML + f"side_force_area: 4.0\n{name}: {ABSENT[name]}\n"
     if name in ABSENT:
         text = WHOLE_YAML + f"{name}: {ABSENT[name]}\n"
         return edited(text, "tire_radius", "") if "_tire_radius" in name else text

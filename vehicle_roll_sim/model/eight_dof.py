@@ -9,12 +9,12 @@ they are iterated, starting from zero acceleration, until they agree.
 """
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.air import drag
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.contact import contact_forces, normal_force
 from vehicle_roll_sim.model.frames import attitude_of, heading_of, yawed_to_ground
 from vehicle_roll_sim.model.inclination import inclinations
 from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
-from vehicle_roll_sim.model.rigid_body import drag
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_yawed_axes
 from vehicle_roll_sim.model.roll_axis import (
     corner_damping,

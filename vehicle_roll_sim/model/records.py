@@ -152,6 +152,8 @@ VEHICLE = record_dtype(
     *("wheel_inertia", "gravity", "gravity_along", "gravity_across"),
     "minimum_relaxation_length",
     *("rolling_resistance_coefficient", "drag_area"),
+    *("air_density", "side_and_lift", "side_force_area", "front_lift_area", "rear_lift_area"),
+    *("pressure_centre_ahead", "pressure_centre_height"),
     *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass", "axle_load_share"),
     *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
     *per_wheel("static_strut_length", "static_suspension_compression"),
@@ -167,6 +169,7 @@ VEHICLE = record_dtype(
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel.
 
+side_and_lift: 1 if side force and lift of the air are computed, else 0.
 travel_knots, travel_origins, travel_curves: of each axle the ends of the intervals of travel (m,
 inf for those that are not used), and for each interval the travel from which the polynomials of its
 curves are counted (m), and their coefficients, lowest power first.

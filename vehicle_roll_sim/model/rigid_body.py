@@ -1,6 +1,7 @@
 """The six equations of the sprung mass as one linear system in its accelerations (eqs 29-34)."""
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.air import add_side_force_and_lift, drag
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.records import (
     DU,
@@ -12,9 +13,6 @@ from vehicle_roll_sim.model.records import (
     WHEEL_COUNT,
 )
 from vehicle_roll_sim.model.suspension.links import carried_mass, wheel_roll_moment
-
-AIR_DENSITY = 1.225
-"""kg/m^3: standard atmosphere at sea level."""
 
 
 @kernel
@@ -94,6 +92,8 @@ def applied_forces(state, vehicle, options, attitude, outputs):
     f[DV] += m * outputs.slope_gravity[1]
     f[DW] += m * outputs.slope_gravity[2]
     f[DWX] = f[DWY] = f[DWZ] = 0.0
+    if vehicle.side_and_lift > 0.0:
+        add_side_force_and_lift(state, vehicle, outputs)
     if options.euler_terms:
         jx, jy, jz = vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia
         f[DWX] += (jy - jz) * wy * wz
@@ -125,12 +125,6 @@ def applied_forces(state, vehicle, options, attitude, outputs):
             moment += fy * (ls - vehicle.roll_centre_depth[i])
             f[DW] -= moment / y  # (31) with the sum of Fdz
             f[DWY] += x * moment / y  # (33) with their moment
-
-
-@kernel
-def drag(u, vehicle):
-    """Aerodynamic drag at the forward speed u, acting at the c.g. (N)."""
-    return AIR_DENSITY / 2 * vehicle.drag_area * u * abs(u)
 
 
 @kernel

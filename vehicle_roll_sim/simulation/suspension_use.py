@@ -1,9 +1,10 @@
-"""Which of a vehicle's suspension details a model uses; those that it cannot use are refused."""
+"""Which details of a vehicle a model uses; those that it cannot use are refused."""
 
 import numpy as np
 
 from vehicle_roll_sim.declaration import ON, InputError
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.air_parameters import OF_SIDE_AND_LIFT
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.suspension_details import has_any
 from vehicle_roll_sim.vehicle.suspension_parameters import (
@@ -25,6 +26,8 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
 
     options: with `on` or `off` in place of `auto`.
     """
+    for name in OF_SIDE_AND_LIFT if options.has_eight_dof else ():
+        _refuse(vehicle, name, f"a 14 DOF model; {options.model} has no such force of the air")
     for axle in AXLES:
         for name in OF_WHEEL_TRAVEL if options.has_eight_dof else ():
             _refuse(vehicle, f"{axle}_{name}", f"a 14 DOF model; {options.model} has none of it")

@@ -11,6 +11,7 @@ from vehicle_roll_sim.model.equilibrium import (
 )
 from vehicle_roll_sim.model.records import VEHICLE, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.coefficients import on_axles
+from vehicle_roll_sim.vehicle.air_parameters import air_of
 from vehicle_roll_sim.vehicle.axle_tires import (
     FromTire,
     from_tire,
@@ -321,7 +322,7 @@ class DerivedValues:
         return on_axles(*records)
 
     def _placement(self) -> dict:
-        """Where and how the wheels stand, and gravity (m/s^2).
+        """Where and how the wheels stand, air forces, and gravity (m/s^2).
 
         x, y: in the plane of the c.g. (m). camber: positive with the top towards the right (rad).
         tire_lateral_compliance: 0, as for a contact patch that does not shift. engine_drag: at the
@@ -348,6 +349,7 @@ class DerivedValues:
             "travel_origins": origins,
             "travel_curves": curves,
             "details": details_of(self, GRAVITY),
+            **air_of(self),
             "gravity": GRAVITY,
             "gravity_along": 0.0,
             "gravity_across": 0.0,

@@ -13,6 +13,7 @@ from vehicle_roll_sim.declaration import (
     validated,
 )
 from vehicle_roll_sim.model.variants import PAPER
+from vehicle_roll_sim.vehicle.air_parameters import of_air
 from vehicle_roll_sim.vehicle.consistency import ROLL_CENTRES, check_consistency, check_given
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.masses import Load
@@ -460,6 +461,12 @@ class Vehicle(DerivedValues):
         1e4,
         default=None,
     )
+    air_density: float | None = of_air("air_density")
+    side_force_area: float | None = of_air("side_force_area")
+    pressure_centre_ahead: float | None = of_air("pressure_centre_ahead")
+    pressure_centre_height: float | None = of_air("pressure_centre_height")
+    front_lift_area: float | None = of_air("front_lift_area")
+    rear_lift_area: float | None = of_air("rear_lift_area")
     front_drive_share: float | None = parameter(
         "share of a total drive torque that the front wheels get: 0 is rear-wheel drive, 1 front-"
         "wheel drive; by default 0, and speed_cmd drives all wheels alike",

@@ -6,6 +6,7 @@ its path with its own inertia only, and across it moves with the body.
 """
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.air import add_side_force_and_lift, drag
 from vehicle_roll_sim.model.compiled.jit import kernel, term
 from vehicle_roll_sim.model.frames import yawed_to_body
 from vehicle_roll_sim.model.records import (
@@ -22,7 +23,6 @@ from vehicle_roll_sim.model.records import (
     RR,
     WHEEL_COUNT,
 )
-from vehicle_roll_sim.model.rigid_body import drag
 from vehicle_roll_sim.model.wheel import drive_torque
 
 
@@ -136,6 +136,8 @@ def system(state, vehicle, options, outputs):
     a[DWX, DWX], a[DWY, DWY] = a[DWX, DWX] + jx, a[DWY, DWY] + jy
     a[DWZ, DWZ] += jz
     f[DU] -= drag(state[at.U], vehicle)
+    if vehicle.side_and_lift > 0.0:
+        add_side_force_and_lift(state, vehicle, outputs)
     f[DWX] += (jy - jz) * wy * wz
     f[DWY] += (jz - jx) * wz * wx
     f[DWZ] += (jx - jy) * wx * wy

@@ -1,0 +1,31 @@
+"""Forces of the air on the body: drag, side force and lift."""
+
+from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.compiled.jit import kernel, square_root
+from vehicle_roll_sim.model.records import DV, DW, DWX, DWY, DWZ, LF, LR
+
+
+@kernel
+def drag(u, vehicle):
+    """Aerodynamic drag at the forward speed u, acting at the c.g. (N)."""
+    return vehicle.air_density / 2 * vehicle.drag_area * u * abs(u)
+
+
+@kernel
+def add_side_force_and_lift(state, vehicle, outputs):
+    """Add side force and lift, in frame 1, to the forces on the body (N) and their moments (N m).
+
+    With V the speed along x and y and sin(beta) = v / V: side force -rho/2 A C V^2 sin(beta), lift
+    rho/2 A C V^2 at each axle.
+    """
+    f, u, v = outputs.body_acceleration, state[at.U], state[at.V]
+    square = u * u + v * v
+    pressure = vehicle.air_density / 2
+    side = -pressure * vehicle.side_force_area * square_root(square) * v
+    front = pressure * vehicle.front_lift_area * square
+    rear = pressure * vehicle.rear_lift_area * square
+    f[DV] += side
+    f[DW] += front + rear
+    f[DWX] -= vehicle.pressure_centre_height * side
+    f[DWY] -= vehicle.x[LF] * front + vehicle.x[LR] * rear
+    f[DWZ] += vehicle.pressure_centre_ahead * side
