@@ -56,6 +56,7 @@ VEHICLES = {
     "reference": preset("reference"),
     "uneven": uneven(),
     "with contact moments": with_moments(uneven()),
+    "c.g. below the wheel centres": uneven().with_values({"cg_height": 0.2}),
 }
 
 
