@@ -197,7 +197,8 @@ class Multibody(Simulation):
             jacobians = self._jacobian[i], self._turning[i]
             mujoco.mj_jac(self._engine, data, *jacobians, point, wheel)
         velocities = self._jacobian @ data.qvel @ frame_2.T
-        self.outputs["steering"] = np.repeat((command["steering"], command["rear_steering"]), 2)
+        self.outputs["commanded_steering"] = command["steering"], command["rear_steering"]
+        self.outputs["steering"] = np.repeat(self.outputs["commanded_steering"], 2)
         along, forces = self._tire_forces(velocities, spins, radius)
         data.qfrc_applied += (forces @ frame_2).ravel() @ self._jacobian.reshape(forces.size, -1)
         moments, about_axes = self._contact_moments()
