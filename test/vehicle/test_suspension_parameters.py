@@ -8,6 +8,7 @@ from vehicle_roll_sim import Options, Simulation, Vehicle, preset
 from vehicle_roll_sim.analysis.linear_model import linearize
 from vehicle_roll_sim.analysis.trim import find_trim
 from vehicle_roll_sim.simulation.description import describe, described
+from vehicle_roll_sim.simulation.suspension_use import GUIDANCE
 
 STOP = {"front_bump_stop_clearance": 0.05, "front_bump_stop_stiffness": 8e4}
 SPRING = ((0.0, 0.0), (0.1, 3000.0), (0.2, 8000.0))
@@ -71,6 +72,13 @@ def test_what_does_not_make_sense_is_refused(values, words):
 def test_the_8_dof_model_refuses_what_needs_struts_or_wheel_travel(values):
     with refused(*list(values)[:1], "8dof"):
         Simulation(preset().with_values(values), Options(model="8dof"))
+
+
+@pytest.mark.parametrize("model", ["1", "1a", "8dof"])
+@pytest.mark.parametrize("name", GUIDANCE)
+def test_models_without_guided_wheels_refuse_their_curves(model, name):
+    with refused(f"rear_{name}", "model 2"):
+        Simulation(preset().with_values({f"rear_{name}": 0.1}), Options(model=model))
 
 
 def test_compliance_by_aligning_moment_needs_the_moment():

@@ -111,14 +111,22 @@ class Pair:
         return float(height.max() - height[0])
 
 
+def with_roll_centres_of(vehicle: Vehicle, guided: Vehicle) -> Vehicle:
+    """The vehicle with the roll centres at rest of another: all that model 1 has of its axles."""
+    heights = [f"{axle}_roll_centre_height" for axle in AXLES]
+    return vehicle.with_values({name: getattr(guided, name) for name in heights})
+
+
 def pairs(vehicle: Vehicle, done: Callable[[], None] = lambda: None) -> list[Pair]:
     """Every case of CASES; done: called after each run."""
-    vehicles = {LINKS: vehicle, SWING_AXLES: on_swing_axles(vehicle)}
+    swinging = on_swing_axles(vehicle)
+    fixed = with_roll_centres_of(vehicle, swinging)
+    vehicles = {LINKS: dict.fromkeys(MODELS, vehicle), SWING_AXLES: {"1": fixed, "2": swinging}}
     found = []
     for manoeuvre, axles in CASES:
         responses = {}
         for model, options in MODELS.items():
-            responses[model] = _response(vehicles[axles], options, manoeuvre)
+            responses[model] = _response(vehicles[axles][model], options, manoeuvre)
             done()
         found.append(Pair(manoeuvre, axles, responses))
     return found

@@ -16,6 +16,8 @@ from vehicle_roll_sim.vehicle.suspension_parameters import (
 )
 
 TOE_CHANGE = "toe_change"
+GUIDANCE = ("half_track_change", "longitudinal_change", "camber_change", "carrier_pitch_change")
+"""Parameters of an axle that only model 2 uses."""
 OF_STRUTS_ALONE = tuple(name for name in OF_STRUTS if name not in MOTION_RATIOS)
 OF_WHEEL_TRAVEL = (*OF_STRUTS_ALONE, *OF_COMPLIANCE, "roll_steer", TOE_CHANGE)
 """Parameters of an axle that models without wheel travel, or without struts, do not use."""
@@ -29,6 +31,8 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
     for name in OF_SIDE_AND_LIFT if options.has_eight_dof else ():
         _refuse(vehicle, name, f"a 14 DOF model; {options.model} has no such force of the air")
     for axle in AXLES:
+        for name in () if options.is_kinematic else GUIDANCE:
+            _refuse(vehicle, f"{axle}_{name}", "model 2, whose wheels are guided")
         for name in OF_WHEEL_TRAVEL if options.has_eight_dof else ():
             _refuse(vehicle, f"{axle}_{name}", f"a 14 DOF model; {options.model} has none of it")
         for name in MOTION_RATIOS if options.has_eight_dof else ():

@@ -58,7 +58,8 @@ def test_another_node_reads_the_same_vehicle(simulator):
 def test_tables_over_wheel_travel_are_numbers_in_a_row(simulator):
     camber, bar = "vehicle.front_camber_change", "vehicle.rear_anti_roll_bar_stiffness"
     row = [-0.1, 0.02, 0.0, 0.0, 0.1, -0.03]
-    node = simulator(f"{camber}:={row}", f"{bar}:=20000", "vehicle.rear_toe_change:=0.1")
+    words = (f"{camber}:={row}", f"{bar}:=20000", "vehicle.rear_toe_change:=0.1")
+    node = simulator(*words, "model:='2'")
     assert list(node.get_parameter(camber).value) == row
     vehicle = node.session.simulation.vehicle
     assert vehicle.front_camber_change == ((-0.1, 0.02), (0.0, 0.0), (0.1, -0.03))
