@@ -6,7 +6,7 @@ of fifth degree between common knots, and straight outside (`vehicle.travel_curv
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.elementary import sine_within_half_turn
-from vehicle_roll_sim.model.compiled.jit import kernel, square_root, term
+from vehicle_roll_sim.model.compiled.jit import kernel, math, square_root, term
 from vehicle_roll_sim.model.records import (
     AHEAD,
     CAMBER,
@@ -24,6 +24,7 @@ from vehicle_roll_sim.model.records import (
 
 LEAN, NOD, TURN = range(0, 3 * WHEEL_COUNT, WHEEL_COUNT)
 """First places of the angles of the carriers about x, y and z, each of all wheels."""
+QUARTER_TURN = 0.5 * math.pi
 
 
 @term
@@ -67,7 +68,7 @@ def carriers(vehicle, outputs):
 
     It is turned by its pitch about y, then by its camber about x, then by its toe about z; in it
     the wheel is steered about z. The curves are those of a left wheel; a right wheel is its mirror
-    image. None of the angles exceeds a quarter turn.
+    image. Where curves are extrapolated, angles may exceed a quarter turn.
     """
     terms = outputs.suspension_terms
     value, slope, angle = terms.value, terms.slope, terms.carrier_angle
@@ -80,10 +81,13 @@ def carriers(vehicle, outputs):
         terms.nodding[i] = slope[CARRIER_PITCH + i]
         terms.turning_in[i] = side * slope[TOE + i]
     for k in range(3 * WHEEL_COUNT):
-        terms.carrier_sine[k] = sine_within_half_turn(angle[k])
+        a = angle[k]
+        folded = a if abs(a) <= QUARTER_TURN else math.copysign(2.0 * QUARTER_TURN, a) - a
+        terms.carrier_sine[k] = sine_within_half_turn(folded)
     for k in range(3 * WHEEL_COUNT):
         square = terms.carrier_sine[k] * terms.carrier_sine[k]
-        terms.carrier_cosine[k] = square_root(max(1.0 - square, 0.0))
+        cosine = square_root(max(1.0 - square, 0.0))
+        terms.carrier_cosine[k] = cosine if abs(angle[k]) <= QUARTER_TURN else -cosine
     for i in range(WHEEL_COUNT):
         sa, ca = terms.carrier_sine[LEAN + i], terms.carrier_cosine[LEAN + i]
         sp, cp = terms.carrier_sine[NOD + i], terms.carrier_cosine[NOD + i]
