@@ -25,7 +25,8 @@ from vehicle_roll_sim.model.integration.events import (
 )
 from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.coefficients import as_one
-from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.model.tire.loads import terms_of_loads
+from vehicle_roll_sim.model.tire.magic_formula import forces_at_slips
 from vehicle_roll_sim.model.tire.radii import rolling_radii
 from vehicle_roll_sim.paper.engine_model import engine_model
 from vehicle_roll_sim.simulation.options import MULTIBODY
@@ -215,11 +216,12 @@ class Multibody(Simulation):
         ug, vg = velocities[:, 0], velocities[:, 1]
         outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
         outputs["loaded_radius"], outputs["side"] = radius, self._side
+        terms_of_loads(self._seen_tires, seen)
         rolling_radii(spins, self._seen_tires, seen)
         outputs["tread"] = outputs["rolling_radius"] * spins
         outputs["inclination"] = self._inclinations(s, c)
         steady_state_slip(seen)
-        tire_forces(self._seen_tires, seen)
+        forces_at_slips(self._seen_tires, seen)
         along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
         outputs["longitudinal_force"] = ahead = along * c - across * s  # (3)
         outputs["lateral_force"] = left = across * c + along * s  # (4)
