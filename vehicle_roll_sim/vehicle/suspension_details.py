@@ -3,7 +3,6 @@
 import dataclasses
 
 import numpy as np
-from scipy.optimize import brentq
 
 from vehicle_roll_sim.model.equilibrium import static_suspension_compression
 from vehicle_roll_sim.model.records import (
@@ -115,6 +114,8 @@ def compression_under(spring: TravelCurve, load: float) -> float:
         return first + (load - lowest) / before
     if load >= highest:
         return last + (load - highest) / beyond
+    from scipy.optimize import brentq  # slow to import, and for tables only
+
     return brentq(
         lambda x: force_and_slope(spring, x)[0] - load, first, last, xtol=FINEST, rtol=FINEST
     )

@@ -11,7 +11,6 @@ its second derivatives set to 0.
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.records import COEFFICIENTS, KNOTS
@@ -63,6 +62,8 @@ def _ends(knots: np.ndarray, values: np.ndarray) -> np.ndarray:
     if len(knots) == 2:
         slope = (values[1] - values[0]) / (knots[1] - knots[0])
         return np.column_stack((values, [slope] * 2, [0.0] * 2))
+    from scipy.interpolate import CubicSpline  # slow to import, and for tables only
+
     slopes = CubicSpline(knots, values)(knots, 1)
     ends = np.column_stack((values, slopes, CubicSpline(knots, slopes)(knots, 1)))
     ends[[0, -1], 2] = 0.0  # straight outside
