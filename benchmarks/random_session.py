@@ -29,6 +29,8 @@ USUAL = {
     "brake_torque_cmd": 1500.0,
     "normal_force_cmd": 3000.0,
     "speed_cmd": 30.0,
+    "drive_torque_cmd": 1500.0,
+    "brake_cmd": 3000.0,
 }
 """Largest usual value on each topic, in its unit."""
 HUGE = (1e3, 1e6, 1e12, 1e100, 1e300, sys.float_info.max)
@@ -151,7 +153,7 @@ class Driven:
         if kind < 0.05:
             length = int(self.rng.choice([each for each in LENGTHS if each != channel.size]))
         values = self.rng.normal(0.0, USUAL[topic] / 2, length)
-        if topic == "brake_torque_cmd" and kind < 0.9:
+        if topic in ("brake_torque_cmd", "brake_cmd") and kind < 0.9:
             values = np.abs(values)
         if 0.05 <= kind < 0.1:
             values[self.rng.integers(length)] = self.rng.choice(NO_NUMBERS)

@@ -95,6 +95,9 @@ def call(tmp_path, domain, monkeypatch, capsys):
         return status, printed.out, printed.err.splitlines()
 
     yield call_one
+    for node in nodes:
+        if node.poll() is None:
+            node.kill()
     for signum, handler in usual.items():
         signal.signal(signum, handler)
 
