@@ -20,7 +20,7 @@ LOCKSTEP = ("-p", "mode:=lockstep")
 WRONG = {
     "/imuu.publisher.depth:=3": "'/imuu' is unknown: did you mean /imu?",
     "imu.publisher.depth:=3": "'imu' is unknown: did you mean /imu?",
-    "/rosout.publisher.depth:=3": "'/rosout' is unknown: one of /applied_command, /brake_torque",
+    "/rosout.publisher.depth:=3": "'/rosout' is unknown: one of /applied_command, /brake_cmd",
     "/clock.publisher.depth:=3": "'/clock' is unknown",  # nor is it published
     "/imu.subscription.depth:=3": "'subscription' is unknown: one of publisher",
     "/imu.publisher_a.depth:=3": "'publisher_a' is unknown: did you mean publisher?",
