@@ -100,7 +100,7 @@ def test_the_controller_of_the_manual_answers(start, peer, tmp_path):
         ({"heard": '("imus",)'}, "heard: 'imus' is unknown: did you mean imu?"),
         ({"heard": '("rollover",)'}, "rollover is not published with every set"),
         ({"heard": "()"}, "heard: () is not allowed: one or more topics"),
-        ({"said": '"brake_cmd"'}, "said: 'brake_cmd' is unknown: did you mean"),
+        ({"said": '"brake_torq_cmd"'}, "said: 'brake_torq_cmd' is unknown: did you mean"),
         ({"said": '("imu",)'}, "said: 'imu' is unknown: one of steering_cmd"),
         ({"heard": '("no such/topic",)'}, "heard: 'no such/topic' is unknown"),
     ],
