@@ -76,7 +76,8 @@ def test_the_policy_is_one_after_the_schema_and_denies_by_allowing_nothing_else(
 
 
 def test_what_live_nodes_use_is_what_the_policy_allows(start, peer, policy, tmp_path):
-    start("simulator", "--ros-args", "-p", "publish_clock:=true", "-p", "publish_stamped:=true")
+    every_topic = ("publish_clock:=true", "publish_stamped:=true", "model:='2'")
+    start("simulator", "--ros-args", *(word for each in every_topic for word in ("-p", each)))
     start("recorder", "--output", str(tmp_path / "bag"))
     peer.listen("state", "applied_command")
     start("manoeuvre", "step_steer", "--duration", "1000")
