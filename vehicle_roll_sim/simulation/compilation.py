@@ -1,7 +1,7 @@
 """Compilation of the model, once, in a separate process that survives an interruption.
 
 Programs that start at the same time on a fresh machine all wait for the same compilation. If one of
-them is interrupted, the compiling process continues to its end (15 to 30 s).
+them is interrupted, the compiling process continues to its end (up to a minute).
 """
 
 import subprocess
