@@ -7,6 +7,7 @@ documentation all read these declarations.
 import array
 import dataclasses
 import difflib
+import functools
 import itertools
 import math
 import numbers
@@ -250,13 +251,20 @@ def parameter(
     return dataclasses.field(default=default, metadata=about)
 
 
-def parameters_of(declaring_class) -> dict[str, Parameter]:
-    """The parameters declared by a dataclass, by name, in order of declaration."""
-    return {
-        field.name: Parameter(field.name, _kind(field.type), field.default, **field.metadata)
-        for field in dataclasses.fields(declaring_class)
-        if field.metadata
-    }
+def parameters_of(declaring) -> Mapping[str, Parameter]:
+    """The parameters declared by a dataclass or its instance, by name, in order of declaration."""
+    return _declared_by(declaring if isinstance(declaring, type) else type(declaring))
+
+
+@functools.cache
+def _declared_by(declaring_class: type) -> Mapping[str, Parameter]:
+    return types.MappingProxyType(
+        {
+            field.name: Parameter(field.name, _kind(field.type), field.default, **field.metadata)
+            for field in dataclasses.fields(declaring_class)
+            if field.metadata
+        }
+    )
 
 
 def given(field: str, value, kind: type):
