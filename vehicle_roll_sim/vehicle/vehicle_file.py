@@ -26,6 +26,8 @@ LONGITUDINAL, FROM_LATERAL = "longitudinal", "from_lateral"
 """Key and value by which a lateral-only tire file gets a stand-in for longitudinal forces."""
 MODEL = "model"
 """Key that names the model with which the vehicle is simulated by default."""
+NO_NUMBERS = (*TIRES, *SWITCHES, LONGITUDINAL, PAYLOAD, MODEL)
+"""All keys beside the parameters of a vehicle."""
 PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 
 
@@ -35,7 +37,7 @@ def load_vehicle(path: str | Path) -> Vehicle:
     values, lines = mapping_of(path)
     where = {name: f"{path}: line {line}: {name}" for name, line in lines.items()}
     known = parameters_of(Vehicle)
-    expected = (*known, *TIRES, *SWITCHES, LONGITUDINAL, PAYLOAD, MODEL)
+    expected = (*known, *NO_NUMBERS)
     for name in values:
         if name not in expected:
             raise unknown_name(name, expected, f"{path}: line {lines[name]}: name")
@@ -53,6 +55,18 @@ def load_vehicle(path: str | Path) -> Vehicle:
     except InputError as error:  # inconsistent values
         field = where.get(error.field, f"{path}: {error.field}")
         raise InputError(field, error.value, error.allowed, error.problem) from None
+
+
+def no_parameter(name: str, field: str, elsewhere: str, file: str) -> InputError:
+    """The error for one of NO_NUMBERS among numbers.
+
+    elsewhere: the option or parameter that it is instead, if any. file: the option or parameter for
+    a vehicle file.
+    """
+    if elsewhere:
+        return InputError(field, name, f"give {elsewhere} instead", f"{name} is no number")
+    allowed = f"write it into a vehicle file ({file})"
+    return InputError(field, name, allowed, f"{name} is a key of vehicle files only")
 
 
 def _others(path: Path, values: dict, where: dict[str, str]) -> dict:
