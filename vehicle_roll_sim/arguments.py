@@ -9,14 +9,8 @@ import sys
 from collections.abc import Callable, Container
 from pathlib import Path
 
-from vehicle_roll_sim.declaration import (
-    InputError,
-    NotWrittenError,
-    Parameter,
-    number_in,
-    parameters_of,
-    unknown_name,
-)
+from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, unknown_name
+from vehicle_roll_sim.input_errors import NotWrittenError, number_in
 
 WRONG_INPUT = 2
 """Exit status for a usage error or invalid input."""

@@ -6,15 +6,14 @@ documentation all read these declarations.
 
 import array
 import dataclasses
-import difflib
 import functools
 import itertools
 import math
-import numbers
-import reprlib
 import types
 import typing
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+
+from vehicle_roll_sim.input_errors import InputError, number_of, plain, shown, unknown_name
 
 AUTO, ON, OFF = SWITCH = ("auto", "on", "off")
 """Choices of a parameter that says whether something counts."""
@@ -23,8 +22,6 @@ CLOSEST = 1e-5
 """Between two points of a Curve."""
 TRAVEL = ("travel", 2.0)
 """What a Curve is over, and the largest magnitude of it (SI units)."""
-LONGEST_SHOWN = 60
-"""Maximum number of characters of an invalid value shown in an error message."""
 
 
 class Curve:
@@ -37,62 +34,6 @@ class Curve:
 
 class Table(Curve):
     """Kind of a parameter that is a tuple of such pairs only, over travel or something else."""
-
-
-class InputError(ValueError):
-    """Invalid user input; the message is a single line naming field, value and what is allowed."""
-
-    def __init__(self, field: str, value, allowed: str, problem: str = ""):
-        fault = problem or ("missing" if value is None else f"{_shown(value)} is not allowed")
-        super().__init__(_in_one_line(f"{field}: {fault}: {allowed}"))
-        self.field, self.value, self.allowed, self.problem = field, value, allowed, problem
-
-
-class NotWrittenError(InputError):
-    """The operating system refused to write a result to the requested location."""
-
-
-def _in_one_line(text: str) -> str:
-    """Escape non-printable characters, such as a line break in a file name."""
-    return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
-
-
-class _Outline(reprlib.Repr):
-    """Representations of values, abbreviated to what fits in an error message."""
-
-    def __init__(self):
-        super().__init__()
-        self.maxlevel = 3
-        self.maxlist = self.maxtuple = self.maxset = self.maxfrozenset = LONGEST_SHOWN // 3
-        self.maxdict = self.maxarray = self.maxdeque = LONGEST_SHOWN // 3
-        self.maxstring = self.maxother = self.maxlong = 3 * LONGEST_SHOWN  # cut in the middle
-
-    def repr_int(self, x, level):
-        return super().repr_int(x, level) if x.bit_length() < 1000 else hex(x)
-
-
-def _shown(value) -> str:
-    """The value as shown in an error message, truncated to LONGEST_SHOWN characters."""
-    text = _Outline().repr(plain(value))
-    return text if len(text) <= LONGEST_SHOWN else text[:LONGEST_SHOWN] + "..."
-
-
-def plain(value):
-    """Convert a numpy scalar or 0-d array to a Python scalar; return anything else unchanged."""
-    return value.item() if getattr(value, "ndim", None) == 0 else value
-
-
-def number_of(value, field: str, allowed: str) -> float:
-    """Convert a real number (Python or numpy) to float; raises InputError naming `field`."""
-    if type(value) is float:  # as almost always, and hundreds of times per simulated second
-        return value
-    value = plain(value)
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise InputError(field, value, allowed)
-    try:
-        return float(value)
-    except OverflowError:  # an integer beyond the largest float
-        raise InputError(field, value, allowed) from None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -267,13 +208,6 @@ def _declared_by(declaring_class: type) -> Mapping[str, Parameter]:
     )
 
 
-def given(field: str, value, kind: type):
-    """Return `value` if it is an instance of `kind`; otherwise raise InputError naming `field`."""
-    if not isinstance(value, kind):
-        raise InputError(field, value, f"an instance of {kind.__name__}")
-    return value
-
-
 def _kind(annotation) -> type:
     """The type of a parameter's values; float for `float | None`."""
     is_optional = isinstance(annotation, types.UnionType)
@@ -287,29 +221,10 @@ def check_alternatives(declaring_class, given: Mapping) -> None:
         if not other:
             continue
         if name in given and other in given:
-            problem = f"{_shown(given[name])} together with {other} {_shown(given[other])}"
+            problem = f"{shown(given[name])} together with {other} {shown(given[other])}"
             raise InputError(name, given[name], "only one of the two may be given", problem)
         if name not in given and other not in given:
             raise InputError(name, None, f"either this or {other} must be given")
-
-
-def number_in(text: str) -> float:
-    """Parse a decimal number; raises ValueError.
-
-    Unlike float(), it rejects underscores (1_0) and non-ASCII digits.
-    """
-    if "_" in text or not text.isascii():
-        raise ValueError(text)
-    return float(text)
-
-
-def unknown_name(name: str, known: Iterable[str], field: str) -> InputError:
-    """The error for a name not among the `known` ones; it suggests the closest match."""
-    known = {each.casefold(): each for each in known}
-    nearest = difflib.get_close_matches(name.casefold(), known, n=1)
-    every = "one of " + ", ".join(known.values())
-    allowed = f"did you mean {known[nearest[0]]}?" if nearest else every
-    return InputError(field, name, allowed, f"{_shown(name)} is unknown")
 
 
 def validated(declaring_class, values: Mapping, prefix: str = "") -> dict:

@@ -18,8 +18,9 @@ from scipy.linalg import expm
 
 from vehicle_roll_sim import InputError, Options
 from vehicle_roll_sim.analysis import linear_model
+from vehicle_roll_sim.analysis.level_road_model import INPUT_NAMES, typical
 from vehicle_roll_sim.analysis.linear_model import as_control_system, linearize, outputs_of
-from vehicle_roll_sim.analysis.trim import INPUT_NAMES, find_trim, typical
+from vehicle_roll_sim.analysis.trim import find_trim
 from vehicle_roll_sim.model.records import LF, TIRE_COMPRESSION
 from vehicle_roll_sim.simulation.options import MODELS
 

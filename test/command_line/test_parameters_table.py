@@ -101,3 +101,18 @@ def test_it_shows_the_vehicle_that_the_options_describe(table, folder):
 def test_it_refuses_what_run_refuses(refused):
     refused(("parameters", "--set", "sprung_mass=-1"), "--set sprung_mass", "0.01")
     refused(("parameters", "--vehicle", "none.yaml"), "none.yaml")
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("payload", "payload is a key of vehicle files only: write it into a vehicle file"),
+        ("longitudinal", "write it into a vehicle file (--vehicle)"),
+        ("model", "model is no number: give --model instead"),
+        ("contact_patch_shift", "give --contact-patch-shift instead"),
+        ("rear_tire", "give --rear-tire instead"),
+        ("front_spring_force", "a table is no number: write it into a vehicle file"),
+    ],
+)
+def test_what_is_no_number_is_refused_with_the_place_where_it_belongs(refused, name, told):
+    refused(("parameters", "--set", f"{name}=1"), told)

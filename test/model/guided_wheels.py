@@ -1,7 +1,8 @@
 """Model 2, written down a second time: from vehicle file and state to motion, forces and energy.
 
 Everything is in the ground frame and by rotation matrices; derivatives are complex steps. Curves
-over travel are taken from `vehicle.travel_curves`, which has tests of its own.
+over travel are taken from `vehicle.travel_curves` and those of springs and dampers from
+`suspension_details`, which have tests of their own.
 """
 
 import dataclasses
@@ -11,6 +12,12 @@ from random_states import attitude, inertia_tensor, wheel_positions
 
 from vehicle_roll_sim import Vehicle
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.vehicle.suspension_details import (
+    damper_of,
+    damper_travel_of,
+    spring_of,
+    spring_travel_of,
+)
 
 G, AIR_DENSITY = 9.81, 1.225
 SIDES = (1.0, -1.0, 1.0, -1.0)
@@ -24,10 +31,41 @@ def curves(vehicle: Vehicle, i: int, travel) -> dict:
     """What changes with the travel of a left wheel, in the signs of frame 1; complex too."""
     found = {}
     for name, curve in vehicle.travel_curves[AXLES[i]].items():
-        polynomial = np.polynomial.Polynomial(curve.piece(travel.real, travel.real))
+        polynomial = along(curve, travel)
         short = name.removeprefix(f"{AXLES[i]}_").removesuffix("_change")
         found[short] = polynomial(travel - travel.real)
     return found
+
+
+def along(curve, argument) -> np.polynomial.Polynomial:
+    """The polynomial of a curve that holds at an argument, counted from its real part."""
+    return np.polynomial.Polynomial(curve.piece(argument.real, argument.real))
+
+
+def spring_energy(vehicle: Vehicle, i: int, travel):
+    """Energy that the spring and the stops of a wheel take up (J), from the real travel on."""
+    axle = AXLES[i]
+    moved = spring_travel_of(vehicle, axle)
+    rest = vehicle.static_suspension_compression[i] * along(moved, 0.0).deriv()(0.0)
+    compression = rest + along(moved, travel)(travel - travel.real)
+    force = along(spring_of(vehicle, axle), compression)
+    total = force.integ()(compression - compression.real)
+    for stop, inwards in (("bump", travel), ("rebound", -travel)):
+        clearance, stiffness, progression = (
+            getattr(vehicle, f"{axle}_{stop}_stop_{name}") or 0.0
+            for name in ("clearance", "stiffness", "progression")
+        )
+        depth = inwards - clearance
+        if depth.real > 0.0:
+            total += stiffness * depth**2 / 2 + progression * depth**3 / 6
+    return total
+
+
+def damper_power(vehicle: Vehicle, i: int, travel: float, rate: float) -> float:
+    """Power that a damper takes (W)."""
+    axle = AXLES[i]
+    speed = along(damper_travel_of(vehicle, axle), travel).deriv()(0.0) * rate
+    return along(damper_of(vehicle, axle), speed)(0.0) * speed
 
 
 def about(axis: int, angle) -> np.ndarray:
@@ -107,7 +145,7 @@ def path_of(vehicle: Vehicle, i: int, travel) -> np.ndarray:
     axle, side = AXLES[i], SIDES[i]
     slopes, values = {}, {}
     for name, curve in vehicle.travel_curves[axle].items():
-        polynomial = np.polynomial.Polynomial(curve.piece(travel.real, travel.real))
+        polynomial = along(curve, travel)
         short = name.removeprefix(f"{axle}_").removesuffix("_change")
         further = travel - travel.real
         values[short], slopes[short] = polynomial(further), polynomial.deriv()(further)
@@ -129,7 +167,7 @@ def wheels(vehicle: Vehicle, state, command) -> list[Wheel]:
 
 
 def energy(vehicle: Vehicle, road: Road, state, command):
-    """Kinetic, potential and elastic energy (J)."""
+    """Kinetic, potential and elastic energy (J); that of springs from the real state on."""
     down, ahead, across = road.gravity(G)
     gravity = np.array([ahead, across, -down])
     rates = np.array([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]])
@@ -139,11 +177,11 @@ def energy(vehicle: Vehicle, road: Road, state, command):
     total += rates @ inertia_tensor(vehicle) @ rates / 2
     total += vehicle.wheel_inertia * (state["wheel_speed"] ** 2).sum() / 2
     compression = state["suspension_compression"]
-    total += vehicle.per_wheel("spring_stiffness") @ compression**2 / 2
     apart = compression - compression[OTHER]
     total += vehicle.bar_rate @ apart**2 / 4
     for i, each in enumerate(wheels(vehicle, state, command)):
         mass = vehicle.per_wheel("unsprung_mass")[i]
+        total += spring_energy(vehicle, i, each.travel)
         total += mass * (each.velocity @ each.velocity / 2 - gravity @ each.centre)
         if each.deflection.real > 0.0:
             total += vehicle.per_wheel("tire_stiffness")[i] * each.deflection**2 / 2

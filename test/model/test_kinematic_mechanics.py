@@ -6,6 +6,7 @@ from guided_wheels import (
     AIR_DENSITY,
     SMALL,
     G,
+    damper_power,
     energy,
     momenta,
     turning_of_carrier,
@@ -38,12 +39,13 @@ ASIDE = {"cg_offset": 0.1, "roll_pitch_product": 30.0, "pitch_yaw_product": 30.0
 
 
 def random_suspension(vehicle: Vehicle, rng: np.random.Generator) -> Vehicle:
-    """Tables of random values, single numbers, or nothing, with bars and static camber.
+    """Tables of random values, single numbers, or nothing, with bars, stops and static camber.
 
     The body is not symmetric.
     """
-    (of_body,) = rng.spawn(1)
+    of_body, of_struts = rng.spawn(2)
     values = {
+        **random_struts(of_struts),
         **{name: of_body.uniform(-most, most) for name, most in ASIDE.items()},
         "roll_yaw_product": of_body.uniform(-100.0, 100.0),
         "front_anti_roll_bar_rate": rng.uniform(0.0, 2e4),
@@ -63,6 +65,40 @@ def random_suspension(vehicle: Vehicle, rng: np.random.Generator) -> Vehicle:
             table = np.column_stack((travels, rng.uniform(-most, most, len(travels))))
             values[f"{axle}_{name}"] = tuple(map(tuple, table.tolist()))
     return vehicle.with_values(values)
+
+
+def random_struts(rng: np.random.Generator) -> dict:
+    """Springs, dampers and their motion ratios by tables or numbers, and stops within reach."""
+    values = {}
+    for axle in ("front", "rear"):
+        if rng.random() < 0.7:
+            values[f"{axle}_spring_force"] = rising(rng, -0.1, 0.08, 3e4, 0.4)
+        for part in ("spring", "damper"):
+            if rng.random() < 0.7:
+                ratio = rng.uniform(0.6, 1.2)
+                values[f"{axle}_{part}_motion_ratio"] = rising(rng, -0.2, 0.05, ratio, 0.05)
+        if rng.random() < 0.7:
+            bump, rebound = rising(rng, 0.0, 0.5, 2e3, 0.5), rising(rng, 0.0, 0.5, 3e3, 0.5)
+            rebound = tuple((-speed, -force) for speed, force in rebound[:0:-1])
+            values[f"{axle}_damper_force"] = rebound + bump
+        else:
+            values[f"{axle}_rebound_damping"] = rng.uniform(1e3, 6e3)
+        for stop in ("bump", "rebound"):
+            values[f"{axle}_{stop}_stop_clearance"] = rng.uniform(0.02, 0.1)
+            values[f"{axle}_{stop}_stop_stiffness"] = rng.uniform(1e4, 1e5)
+            values[f"{axle}_{stop}_stop_progression"] = rng.uniform(0.0, 1e6)
+    return values
+
+
+def rising(rng: np.random.Generator, first: float, step: float, slope: float, spread: float):
+    """A table of ten points from (`first`, 0), with slopes within `spread` of `slope`, relatively.
+
+    Gaps are between `step` and three quarters of it.
+    """
+    gaps = step * rng.uniform(0.75, 1.0, 9)
+    rises = gaps * slope * rng.uniform(1.0 - spread, 1.0 + spread, 9)
+    points = zip(np.append(0.0, np.cumsum(gaps)), np.append(0.0, np.cumsum(rises)), strict=True)
+    return tuple((first + float(x), float(y)) for x, y in points)
 
 
 @pytest.fixture(params=SUSPENSIONS)
@@ -154,7 +190,8 @@ def test_energy_changes_by_the_named_powers_alone(suspended, rng, road):
             powers.append(drive[i] * (spin[i] + (rotation @ kappa) @ axis * struts[i]))
             whole = rotation @ (turning + kappa * struts[i]) + spin[i] * axis
             powers.append(moments[i] @ whole)
-        powers += [*(-suspended.per_wheel("damping") * struts**2), *slip]
+            powers.append(-damper_power(suspended, i, each.travel, struts[i]))
+        powers += slip.tolist()
         powers += [*(-command["normal_force"] * struts), -drag(suspended, state) * state["u"]]
         friction = command["brake_torque"]
         powers += [*(-friction * np.abs(spin))]

@@ -9,7 +9,7 @@ import pytest
 from vehicle_files import REFERENCE_YAML, refused, write
 
 from vehicle_roll_sim import load_vehicle, preset
-from vehicle_roll_sim.model.records import KNOTS
+from vehicle_roll_sim.model.work_space import KNOTS
 from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
 SMOOTH = tuple((q, math.sin(4 * q) + 0.3 * q) for q in np.linspace(-0.15, 0.2, 15).tolist())

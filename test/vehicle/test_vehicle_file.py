@@ -376,14 +376,14 @@ def test_a_field_of_the_equations_that_the_vehicle_does_not_have_is_no_silent_ze
 ):
     fields = [(name, VEHICLE[name]) for name in VEHICLE.names]
     longer = np.dtype([*fields, ("anti_roll_stiffness", float, shape)])
-    monkeypatch.setattr("vehicle_roll_sim.vehicle.derived_values.VEHICLE", longer)
+    monkeypatch.setattr("vehicle_roll_sim.vehicle.vehicle_record.VEHICLE", longer)
     with pytest.raises(AttributeError, match="anti_roll_stiffness"):
         preset().record()
 
 
 def test_a_field_of_the_equations_comes_from_the_parameters_of_its_name(monkeypatch):
     longer = np.dtype([("drag_area", float), ("track", float, 4)])
-    monkeypatch.setattr("vehicle_roll_sim.vehicle.derived_values.VEHICLE", longer)
+    monkeypatch.setattr("vehicle_roll_sim.vehicle.vehicle_record.VEHICLE", longer)
     vehicle = preset().with_values({"drag_area": 0.7, "front_track": 1.4, "rear_track": 1.6})
     (record,) = vehicle.record()
     assert record["drag_area"] == 0.7

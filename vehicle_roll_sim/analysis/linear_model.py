@@ -12,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.analysis.trim import INPUT_NAMES, LevelRoadModel, Trim, typical
+from vehicle_roll_sim.analysis.level_road_model import INPUT_NAMES, LevelRoadModel, typical
+from vehicle_roll_sim.analysis.trim import Trim
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.model import records as at

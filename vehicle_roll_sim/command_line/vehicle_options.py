@@ -8,7 +8,7 @@ from vehicle_roll_sim.arguments import add_declared, declared_values, named_file
 from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.plausibility_option import add_strict, warn_or_refuse
-from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
+from vehicle_roll_sim.declaration import InputError, Table, parameter, parameters_of, unknown_name
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import (
@@ -21,7 +21,7 @@ from vehicle_roll_sim.simulation.simulation import (
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
 from vehicle_roll_sim.vehicle.shipped import vehicle_named
-from vehicle_roll_sim.vehicle.vehicle_file import TIRES, on_tires, preset
+from vehicle_roll_sim.vehicle.vehicle_file import NO_NUMBERS, TIRES, no_parameter, on_tires, preset
 
 
 @dataclasses.dataclass(frozen=True)
@@ -116,10 +116,16 @@ def read_vehicle(arguments: argparse.Namespace) -> Vehicle:
         name, equals, text = assignment.partition("=")
         if not equals:
             raise InputError("--set", assignment, "NAME=VALUE")
+        if name in NO_NUMBERS:
+            has_option = name in (*TIRES, *parameters_of(Options))
+            raise no_parameter(name, "--set", _option(name) if has_option else "", "--vehicle")
         if name not in known:
             raise unknown_name(name, known, "--set")
         if name in values:
             raise InputError(f"--set {name}", text, "each name once", "given twice")
+        if known[name].kind is Table:
+            allowed = "write it into a vehicle file (--vehicle)"
+            raise InputError(f"--set {name}", text, allowed, "a table is no number")
         values[name] = number(text, f"--set {name}", known[name])
     return vehicle.with_values(values, "--set ")
 

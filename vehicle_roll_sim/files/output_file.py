@@ -8,7 +8,7 @@ import uuid
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from vehicle_roll_sim.declaration import InputError, NotWrittenError
+from vehicle_roll_sim.input_errors import InputError, NotWrittenError
 
 FIGURE_FORMATS = (".png", ".svg", ".pdf")
 

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, number_in, unknown_name
 from vehicle_roll_sim.files.table_file import read_table
+from vehicle_roll_sim.input_errors import InputError, number_in, unknown_name
 from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS

@@ -8,41 +8,28 @@ from collections import namedtuple
 import numpy as np
 
 from vehicle_roll_sim.model.compiled.jit import constants
+from vehicle_roll_sim.model.layout import (
+    AXLE_COUNT,
+    WHEEL_COUNT,
+    WHEELS,
+    per_wheel,
+    record_dtype,
+)
+from vehicle_roll_sim.model.work_space import (
+    COEFFICIENTS,
+    COMPLIANCE_TERMS,
+    KNOTS,
+    SUSPENSION_TERMS,
+    TIRE_TERMS,
+    TRAVEL_CURVE_COUNT,
+)
 
-WHEELS = ("lf", "rf", "lr", "rr")
-WHEEL_COUNT = len(WHEELS)
 LF, RF, LR, RR = range(WHEEL_COUNT)
-AXLE_COUNT = 2
 FRONT, REAR = range(AXLE_COUNT)
 """Indices of the axles."""
 DEGREES_OF_ACCELERATION = 6
 DU, DV, DW, DWX, DWY, DWZ = range(DEGREES_OF_ACCELERATION)
 """Indices of the derivatives of u, v, w and of the body rates among the accelerations."""
-
-
-def record_dtype(*fields) -> np.dtype:
-    """A structured dtype of float64 fields, whose elements have their fields as attributes.
-
-    fields: names (scalars), or pairs (name, shape) or (name, type), which may be another dtype.
-    """
-    return np.dtype((np.record, [_field(field) for field in fields]))
-
-
-def vectors(*names: str) -> tuple:
-    """Fields with a vector (x, y, z) per wheel, shape (3, 4)."""
-    return tuple((name, (3, WHEEL_COUNT)) for name in names)
-
-
-def _field(field):
-    if isinstance(field, str):
-        return (field, np.float64)
-    name, kind = field
-    return (name, kind) if isinstance(kind, (type, np.dtype)) else (name, np.float64, kind)
-
-
-def per_wheel(*names: str) -> tuple:
-    """Fields with one value per wheel."""
-    return tuple((name, WHEEL_COUNT) for name in names)
 
 
 MODEL_STATE = record_dtype(
@@ -113,17 +100,6 @@ COMMAND = record_dtype(
 """The commands: road-wheel angles (rad), drive torque at each wheel (N m), brake torque capacity at
 each wheel (N m), active force at each corner (N), and a speed hold, a torque gain * (target - u)
 added at each rear wheel (N m per m/s, m/s)."""
-
-TRAVEL_CURVE_COUNT = 5
-HALF_TRACK, AHEAD, CAMBER, TOE, CARRIER_PITCH = range(
-    0, TRAVEL_CURVE_COUNT * WHEEL_COUNT, WHEEL_COUNT
-)
-"""First places of the curves, each of all wheels.
-
-What changes with the travel of a left wheel: place of its contact point (m, outwards), place of its
-centre (m, forward), and angles of its carrier about x, z and y of frame 1 (rad)."""
-KNOTS, COEFFICIENTS = 63, 6
-"""Most knots of the curves of an axle; coefficients of a polynomial of fifth degree."""
 
 STOPS = ("bump_stop", "rebound_stop")
 DETAIL_CURVES = ("spring", "damper", "toe_change", "spring_travel", "damper_travel")
@@ -206,70 +182,6 @@ OPTION_NAMES = (
 )
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 """Forms of terms in the equations; all off is model 1. Each is explained where it is used."""
-
-CURVES = (
-    *("longitudinal", "lateral", "longitudinal_weight", "lateral_weight"),
-    *("longitudinal_at_shift", "lateral_at_shift"),
-    *("upright_lateral", "trail"),
-)
-"""The curves of a tire: forces at pure slip and their weighting functions; the weighting functions
-at their shifts, which are 0 for many tires; and those of the aligning moment."""
-CURVE_COUNT, FORCE_CURVES, MAIN_CURVES = len(CURVES), 6, 4
-LONGITUDINAL, LATERAL, LONGITUDINAL_WEIGHT, LATERAL_WEIGHT = range(MAIN_CURVES)
-LONGITUDINAL_AT_SHIFT, LATERAL_AT_SHIFT = range(MAIN_CURVES, FORCE_CURVES)
-UPRIGHT_LATERAL, TRAIL = range(FORCE_CURVES, CURVE_COUNT)
-
-
-def per_curve(*names: str) -> tuple:
-    """Fields with one value per curve and wheel; the wheels of a curve are adjacent."""
-    return tuple((name, CURVE_COUNT * WHEEL_COUNT) for name in names)
-
-
-def per_curve_of_travel(*names: str) -> tuple:
-    """Fields with one value per curve over travel and wheel; wheels of a curve are adjacent."""
-    return tuple((name, TRAVEL_CURVE_COUNT * WHEEL_COUNT) for name in names)
-
-
-TIRE_TERMS = record_dtype(
-    *per_wheel("rolling_depth", "relative_load", "stiffening", "slip_stiffness", "cornering_wave"),
-    *per_wheel("upright_stiffness", "load_power"),
-    *per_wheel("relaxation_fading", "longitudinal_relaxation", "lateral_relaxation"),
-    *per_wheel("longitudinal_release", "lateral_release"),
-    *per_wheel("longitudinal_damping", "lateral_damping"),
-    *per_wheel("longitudinal_peak", "lateral_peak", "longitudinal_shift", "lateral_shift"),
-    *per_wheel("per_cornering_stiffness", "lateral_slip_shift", "ply_steer"),
-    *per_wheel("upright_peak", "upright_shift", "trail_peak", "residual", "overturning_wave"),
-    *per_curve("curve_slip", "curve_stiffness", "curve_shape", "curve_curvature"),
-    *per_curve("curve_bend", "curve_angle", "curve_sine"),
-)
-"""Work space of model/tire; explained where it is written."""
-
-PARTS = 27
-"""Elements of the lower triangle of the mass matrix of model 2 and of its right-hand side."""
-SUSPENSION_TERMS = record_dtype(
-    *per_wheel("tire_compression", "travel", "travel_force", "pull"),
-    *per_curve_of_travel("part", "value", "slope", "bend"),
-    ("coefficients", (COEFFICIENTS, TRAVEL_CURVE_COUNT * WHEEL_COUNT)),
-    *((name, 3 * WHEEL_COUNT) for name in ("carrier_angle", "carrier_sine", "carrier_cosine")),
-    *per_wheel("leaning", "nodding", "turning_in", "lean", "resisting_mass"),
-    *vectors("wheel", "carrier_turn", "spin_axis", "arm", "contact_path"),
-    ("path", (2, WHEEL_COUNT)),
-    ("path_bend", (2, WHEEL_COUNT)),
-    ("of_wheels", (PARTS, WHEEL_COUNT)),
-)
-"""Work space of model/kinematic, per wheel and in frame 1; also explained where it is written.
-
-tire_compression: that of the state. travel: of the wheel centre, up from rest (m). wheel, arm: from
-the c.g. to the wheel centre, from there to the contact point (m). path, contact_path: derivatives
-of wheel centre and contact point by the travel (m/m).
-"""
-
-COMPLIANCE_TERMS = record_dtype(*per_wheel("sine", "cosine", "angle", "gap", "step"))
-"""Work space of model/compliance_steer.
-
-sine, cosine: of the direction of a wheel without compliance steer. angle: of compliance steer
-(rad). gap: between that of the forces and this one (rad). step: change of the angle (rad).
-"""
 
 OUTPUTS = record_dtype(
     *per_wheel("normal_force", "longitudinal_force", "lateral_force", "support"),

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from vehicle_roll_sim.bags import need_library
-from vehicle_roll_sim.declaration import InputError, given
+from vehicle_roll_sim.input_errors import InputError, given
 from vehicle_roll_sim.offline.tables import path_of
 from vehicle_roll_sim.simulation.description import Described, described, difference
 from vehicle_roll_sim.simulation.simulation import Simulation

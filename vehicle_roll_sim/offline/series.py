@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, given, parameters_of, unknown_name
+from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
+from vehicle_roll_sim.input_errors import given
 from vehicle_roll_sim.manoeuvres.series.base import Series
 from vehicle_roll_sim.manoeuvres.series.catalogue import series_named
 from vehicle_roll_sim.manoeuvres.series.speed_search import SpeedSearch

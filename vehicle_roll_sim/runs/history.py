@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.table_file import read_table
+from vehicle_roll_sim.input_errors import InputError, number_in
 from vehicle_roll_sim.model.records import (
     AXLE_COUNT,
     MODEL_STATE_SIZE,

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, given, number_of
+from vehicle_roll_sim.input_errors import InputError, given, number_of
 from vehicle_roll_sim.model.compiled.jit import (
     interruptible,
     kernel_argument,

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, given
+from vehicle_roll_sim.input_errors import InputError, given
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
 

@@ -9,6 +9,7 @@ from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.model.variants import MODELS
 from vehicle_roll_sim.vehicle.air_parameters import check_air
 from vehicle_roll_sim.vehicle.axle_tires import of_file
+from vehicle_roll_sim.vehicle.chassis_parameters import ROLL_CENTRES
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.masses import PRODUCTS, tensor
 from vehicle_roll_sim.vehicle.suspension_checks import check_suspension
@@ -16,8 +17,6 @@ from vehicle_roll_sim.vehicle.tire.moments import ROLLING_RESISTANCE, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
 from vehicle_roll_sim.vehicle.travel_curves import check_knots
 
-ROLL_CENTRES = {"minimum": -5.0, "maximum": 50.0}
-"""m: allowed range of the depth, and of the height, of a roll centre."""
 MOMENT = {"roll_inertia": "roll", "pitch_inertia": "pitch", "yaw_inertia": "yaw"}
 ROUNDING = 1e-9
 LARGEST_TURN = 1.0

@@ -9,26 +9,19 @@ from vehicle_roll_sim.model.equilibrium import (
     static_strut_length,
     static_tire_compression,
 )
-from vehicle_roll_sim.model.records import VEHICLE, WHEEL_COUNT
-from vehicle_roll_sim.model.tire.coefficients import on_axles
-from vehicle_roll_sim.vehicle.air_parameters import air_of
-from vehicle_roll_sim.vehicle.axle_tires import (
-    FromTire,
-    from_tire,
-    lateral_stiffness,
-)
+from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.vehicle.axle_values import AxleValues
 from vehicle_roll_sim.vehicle.masses import MOMENTS, PRODUCTS
 from vehicle_roll_sim.vehicle.steering_gear import Gear
 from vehicle_roll_sim.vehicle.suspension_details import (
     compressions_at_rest,
-    details_of,
     mean_damping,
     stiffnesses_at_rest,
 )
 from vehicle_roll_sim.vehicle.suspension_parameters import AXLES
-from vehicle_roll_sim.vehicle.tire.moments import OVERTURNING, has_moment
-from vehicle_roll_sim.vehicle.tire_file import Tire
-from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
+from vehicle_roll_sim.vehicle.travel_curves import TravelCurve
+from vehicle_roll_sim.vehicle.travel_parameters import curves_of
+from vehicle_roll_sim.vehicle.vehicle_record import record_of
 
 GRAVITY = 9.81
 """m/s^2, the value used in the paper."""
@@ -36,28 +29,10 @@ SIDES = np.array([1.0, -1.0, 1.0, -1.0])
 """Of the wheels: left is positive."""
 FRONT_BRAKE_SHARE = 0.6
 """Share of a total brake torque at the front axle, if none is given."""
-LINEAR = {"spring_stiffness": "stiffness_at_rest", "damping": "mean_damping"}
-"""Parameters of each axle that may be tables, and the values of linear models in their place."""
 BAR_SPELLINGS = tuple(
     (f"{axle}_anti_roll_bar_stiffness", f"{axle}_anti_roll_bar_rate") for axle in AXLES
 )
 """The two parameters of each bar, of which a vehicle has at most one."""
-TRAVEL_SIGNS = {
-    "half_track_change": 1.0,
-    "longitudinal_change": 1.0,
-    "camber_change": -1.0,
-    "toe_change": -1.0,
-    "carrier_pitch_change": 1.0,
-}
-"""Parameters of each axle that are curves over wheel travel, and the sign with which they are
-displacements, or rotations of a left wheel about the axes, of frame 1."""
-
-
-def _times(given: float | tuple, sign: float) -> float | tuple:
-    """A curve times a sign."""
-    if isinstance(given, tuple):
-        return tuple((travel, sign * value) for travel, value in given)
-    return sign * float(given)
 
 
 def _shares(front: float) -> np.ndarray:
@@ -65,57 +40,8 @@ def _shares(front: float) -> np.ndarray:
     return np.array([front, front, 1.0 - front, 1.0 - front]) / 2.0
 
 
-class DerivedValues:
+class DerivedValues(AxleValues):
     """Properties of a Vehicle, all derived from what was given."""
-
-    @property
-    def own_tires(self) -> dict[str, Tire]:
-        """The tires as they were given, by field: `tire`, or `front_tire` and `rear_tire`."""
-        names = ("tire",) if self.tire is not None else ("front_tire", "rear_tire")
-        return {name: getattr(self, name) for name in names}
-
-    @property
-    def axle_tires(self) -> dict[str, Tire]:
-        """The tire of each axle, by the axle's name."""
-        if self.tire is not None:
-            return dict.fromkeys(AXLES, self.tire)
-        return {"front": self.front_tire, "rear": self.rear_tire}
-
-    @functools.cached_property
-    def from_tires(self) -> dict[str, FromTire]:
-        """The values that come from the tire files because none is given, by parameter name.
-
-        Raises InputError for one that its tire file does not have.
-        """
-        found = {}
-        for axle, tire in self.axle_tires.items():
-            pressure = self.at_axle(axle, "tire_pressure")
-            for name in ("tire_radius", "tire_stiffness"):
-                if self.at_axle(axle, name) is None:
-                    found[f"{axle}_{name}"] = from_tire(name, axle, tire, pressure)
-        return found
-
-    @functools.cached_property
-    def lateral_stiffness_from_tires(self) -> dict[str, FromTire]:
-        """The lateral stiffnesses of the tires of each axle that are not given, by name (N/m)."""
-        loads = self.static_tire_compression * self.per_wheel("tire_stiffness")
-        loads = loads.reshape(len(AXLES), -1).mean(axis=1)  # of left and right wheel
-        return {
-            f"{axle}_tire_lateral_stiffness": lateral_stiffness(
-                tire,
-                self.at_axle(axle, "tire_pressure"),
-                float(load),
-                float(self.per_wheel("tire_radius")[AXLES[axle]]),
-                self.minimum_relaxation_length,
-            )
-            for load, (axle, tire) in zip(loads, self.axle_tires.items(), strict=True)
-            if self.at_axle(axle, "tire_lateral_stiffness") is None
-        }
-
-    def at_axle(self, axle: str, name: str) -> float | None:
-        """The value given for an axle, alone or for both; None if there is none."""
-        value = getattr(self, f"{axle}_{name}")
-        return getattr(self, name, None) if value is None else value
 
     @functools.cached_property
     def roll_centre_depth(self) -> np.ndarray:
@@ -240,117 +166,9 @@ class DerivedValues:
 
     @functools.cached_property
     def travel_curves(self) -> dict[str, dict[str, TravelCurve]]:
-        """What changes with the travel of the left wheel of each axle: HALF_TRACK to CARRIER_PITCH.
-
-        By the names of the parameters, but with the signs of rotations about the body's axes.
-        Without a half-track change the contact point moves at right angles to the line from it to
-        the roll centre.
-        """
-        return {
-            axle: {
-                f"{axle}_{name}": TravelCurve(_times(self._over_travel(axle, name), sign))
-                for name, sign in TRAVEL_SIGNS.items()
-            }
-            for axle in AXLES
-        }
-
-    def _over_travel(self, axle: str, name: str) -> float | tuple:
-        given = getattr(self, f"{axle}_{name}")
-        if given is not None:
-            return given
-        height = self.cg_height - self.roll_centre_depth[AXLES[axle]]  # the same for either measure
-        slope = 2 * height / getattr(self, f"{axle}_track")
-        return slope if name == "half_track_change" else 0.0
-
-    def per_wheel(self, name: str) -> np.ndarray:
-        """The values of NAME of the front and rear axle at lf, rf, lr, rr; shape (4,).
-
-        Those that are not given are those of the tires. Springs and dampers that are tables have
-        the stiffness and damping of linear models.
-        """
-        if name in LINEAR:
-            return getattr(self, LINEAR[name])
-        front, rear = (self._known_at_axle(axle, name) for axle in AXLES)
-        return np.array([front, front, rear, rear])
-
-    def _known_at_axle(self, axle: str, name: str) -> float:
-        value = self.at_axle(axle, name)
-        return self.from_tires[f"{axle}_{name}"].value if value is None else value
-
-    def contact_patch_compliance(self, tire_moments: bool) -> np.ndarray:
-        """Shift of each contact patch per lateral force, shape (4,) (m/N).
-
-        With tire_moments it is 0 for tires whose file has an overturning moment, which contains it.
-        """
-        found = self.lateral_stiffness_from_tires
-        compliances = []
-        for axle, tire in self.axle_tires.items():
-            given = self.at_axle(axle, "tire_lateral_stiffness")
-            stiffness = found[f"{axle}_tire_lateral_stiffness"].value if given is None else given
-            is_contained = tire_moments and has_moment(OVERTURNING, tire.coefficients)
-            compliances += [0.0 if is_contained else 1.0 / stiffness] * 2
-        return np.array(compliances)
+        """What changes with the travel of the left wheel of each axle, by the parameters' names."""
+        return {axle: curves_of(self, axle) for axle in AXLES}
 
     def record(self) -> np.ndarray:
-        """The vehicle on a level road as input to the equations: one VEHICLE record, shape (1,).
-
-        Each field takes the attribute of its name, or the values front_NAME and rear_NAME, or comes
-        from `_placement`. Raises AttributeError for a field that has none of these.
-        """
-        placement, vehicle = self._placement(), np.zeros(1, VEHICLE)
-        for name in VEHICLE.names:
-            if name in placement:
-                vehicle[name] = placement[name]
-            elif hasattr(self, name):
-                vehicle[name] = getattr(self, name)
-            else:
-                vehicle[name] = self.per_wheel(name)
-        return vehicle
-
-    def tires(self, moments: bool = False) -> np.ndarray:
-        """The tires of front and rear axle as input to the equations: TIRE records, shape (2,).
-
-        moments: whether their moments are computed; with the radius of the vehicle if the tire file
-        has none.
-        """
-        records = []
-        for axle, tire in self.axle_tires.items():
-            record = tire.record(self.at_axle(axle, "tire_pressure"), moments)
-            if record["UNLOADED_RADIUS"] == 0.0:
-                record["UNLOADED_RADIUS"] = self._known_at_axle(axle, "tire_radius")
-            records.append(record)
-        return on_axles(*records)
-
-    def _placement(self) -> dict:
-        """Where and how the wheels stand, air forces, and gravity (m/s^2).
-
-        x, y: in the plane of the c.g. (m). camber: positive with the top towards the right (rad).
-        tire_lateral_compliance: 0, as for a contact patch that does not shift. engine_drag: at the
-        driven wheels (N m s/rad). differential_damping: 0 for an open differential.
-        """
-        front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
-        camber = self.per_wheel("camber") * (-1, 1, -1, 1)
-        of_axles = [tabulated([*curves.values()]) for curves in self.travel_curves.values()]
-        knots, origins, curves = zip(*of_axles, strict=True)
-        return {
-            "x": (front, front, rear, rear),
-            "y": self.wheel_places,
-            **{name: self.inertias[name] for name in PRODUCTS},
-            "camber": camber,
-            "camber_sine": np.sin(camber),
-            "camber_cosine": np.cos(camber),
-            "tire_radius": self.per_wheel("tire_radius"),
-            "tire_lateral_compliance": 0.0,
-            "engine_drag": np.where(self.drive_shares > 0.0, self.engine_drag or 0.0, 0.0),
-            "differential_damping": np.repeat(
-                [getattr(self, f"{axle}_differential_damping") or 0.0 for axle in AXLES], 2
-            ),
-            "travel_knots": knots,
-            "travel_origins": origins,
-            "travel_curves": curves,
-            "details": details_of(self, GRAVITY),
-            **air_of(self),
-            "gravity": GRAVITY,
-            "gravity_along": 0.0,
-            "gravity_across": 0.0,
-        }
+        """The vehicle on a level road as input to the equations: one VEHICLE record, shape (1,)."""
+        return record_of(self, GRAVITY)

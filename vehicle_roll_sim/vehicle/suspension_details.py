@@ -5,13 +5,8 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim.model.equilibrium import static_suspension_compression
-from vehicle_roll_sim.model.records import (
-    COEFFICIENTS,
-    DETAILS,
-    LR,
-    STOPS,
-    WHEEL_COUNT,
-)
+from vehicle_roll_sim.model.records import DETAILS, LR, STOPS, WHEEL_COUNT
+from vehicle_roll_sim.model.work_space import COEFFICIENTS
 from vehicle_roll_sim.vehicle.suspension_parameters import AXLES, OF_COMPLIANCE, OF_STRUTS
 from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 

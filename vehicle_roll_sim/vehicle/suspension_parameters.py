@@ -3,7 +3,9 @@
 Declared once for both axles: `of_axle` gives the parameter of one.
 """
 
-from vehicle_roll_sim.declaration import parameter
+import dataclasses
+
+from vehicle_roll_sim.declaration import Curve, parameter
 from vehicle_roll_sim.model.records import LF, LR, STOPS
 
 AXLES = {"front": LF, "rear": LR}
@@ -90,3 +92,43 @@ def of_axle(axle: str, name: str):
     if "alternative" in about:
         about["alternative"] = about["alternative"].format(axle)
     return parameter(description.format(axle, axle), **about, default=None)
+
+
+@dataclasses.dataclass(frozen=True)
+class SuspensionDetails:
+    """What each axle may have beside linear springs and dampers, and the steering of its wheels."""
+
+    front_rebound_damping: float | None = of_axle("front", "rebound_damping")
+    front_spring_motion_ratio: Curve | None = of_axle("front", "spring_motion_ratio")
+    front_damper_motion_ratio: Curve | None = of_axle("front", "damper_motion_ratio")
+    front_bump_stop_clearance: float | None = of_axle("front", "bump_stop_clearance")
+    front_bump_stop_stiffness: float | None = of_axle("front", "bump_stop_stiffness")
+    front_bump_stop_progression: float | None = of_axle("front", "bump_stop_progression")
+    front_rebound_stop_clearance: float | None = of_axle("front", "rebound_stop_clearance")
+    front_rebound_stop_stiffness: float | None = of_axle("front", "rebound_stop_stiffness")
+    front_rebound_stop_progression: float | None = of_axle("front", "rebound_stop_progression")
+    front_toe: float | None = of_axle("front", "toe")
+    front_roll_steer: float | None = of_axle("front", "roll_steer")
+    front_lateral_force_steer: float | None = of_axle("front", "lateral_force_steer")
+    front_aligning_moment_steer: float | None = of_axle("front", "aligning_moment_steer")
+    rear_rebound_damping: float | None = of_axle("rear", "rebound_damping")
+    rear_spring_motion_ratio: Curve | None = of_axle("rear", "spring_motion_ratio")
+    rear_damper_motion_ratio: Curve | None = of_axle("rear", "damper_motion_ratio")
+    rear_bump_stop_clearance: float | None = of_axle("rear", "bump_stop_clearance")
+    rear_bump_stop_stiffness: float | None = of_axle("rear", "bump_stop_stiffness")
+    rear_bump_stop_progression: float | None = of_axle("rear", "bump_stop_progression")
+    rear_rebound_stop_clearance: float | None = of_axle("rear", "rebound_stop_clearance")
+    rear_rebound_stop_stiffness: float | None = of_axle("rear", "rebound_stop_stiffness")
+    rear_rebound_stop_progression: float | None = of_axle("rear", "rebound_stop_progression")
+    rear_toe: float | None = of_axle("rear", "toe")
+    rear_roll_steer: float | None = of_axle("rear", "roll_steer")
+    rear_lateral_force_steer: float | None = of_axle("rear", "lateral_force_steer")
+    rear_aligning_moment_steer: float | None = of_axle("rear", "aligning_moment_steer")
+    ackermann_percentage: float | None = parameter(
+        "share of Ackermann geometry in the steering of the front wheels: 0 is parallel, with 100 "
+        "their axes meet on that of the rear axle; by default 0",
+        "%",
+        -200.0,
+        200.0,
+        default=None,
+    )

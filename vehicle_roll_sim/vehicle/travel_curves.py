@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.model.records import COEFFICIENTS, KNOTS
+from vehicle_roll_sim.model.work_space import COEFFICIENTS, KNOTS
 
 STEEPEST = 2.0
 """Limited slope over that of the chord; with no curvature at both ends, a piece then does not turn

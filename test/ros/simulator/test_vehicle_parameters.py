@@ -115,6 +115,19 @@ def test_tires_that_do_not_go_together_are_refused(simulator, other, assignments
         simulator(*(each.format(other) for each in assignments))
 
 
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ("vehicle.payload:=75.0", "vehicle.payload is a key of vehicle files only: .*vehicle_file"),
+        ("vehicle.model:='2'", "vehicle.model is no number: give model instead"),
+        ("rear_tire:=mine.tir", "rear_tire is no number: give vehicle.rear_tire instead"),
+    ],
+)
+def test_a_key_of_vehicle_files_is_refused_with_the_place_where_it_belongs(simulator, given, told):
+    with pytest.raises(InputError, match=f"^parameter: {told}"):
+        simulator(given)
+
+
 @pytest.mark.parametrize(("given", "shown"), [("on", "on"), ("off", "off"), ("auto", "off")])
 def test_moments_and_shift_are_shown_as_they_are(simulator, given, shown):
     """YAML reads on and off as true and false."""

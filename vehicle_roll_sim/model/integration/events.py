@@ -6,14 +6,8 @@ import numpy as np
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
-from vehicle_roll_sim.model.records import (
-    LR,
-    STATE,
-    STATE_SIZE,
-    WHEEL_COUNT,
-    per_wheel,
-    record_dtype,
-)
+from vehicle_roll_sim.model.layout import record_dtype
+from vehicle_roll_sim.model.records import LR, STATE, STATE_SIZE, WHEEL_COUNT, per_wheel
 
 MINIMUM_SPEED = 3.5
 """m/s: minimum forward speed with steady-state slip, since equation 5 divides by the speed."""

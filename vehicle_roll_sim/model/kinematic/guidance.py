@@ -7,19 +7,16 @@ of fifth degree between common knots, and straight outside (`vehicle.travel_curv
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.elementary import sine_within_half_turn
 from vehicle_roll_sim.model.compiled.jit import kernel, math, square_root, term
-from vehicle_roll_sim.model.records import (
+from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
+from vehicle_roll_sim.model.work_space import (
     AHEAD,
     CAMBER,
     CARRIER_PITCH,
     COEFFICIENTS,
-    FRONT,
     HALF_TRACK,
     KNOTS,
-    LR,
-    REAR,
     TOE,
     TRAVEL_CURVE_COUNT,
-    WHEEL_COUNT,
 )
 
 LEAN, NOD, TURN = range(0, 3 * WHEEL_COUNT, WHEEL_COUNT)

@@ -5,7 +5,8 @@ from collections import namedtuple
 import numpy as np
 
 from vehicle_roll_sim.model.compiled.jit import constants
-from vehicle_roll_sim.model.records import FRONT, REAR, per_wheel, record_dtype
+from vehicle_roll_sim.model.layout import record_dtype
+from vehicle_roll_sim.model.records import FRONT, REAR, per_wheel
 
 
 def numbered(prefix: str, *numbers: int) -> tuple[str, ...]:

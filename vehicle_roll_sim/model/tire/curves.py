@@ -2,8 +2,9 @@
 
 from vehicle_roll_sim.model.compiled.elementary import arctan, sine
 from vehicle_roll_sim.model.compiled.jit import term
-from vehicle_roll_sim.model.records import FORCE_CURVES, WHEEL_COUNT
+from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.model.tire.combined_slip import weight
+from vehicle_roll_sim.model.work_space import FORCE_CURVES
 
 
 @term

@@ -14,21 +14,7 @@ bodies: it unrolls the others first. Loops are therefore as long as they can be.
 
 from vehicle_roll_sim.model.compiled.elementary import arctan, cosine_of_arctan
 from vehicle_roll_sim.model.compiled.jit import kernel
-from vehicle_roll_sim.model.records import (
-    CURVE_COUNT,
-    FORCE_CURVES,
-    LATERAL,
-    LATERAL_AT_SHIFT,
-    LATERAL_WEIGHT,
-    LONGITUDINAL,
-    LONGITUDINAL_AT_SHIFT,
-    LONGITUDINAL_WEIGHT,
-    LR,
-    MAIN_CURVES,
-    TRAIL,
-    UPRIGHT_LATERAL,
-    WHEEL_COUNT,
-)
+from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire import moments, pure_slip
 from vehicle_roll_sim.model.tire.coefficients import all_tire_constants, tire_constants
 from vehicle_roll_sim.model.tire.combined_slip import (
@@ -39,6 +25,19 @@ from vehicle_roll_sim.model.tire.combined_slip import (
 from vehicle_roll_sim.model.tire.curves import keep_curve, sine_of, sines_of_curves, weight_of
 from vehicle_roll_sim.model.tire.loads import terms_of_loads
 from vehicle_roll_sim.model.tire.pure_slip import camber_shift, relative_load
+from vehicle_roll_sim.model.work_space import (
+    CURVE_COUNT,
+    FORCE_CURVES,
+    LATERAL,
+    LATERAL_AT_SHIFT,
+    LATERAL_WEIGHT,
+    LONGITUDINAL,
+    LONGITUDINAL_AT_SHIFT,
+    LONGITUDINAL_WEIGHT,
+    MAIN_CURVES,
+    TRAIL,
+    UPRIGHT_LATERAL,
+)
 
 
 @kernel

@@ -17,7 +17,7 @@ from rclpy.subscription import Subscription
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
-from vehicle_roll_sim.declaration import InputError, number_in
+from vehicle_roll_sim.input_errors import InputError, number_in
 from vehicle_roll_sim.messages.topics import (
     COMMANDS,
     PUBLISHED,

@@ -16,7 +16,7 @@ from ament_index_python.packages import (
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterValue
 
-from vehicle_roll_sim.declaration import InputError, number_in
+from vehicle_roll_sim.input_errors import InputError, number_in
 from vehicle_roll_sim.messages.urdf import urdf
 from vehicle_roll_sim.ros.launching.processes import PACKAGE, ends_all
 from vehicle_roll_sim.ros.launching.values import YES, log_words

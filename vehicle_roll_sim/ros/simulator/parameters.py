@@ -3,27 +3,16 @@
 import dataclasses
 import threading
 
-from rcl_interfaces.msg import (
-    FloatingPointRange,
-    ParameterDescriptor,
-    ParameterType,
-    SetParametersResult,
-)
+from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter as RosParameter
 
-from vehicle_roll_sim.declaration import (
-    Curve,
-    InputError,
-    Parameter,
-    Table,
-    parameter,
-    parameters_of,
-)
+from vehicle_roll_sim.declaration import InputError, Parameter, parameter, parameters_of
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
 from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
+from vehicle_roll_sim.ros.simulator.descriptors import descriptor_of
 from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
@@ -32,7 +21,9 @@ from vehicle_roll_sim.vehicle.plausibility import plausibility
 from vehicle_roll_sim.vehicle.shipped import vehicle_named
 from vehicle_roll_sim.vehicle.vehicle_file import (
     LONGITUDINAL,
+    NO_NUMBERS,
     TIRES,
+    no_parameter,
     on_tires,
     preset,
 )
@@ -42,14 +33,6 @@ TIRE_PARAMETERS = tuple(VEHICLE_PREFIX + name for name in TIRES)
 OF_FILES = (*TIRES, LONGITUDINAL)
 SIM_TIME = "use_sim_time"
 """A parameter that every node has."""
-ROS_TYPES = {
-    float: ParameterType.PARAMETER_DOUBLE,
-    Curve: ParameterType.PARAMETER_DOUBLE,  # or a double array: travel, value, travel, value ...
-    Table: ParameterType.PARAMETER_DOUBLE_ARRAY,
-    bool: ParameterType.PARAMETER_BOOL,
-    str: ParameterType.PARAMETER_STRING,
-    tuple: ParameterType.PARAMETER_STRING_ARRAY,  # or a double array, if of numbers
-}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -80,6 +63,7 @@ class Declared:
 
 def declare(node: Node) -> Declared:
     """Declare all parameters on `node` and read them; raises InputError naming a wrong one."""
+    _refuse_keys_of_files(node)
     refuse_unknown_parameters(node, PARAMETERS)
     _check_makes_time(node.get_parameter(SIM_TIME).value)
     settings = Settings(**_declare_class(node, Settings))
@@ -99,6 +83,15 @@ def declare(node: Node) -> Declared:
     imu = ImuCovariances(**_declare_class(node, ImuCovariances, IMU_PREFIX))
     odom = OdomCovariances(**_declare_class(node, OdomCovariances, ODOM_PREFIX))
     return Declared(settings, limits, options, road, vehicle, Covariances(imu, odom))
+
+
+def _refuse_keys_of_files(node: Node) -> None:
+    """Raise InputError for a key of vehicle files that is no parameter, or one of another name."""
+    for name in node._parameter_overrides:
+        key = name.removeprefix(VEHICLE_PREFIX)
+        if key in NO_NUMBERS and name not in PARAMETERS:
+            others = [other for other in (key, VEHICLE_PREFIX + key) if other in PARAMETERS]
+            raise no_parameter(name, "parameter", "".join(others), "vehicle_file")
 
 
 def _on_tires(node: Node, vehicle: Vehicle) -> Vehicle:
@@ -226,27 +219,7 @@ def _declare(node: Node, name: str, default, is_resolved: bool = False):
     value = declared.validate(value, name)
     if declared.is_curve and isinstance(value, tuple):
         value = [number for point in value for number in point]
-    return node.declare_parameter(name, value, _descriptor(declared), ignore_override=True).value
-
-
-def _descriptor(declared: Parameter) -> ParameterDescriptor:
-    """The ROS descriptor of a parameter.
-
-    It is dynamically typed, so that integers are accepted as numbers; we check the type ourselves.
-    """
-    unit = f" ({declared.unit})" if declared.unit else ""
-    choices = f": {declared.allowed}" if declared.choices else ""
-    of_numbers = ParameterType.PARAMETER_DOUBLE_ARRAY
-    descriptor = ParameterDescriptor(
-        type=of_numbers if declared.size else ROS_TYPES[declared.kind],
-        description=declared.description + choices + unit,
-        read_only=not declared.tunable,
-        dynamic_typing=True,
-    )
-    if declared.kind is float:
-        allowed = FloatingPointRange(from_value=declared.minimum, to_value=declared.maximum)
-        descriptor.floating_point_range.append(allowed)
-    return descriptor
+    return node.declare_parameter(name, value, descriptor_of(declared), ignore_override=True).value
 
 
 PARAMETERS = _all_parameters()

@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from vehicle_roll_sim.declaration import InputError, number_in
 from vehicle_roll_sim.files.text_file import read_text
+from vehicle_roll_sim.input_errors import InputError, number_in
 
 ENCODINGS = ("utf-8-sig", "cp1252")
 COMMENT = r"(?:[$!#%]|//)"
