@@ -109,10 +109,12 @@ COMMAND = record_dtype(
     *("steering", "rear_steering"),
     *per_wheel("wheel_torque", "brake_torque", "normal_force"),
     *("speed_hold_gain", "speed_hold_target"),
+    ("wind", 2),
 )
 """The commands: road-wheel angles (rad), drive torque at each wheel (N m), brake torque capacity at
 each wheel (N m), active force at each corner (N), and a speed hold, a torque gain * (target - u)
-added at each rear wheel (N m per m/s, m/s)."""
+added at each rear wheel (N m per m/s, m/s). wind: velocity of the air along x and y of the ground
+frame (m/s)."""
 
 TRAVEL_CURVE_COUNT = 5
 HALF_TRACK, AHEAD, CAMBER, TOE, CARRIER_PITCH = range(
@@ -299,13 +301,15 @@ OUTPUTS = record_dtype(
     ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
     ("compliance_terms", COMPLIANCE_TERMS),
     ("commanded_steering", AXLE_COUNT),
+    ("air_velocity", 2),
 )
 """Everything that is computed between a state and its derivative.
 
 normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N). support: normal load
 before clipping at 0 (N), negative off the ground. acceleration: of the sprung c.g. along the axes
 of frame 2 (m/s^2). specific_force: reading of an accelerometer at the c.g., in frame 1 (m/s^2).
-commanded_steering: front and rear (rad).
+commanded_steering: front and rear (rad). air_velocity: of the sprung c.g. through the air, along x
+and y of frame 1 (m/s).
 body_acceleration: derivatives of u, v, w and the body rates. The others are terms of the equations,
 described where they are computed. Outputs that a model does not have are nan.
 """
