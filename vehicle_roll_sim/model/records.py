@@ -165,7 +165,8 @@ VEHICLE = record_dtype(
     ("travel_knots", (2, KNOTS)),
     ("travel_origins", (2, KNOTS + 1)),
     ("travel_curves", (2, KNOTS + 1, COEFFICIENTS, TRAVEL_CURVE_COUNT)),
-    *per_wheel("engine_drag", "differential_damping"),
+    *per_wheel("engine_drag"),
+    *per_wheel("differential_damping", "differential_preload", "differential_locking"),
     *("roll_pitch_product", "roll_yaw_product", "pitch_yaw_product"),
     ("details", DETAILS),
 )

@@ -17,6 +17,7 @@ from vehicle_roll_sim.vehicle.axle_tires import (
     from_tire,
     lateral_stiffness,
 )
+from vehicle_roll_sim.vehicle.differential_parameters import differentials_of
 from vehicle_roll_sim.vehicle.masses import MOMENTS, PRODUCTS
 from vehicle_roll_sim.vehicle.steering_gear import Gear
 from vehicle_roll_sim.vehicle.suspension_details import (
@@ -326,7 +327,7 @@ class DerivedValues:
 
         x, y: in the plane of the c.g. (m). camber: positive with the top towards the right (rad).
         tire_lateral_compliance: 0, as for a contact patch that does not shift. engine_drag: at the
-        driven wheels (N m s/rad). differential_damping: 0 for an open differential.
+        driven wheels (N m s/rad).
         """
         front, rear = self.cg_to_front_axle, -self.cg_to_rear_axle
         camber = self.per_wheel("camber") * (-1, 1, -1, 1)
@@ -342,9 +343,7 @@ class DerivedValues:
             "tire_radius": self.per_wheel("tire_radius"),
             "tire_lateral_compliance": 0.0,
             "engine_drag": np.where(self.drive_shares > 0.0, self.engine_drag or 0.0, 0.0),
-            "differential_damping": np.repeat(
-                [getattr(self, f"{axle}_differential_damping") or 0.0 for axle in AXLES], 2
-            ),
+            **differentials_of(self),
             "travel_knots": knots,
             "travel_origins": origins,
             "travel_curves": curves,

@@ -16,6 +16,7 @@ from vehicle_roll_sim.model.variants import PAPER
 from vehicle_roll_sim.vehicle.air_parameters import of_air
 from vehicle_roll_sim.vehicle.consistency import ROLL_CENTRES, check_consistency, check_given
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
+from vehicle_roll_sim.vehicle.differential_parameters import of_differential
 from vehicle_roll_sim.vehicle.masses import Load
 from vehicle_roll_sim.vehicle.sprung_mass import (
     MASS_SPELLINGS,
@@ -47,19 +48,6 @@ PER_AXLE = {
     name: tuple(f"{axle}_{name}" for axle in AXLES) for name in ("tire_radius", "tire_pressure")
 }
 """Parameters of both axles, and those of one axle that are given instead."""
-
-
-def differential_of(axle: str):
-    """The declaration of the viscous coupling in an axle's differential; it may be absent."""
-    return parameter(
-        f"viscous coupling of the {axle} wheels: torque from the faster to the slower one per "
-        "difference of their speeds; 0, the default, is an open differential, a large value a "
-        "locked one",
-        "N m s/rad",
-        0.0,
-        1e5,
-        default=None,
-    )
 
 
 @dataclasses.dataclass(frozen=True)
@@ -482,8 +470,12 @@ class Vehicle(DerivedValues):
         1.0,
         default=None,
     )
-    front_differential_damping: float | None = differential_of("front")
-    rear_differential_damping: float | None = differential_of("rear")
+    front_differential_damping: float | None = of_differential("damping", "front")
+    rear_differential_damping: float | None = of_differential("damping", "rear")
+    front_differential_preload: float | None = of_differential("preload", "front")
+    rear_differential_preload: float | None = of_differential("preload", "rear")
+    front_differential_locking: float | None = of_differential("locking", "front")
+    rear_differential_locking: float | None = of_differential("locking", "rear")
     tire: Tire | None = dataclasses.field(kw_only=True, default=None)
     front_tire: Tire | None = dataclasses.field(kw_only=True, default=None)
     rear_tire: Tire | None = dataclasses.field(kw_only=True, default=None)
