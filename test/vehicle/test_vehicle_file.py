@@ -105,6 +105,10 @@ ABSENT = {
     "front_brake_share": 0.7,
     "front_differential_damping": 20.0,
     "rear_differential_damping": 50.0,
+    "front_differential_preload": 40.0,
+    "rear_differential_preload": 60.0,
+    "front_differential_locking": 0.2,
+    "rear_differential_locking": 0.4,
 }
 """What the reference vehicle does not have."""
 TABLES = {"steering_gear": ("steering_ratio", "[[0, 0], [1, 0.1], [6, 0.5]]")} | {
