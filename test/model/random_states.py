@@ -94,6 +94,8 @@ def mirrored(record) -> np.ndarray:
     """A STATE or COMMAND record seen in a mirror."""
     other = record.copy()
     for name in record.dtype.names:
-        value = record[name][OTHER_SIDE] if record.dtype[name].shape else record[name]
+        value = record[name][OTHER_SIDE] if record.dtype[name].shape == (4,) else record[name]
         other[name] = -value if name in (*REVERSED, "steering", "rear_steering") else value
+    if "wind" in record.dtype.names:
+        other["wind"][1] = -record["wind"][1]
     return other

@@ -84,11 +84,14 @@ def run(
     history = History(rows)
     if simulation.options.is_kinematic:
         history.roll_centres = np.array(centres)
-    return _with_commands(history, driven, driver)
+    return _with_commands(history, driven, driver, simulation.feels_wind)
 
 
 def _with_commands(
-    history: History, driven: list[Command | None], driver: Programme | Feedback
+    history: History,
+    driven: list[Command | None],
+    driver: Programme | Feedback,
+    feels_wind: bool,
 ) -> History:
     """Add the commands to the history; driven: the command of each row, None if not held."""
     if None in driven:
@@ -101,6 +104,8 @@ def _with_commands(
         torque = records["wheel_torque"]
     others = (records["brake_torque"], records["normal_force"])
     history.commands = np.column_stack((records["rear_steering"], torque, *others))
+    if feels_wind:
+        history.wind = records["wind"].copy()
     return history
 
 
