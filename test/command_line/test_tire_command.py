@@ -272,6 +272,15 @@ def test_points_outside_the_ranges_are_counted(command, folder):
     assert not {"outside slip ratio range", "outside inclination range"} & said.keys()
 
 
+def test_conditions_outside_the_ranges_are_counted(command):
+    words = ("--load", "3000", "14000", "--camber", "0", "0.3", "--pressure", "9e4")
+    said = command("tire", file("mf61"), *words).value
+    assert said["outside tire load range"] == "2 of 4 conditions"
+    assert said["outside inclination range"] == "2 of 4 conditions"
+    assert said["outside pressure range"] == "4 of 4 conditions"
+    assert not [label for label in command("tire", file("mf61")).value if "outside" in label]
+
+
 REFUSED = {
     "no file": (("none.tir",), "none.tir"),
     "a folder": ((".",), "not of a folder"),
@@ -282,6 +291,7 @@ REFUSED = {
     "camber": (("mf61", "--camber", "4"), "--camber: 4.0", "from -1 to 1 rad"),
     "many cambers": (("mf61", "--camber", *(f"0.{i}" for i in range(5))), "at most 4"),
     "pressure": (("mf61", "--pressure", "2.2"), "--pressure: 2.2", "Pa"),
+    "bar": (("mf61", "--pressure", "2e3"), "--pressure: 2000.0", "20 times NOMPRES, 230000 Pa"),
     "no pressure": (("mf52_full", "--pressure", "2e5"), "--pressure", "5.2"),
     "figure": (("mf61", "--plot", "f.txt"), "--plot", ".png, .svg, .pdf"),
     "no folder": (("mf61", "--csv", "none/f.csv"), "--csv", "none"),
@@ -321,6 +331,7 @@ WRONG_POINTS = {
     "few values": (f"{HEAD}\n1,0\n", "line 2: 2 values"),
     "semicolons": (f"{HEAD}\n1,0,0\n".replace(",", ";"), "semicolons"),
     "pressure": (f"{HEAD},pressure\n1,0,0,2.3\n", "line 2: pressure: 2.3", "Pa"),
+    "far from nominal": (f"{HEAD},pressure\n1,0,0,7e6\n", "line 2: pressure: 7", "20 times"),
 }
 
 

@@ -35,9 +35,8 @@ def tire_command(words: list[str], program: str) -> int:
     plot, table, asked = _files(arguments)
     asked_for = _conditions(arguments)
     tire = load_tire(named_file(arguments.file, "FILE"), _longitudinal(arguments))
-    if asked_for["pressure"] and tire.version == "5.2":
-        wanted = "no pressure for a file of Magic Formula 5.2, which has none"
-        raise InputError("--pressure", asked_for["pressure"][0], wanted)
+    for pressure in asked_for["pressure"]:
+        tire.check_pressure(pressure, "--pressure")
     with signals.exit_on_signal():
         compile_model()
     signals.import_interruptibly("offline.tire_points", *(["analysis.tire_figure"] if plot else []))
@@ -52,9 +51,11 @@ def tire_command(words: list[str], program: str) -> int:
         _write_curves(tire, conditions, plot, None if asked else table)
     if asked:
         _write_answers(tire, points, table, arguments.as_simulated)
-        for label, count in tire_points.outside(tire, points).items():
-            said = f"{count} of {len(points['speed'])} points"
-            lines.append(line(f"outside {label} range", said))
+    shown = points if asked else tire_points.columns_of(conditions)
+    kind = "points" if asked else "conditions"
+    for label, count in tire_points.outside(tire, shown).items():
+        said = f"{count} of {len(shown['normal_force'])} {kind}"
+        lines.append(line(f"outside {label} range", said))
     written = [line(label, path) for label, path in (("plot", plot), ("CSV", table)) if path]
     print("\n".join([*lines, *written]))
     return 0

@@ -32,8 +32,8 @@ def read_lines(tire: Tire) -> list[str]:
     ]
     pressure = tire_points.own_pressure(tire)
     if not math.isnan(pressure):
-        said = f"{pressure:g} Pa (nominal {given['NOMPRES']:g} Pa)"
-        lines.append(line("inflation pressure", said))
+        nominal = f"{given['NOMPRES']:g} Pa" if given["NOMPRES"] else "not given"
+        lines.append(line("inflation pressure", f"{pressure:g} Pa (nominal: {nominal})"))
     lines += _vertical_lines(tire)
     for label, lowest, highest, unit in tire_points.LIMITS.values():
         if label != "pressure" or tire.version != "5.2":
