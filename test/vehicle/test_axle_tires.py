@@ -66,6 +66,7 @@ def test_each_axle_has_its_tire(vehicle_from):
         ("front_tire: other.tir", ("rear_tire: missing", "front_tire is given")),
         ("rear_tire: other.tir", ("front_tire: missing", "rear_tire is given")),
         ("front_tire: none.tir\nrear_tire: other.tir", ("front_tire", "does not exist")),
+        ("front_tire: other.tir\nrear_tire: .", ("rear_tire", "s a directory", ".tir file")),
         ("front_tire: other.tir\nrear_tire: 3", ("rear_tire", "3 is not allowed", ".tir file")),
         ("tire: reference\ntire_moments: 1", ("tire_moments", "1 is not", "true or false")),
         ("tire: reference\ntire_moments: auto", ("tire_moments", "'auto'", "true or false")),
