@@ -121,12 +121,16 @@ def _read_lines(vehicle: Vehicle) -> Iterator[str]:
 
 
 def _of_tire_file(vehicle: Vehicle, name: str) -> str:
-    """What the tire file has in place of a vertical stiffness that the vehicle file gives."""
-    axle, _, measure = name.partition("_")
-    if measure != "tire_stiffness":
-        return ""
-    stiffness = vertical_stiffness(vehicle.axle_tires[axle], vehicle.at_axle(axle, "tire_pressure"))
-    return f"VERTICAL_STIFFNESS of the tire file: {stiffness:.6g}" if stiffness else ""
+    """What the tire files have in place of a radius or stiffness that the vehicle file gives."""
+    found = {}
+    for axle, tire in vehicle.axle_tires.items():
+        if name in ("tire_radius", f"{axle}_tire_radius"):
+            found["UNLOADED_RADIUS", tire.coefficients["UNLOADED_RADIUS"]] = None
+        elif name == f"{axle}_tire_stiffness":
+            stiffness = vertical_stiffness(tire, vehicle.at_axle(axle, "tire_pressure"))
+            found["VERTICAL_STIFFNESS", stiffness] = None
+    shown = [f"{key} of the tire file: {value:.6g}" for key, value in found if value]
+    return "; ".join(shown)
 
 
 def _value_line(name: str, shown: str, unit: str, about: str) -> str:
