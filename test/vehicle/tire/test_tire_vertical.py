@@ -87,6 +87,7 @@ def test_a_value_that_is_probably_a_mistake_is_warned_of(read, key):
 
 def test_terms_of_the_vertical_force_that_are_not_simulated_are_named(read):
     text = changed({"Q_V1": "Q_V2 = 0.04\nQ_FCX = 0\nLCZ = 0.9"}, BASE_6_1)
+    text += "[DEFLECTION_LOAD_CURVE]\n{pen fz}\n0 0.0\n0.01 2000.0\n"
     (note,) = [note for note in read(text).notes if "vertical force" in note]
-    assert note.endswith("not simulated: Q_FZ2, Q_V2, LCZ")
+    assert note.endswith("not simulated: Q_FZ2, Q_V2, LCZ, [DEFLECTION_LOAD_CURVE]")
     assert not [note for note in read(BASE + "[MORE]\nLCZ = 1\n").notes if "vertical" in note]

@@ -76,7 +76,14 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
         about_side = [*about_side, *symmetric]
     decided = [version.reason, *dropped, *turned, *about_side, *mode.notes, *replaced]
     warned = warnings_of(coefficients, entries, mode.combined)
-    told = (*decided, *converted(units_given), *_not_simulated(entries), *notes, *cut, *warned)
+    told = (
+        *decided,
+        *converted(units_given),
+        *_not_simulated(entries, text.sections),
+        *notes,
+        *cut,
+        *warned,
+    )
     return TireData(coefficients, side, version.name, mode.combined, told)
 
 
@@ -103,8 +110,8 @@ def _is_to_be_made(path: Path, numbers: dict[str, float], mode: Mode, longitudin
     raise InputError(f"{path}: {', '.join(LONGITUDINAL)}", None, allowed, problem)
 
 
-def _not_simulated(entries: dict[str, Entry]) -> list[str]:
+def _not_simulated(entries: dict[str, Entry], sections: list[str]) -> list[str]:
     """Notes on the terms of turn slip and of the vertical force that have no effect."""
     given = [name for name in TURN_SLIP if name in entries and name != "LMP"]
     notes = [f"turn slip is not simulated: {len(given)} coefficients ignored"] if given else []
-    return [*notes, *vertical_notes(entries)]
+    return [*notes, *vertical_notes(entries, sections)]

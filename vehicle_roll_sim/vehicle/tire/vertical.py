@@ -22,6 +22,8 @@ NOT_SIMULATED = (
 """Terms of the vertical force in which the simulation differs from the file."""
 NEUTRAL = {"LCZ": 1.0}
 """Values with which these terms vanish, other than 0."""
+TABLES = ("DEFLECTION_LOAD_CURVE", "BOTTOMING_CURVE")
+"""Sections in which Adams files have tables of the vertical force over compression."""
 LEAST_RADIUS, MOST_RADIUS = 0.5, 1.5
 """Of the unloaded radius: range of the effective rolling radius."""
 
@@ -73,9 +75,10 @@ def compression(c: dict[str, float], load: float, change: float) -> float:
     return 2.0 * relative / (linear + root) * radius
 
 
-def vertical_notes(entries: dict[str, Entry]) -> list[str]:
-    """A note on the terms of the vertical force that are not simulated."""
+def vertical_notes(entries: dict[str, Entry], sections: list[str]) -> list[str]:
+    """A note on the terms and tables of the vertical force that are not simulated."""
     given = [name for name in NOT_SIMULATED if name in entries and _acts(entries[name])]
+    given += [f"[{name}]" for name in TABLES if name in sections]
     if not given:
         return []
     return [f"vertical force: linear in tire compression; not simulated: {', '.join(given)}"]
