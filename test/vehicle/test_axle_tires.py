@@ -241,9 +241,10 @@ def test_rolling_resistance_of_tire_and_vehicle_do_not_count_twice(name):
     named = dataclasses.replace(vehicle, stated_at={"rolling_resistance_coefficient": place})
     with refused(place, "QSY1"):
         Plant.of(named, Options())
-    named = named.with_values({"rolling_resistance_coefficient": 0.01}, "--set ")
-    with refused("--set rolling_resistance_coefficient: 0.01"):
-        Plant.of(named, Options())
+    for prefix in ("--set ", "vehicle."):  # an option, and the name of a node parameter
+        changed = named.with_values({"rolling_resistance_coefficient": 0.01}, prefix)
+        with refused(f"{prefix}rolling_resistance_coefficient: 0.01"):
+            Plant.of(changed, Options())
 
 
 def test_camber_leans_the_tops_of_the_wheels_of_an_axle_outwards():
