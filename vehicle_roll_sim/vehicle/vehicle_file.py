@@ -137,10 +137,12 @@ def _tire(path: Path, name, where: str, longitudinal: str) -> Tire:
     try:
         return tire_of(file, longitudinal)
     except InputError as error:
-        if error.problem != os.strerror(errno.ENOENT):
+        if error.field != f"file {file}":
             raise
+        is_absent = error.problem == os.strerror(errno.ENOENT)
+        problem = f"{file} does not exist" if is_absent else f"{file}: {error.problem}"
     wanted = f"the path of a .tir file relative to the vehicle file, or {SHIPPED_TIRE}"
-    raise InputError(where, name, wanted, f"{file} does not exist")
+    raise InputError(where, name, wanted, problem)
 
 
 def tire_of(file: str | Path, longitudinal: str) -> Tire:
