@@ -1,6 +1,7 @@
 """Plausibility checks: values that are allowed but atypical, usually given in the wrong unit."""
 
 import contextlib
+import contextvars
 import math
 import sys
 import warnings
@@ -36,6 +37,8 @@ WHEELS_RADIUS_OF_GYRATION = (0.1, 3.0)
 """Radius of gyration of the unsprung mass over the tire radius; includes geared driveline parts."""
 ROUNDING = 1e-9
 """m"""
+_UNWARNED = contextvars.ContextVar("unwarned", default=False)
+"""Whether warnings are suppressed; the filters of `warnings` are the same in all threads."""
 
 
 class PlausibilityWarning(UserWarning):
@@ -65,16 +68,19 @@ def doubtful_steering(name: str, angle: float) -> str:
 
 def warn(lines: Iterable[str]) -> None:
     """Issue a PlausibilityWarning for each line, located at the call into this package."""
-    for line in lines:
+    for line in () if _UNWARNED.get() else lines:
         warnings.warn(line, PlausibilityWarning, stacklevel=_levels_to_the_caller())
 
 
 @contextlib.contextmanager
 def unwarned() -> Iterator[None]:
-    """Suppress PlausibilityWarning, for programs that report implausible values themselves."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", PlausibilityWarning)
+    """Suppress PlausibilityWarning in this thread, for programs that report implausible values
+    themselves."""
+    before = _UNWARNED.set(True)
+    try:
         yield
+    finally:
+        _UNWARNED.reset(before)
 
 
 def _levels_to_the_caller() -> int:

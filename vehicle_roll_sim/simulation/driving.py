@@ -1,0 +1,44 @@
+"""Calls of the compiled loop that drives a simulation for many periods."""
+
+import numpy as np
+
+from vehicle_roll_sim.model.compiled.addresses import address_of
+from vehicle_roll_sim.model.compiled.jit import interruptible, silently
+from vehicle_roll_sim.model.integration.advance import advance
+from vehicle_roll_sim.model.integration.drive import CLOCK_SIZE, NOW, STEP, WATCH_SIZE, drive
+from vehicle_roll_sim.model.records import COMMAND, MODEL_STATE_SIZE
+from vehicle_roll_sim.simulation.simulation import Simulation
+
+
+def drive_on(
+    simulation: Simulation,
+    commands: np.ndarray,
+    held: np.ndarray,
+    clock: np.ndarray,
+    watch: np.ndarray,
+    places: np.ndarray,
+    rows: np.ndarray,
+    driven: np.ndarray,
+) -> tuple[int, bool]:
+    """Move a simulation as `drive` does, which explains the arguments.
+
+    Returns the number of rows written, and whether the watched roll rate has dropped.
+    """
+    state, plant, outputs, events, stages = simulation.parts()
+    parts = (state, plant, outputs, simulation.output_vector, events, stages)
+    clock[STEP] = simulation.step_ns
+    example = (state, held, 0, 0, simulation.step_ns, plant, outputs, events, stages)
+    address = address_of(advance, example)
+    arguments = (address, parts, commands, held, clock, watch, places, rows, driven)
+    with silently():  # divergence is detected from the result
+        count, condition, culprit, has_dropped = interruptible(drive, arguments)
+    simulation.note_moved(int(clock[NOW]), condition, culprit)
+    return count, has_dropped
+
+
+def compile_loop(simulation: Simulation) -> None:
+    """Have the loop compiled, or loaded from the cache; the simulation does not move."""
+    one, places = np.zeros(1, COMMAND), np.zeros(1, int)
+    rows, clock = np.empty((1, 1 + MODEL_STATE_SIZE + 1)), np.zeros(CLOCK_SIZE, np.int64)
+    clock[NOW] = simulation.time_ns
+    drive_on(simulation, one, one, clock, np.zeros(WATCH_SIZE), places, rows, one)
