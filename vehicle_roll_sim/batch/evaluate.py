@@ -5,13 +5,10 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 
-import numpy as np
-
-from vehicle_roll_sim.batch.case import Case, Outcome
+from vehicle_roll_sim.batch.case import Case, Outcome, unsuccessful
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.model.integration.events import Condition
-from vehicle_roll_sim.model.records import STATE_SIZE
 from vehicle_roll_sim.runs.run_metrics import metrics_of
 from vehicle_roll_sim.simulation.simulation import whole_steps
 from vehicle_roll_sim.vehicle.plausibility import unwarned
@@ -59,8 +56,8 @@ def outcome_of(case: Case, history: bool = False) -> Outcome:
     try:
         with unwarned():
             return _driven(case, history)
-    except InputError as error:
-        return Outcome({}, f"refused: {error}", None, np.full(STATE_SIZE, np.nan))
+    except Exception as error:  # of a driver of the user's own: the other cases go on
+        return unsuccessful(error)
 
 
 def processors() -> int:
@@ -92,6 +89,6 @@ def _driven(case: Case, keeps_history: bool) -> Outcome:
         metrics,
         failure,
         simulation.condition,
-        simulation.state_vector.copy(),
+        simulation.state.copy(),
         history if keeps_history else None,
     )

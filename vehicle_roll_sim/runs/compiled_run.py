@@ -47,6 +47,8 @@ from vehicle_roll_sim.simulation.timetable import DEGREES, Timetable
 
 LONGEST_BLOCK = 20_000
 """Steps whose commands are in memory at once: 5 MB."""
+WRITABLE = ("C_CONTIGUOUS", "WRITEABLE")
+"""The one form of an array that is compiled."""
 PLACES = np.concatenate((OUTPUT_PLACES, ROLL_CENTRE_PLACES))
 """Indices of the outputs in a row, roll centres last."""
 
@@ -131,10 +133,11 @@ class _Loop:
             times = self.simulation.stage_times(steps)
             records = records_of(self.driver, lambda: times)
             records = records if len(records) == len(times) else np.repeat(records, len(times))
-            return np.require(records, requirements="CW")
+            return np.require(records, requirements=WRITABLE)
         beginnings = np.arange(self.now // self.period, -(-until // self.period)) * self.period
         beginnings[0] = self.now
-        return records_of(self.driver.commands, lambda: beginnings / NANOSECONDS)
+        records = records_of(self.driver.commands, lambda: beginnings / NANOSECONDS)
+        return np.require(records, requirements=WRITABLE)
 
     def _watch(self) -> np.ndarray:
         """What the compiled loop watches of the roll rate; zeros for nothing."""
