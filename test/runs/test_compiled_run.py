@@ -137,9 +137,9 @@ def test_a_run_goes_on_from_the_present_state():
 def test_a_driver_that_is_refused_is_refused_alike():
     simulation = Simulation(preset(), step=0.003)
     for drive in (run, compiled_run):
-        with pytest.raises(InputError, match="command period: 0.01 is not allowed"):
+        with pytest.raises(InputError, match=r"command period: 0\.01 is not allowed"):
             drive(simulation, ready("nhtsa_fishhook", simulation).driver(), 3.0, sample=0.03)
-        with pytest.raises(InputError, match="brake_torque: -1.0 is not allowed"):
+        with pytest.raises(InputError, match=r"brake_torque: -1\.0 is not allowed"):
             drive(simulation, braking_backwards, 0.03, sample=0.03)
 
 

@@ -21,13 +21,12 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 class Case:
     """One run: a vehicle, and how it is driven. Checked when it is run, not before.
 
-    vehicle: the vehicle. manoeuvre: a Manoeuvre of the catalogue, such as `STANDARD["j_turn"]`;
-    it is completed for the vehicle, and the duration of a command table that is its own is rounded up
-    to a multiple of the step. speed: entry speed (m/s), by default that of the manoeuvre.
-    duration: simulated time (s), by default that of the manoeuvre. options: options of the model,
-    by default those of the vehicle. model: name of the model, in place of that of the options.
-    road: by default level. step: integration step (s). rollover_angle: roll angle at which the run
-    stops (rad).
+    vehicle: the vehicle. manoeuvre: a Manoeuvre, such as `STANDARD["j_turn"]` of the catalogue; it
+    is completed for the vehicle. speed: entry speed (m/s), by default that of the manoeuvre.
+    duration: simulated time (s), by default that of the manoeuvre; that of a command table is
+    rounded up to a multiple of the step. options: options of the model, by default those of the
+    vehicle. model: name of the model, in place of that of the options. road: by default level.
+    step: integration step (s). rollover_angle: roll angle at which the run stops (rad).
     """
 
     vehicle: Vehicle
