@@ -50,13 +50,17 @@ class PlausibilityWarning(UserWarning):
 
 def plausibility(vehicle: Vehicle) -> list[str]:
     """One line for each implausible value of a vehicle, beginning with the parameter's name."""
-    return [
-        *_inertias(vehicle),
-        *(line for axle, wheel in AXLES.items() for line in _suspension(vehicle, axle, wheel)),
-        *(line for axle, wheel in AXLES.items() for line in _roll_centre(vehicle, axle, wheel)),
-        *_lowness(vehicle),
-        *_pressures(vehicle),
-    ]
+    return list(doubts(vehicle))
+
+
+def doubts(vehicle: Vehicle) -> Iterator[str]:
+    """The lines of `plausibility`, each found when it is asked for."""
+    yield from _inertias(vehicle)
+    for check in (_suspension, _roll_centre):
+        for axle, wheel in AXLES.items():
+            yield from check(vehicle, axle, wheel)
+    yield from _lowness(vehicle)
+    yield from _pressures(vehicle)
 
 
 def doubtful_steering(name: str, angle: float) -> str:
@@ -68,7 +72,9 @@ def doubtful_steering(name: str, angle: float) -> str:
 
 def warn(lines: Iterable[str]) -> None:
     """Issue a PlausibilityWarning for each line, located at the call into this package."""
-    for line in () if _UNWARNED.get() else lines:
+    if _UNWARNED.get():
+        return
+    for line in lines:
         warnings.warn(line, PlausibilityWarning, stacklevel=_levels_to_the_caller())
 
 
