@@ -10,6 +10,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_of
 from vehicle_roll_sim.model.records import COMMAND, LR, WHEELS
+from vehicle_roll_sim.vehicle.air_parameters import NO_WIND
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 NO_FORCE = (0.0,) * len(WHEELS)
@@ -106,18 +107,25 @@ from the step on.
 """
 
 
-def records_of(command: "Command | Programme", times: Callable[[], np.ndarray]) -> np.ndarray:
+def records_of(
+    command: "Command | Programme", times: Callable[[], np.ndarray], feels_wind: bool = True
+) -> np.ndarray:
     """The COMMAND records at some times (s): one that is held, or one for each time.
 
-    Raises InputError for anything that is not a command. Non-finite values are accepted, and the
-    run then ends as diverged, except for brake torques, which would otherwise be ignored silently.
+    Raises InputError for anything that is not a command, and for a wind unless the vehicle
+    `feels_wind`. Non-finite values are accepted, and the run then ends as diverged, except for
+    brake torques, which would otherwise be ignored silently.
     """
     if isinstance(command, Command):
-        return command.records()
-    if not callable(command):
+        records = command.records()
+    elif callable(command):
+        instants = times()
+        records = _checked(command(instants), len(instants))
+    else:
         raise InputError("command", command, "a Command, or a function of an array of times")
-    instants = times()
-    return _checked(command(instants), len(instants))
+    if not feels_wind and records["wind"].any():
+        raise InputError("wind", float(max(records["wind"].flat, key=abs)), NO_WIND)
+    return records
 
 
 def _checked(records, count: int) -> np.ndarray:
