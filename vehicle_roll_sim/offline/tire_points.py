@@ -16,8 +16,7 @@ from vehicle_roll_sim.declaration import (
     parameters_of,
     unknown_name,
 )
-from vehicle_roll_sim.files.table_file import read_table
-from vehicle_roll_sim.offline.tables import write_rows
+from vehicle_roll_sim.files.table_file import read_table, write_rows
 from vehicle_roll_sim.vehicle.tire_evaluation import TireForces, evaluate
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
