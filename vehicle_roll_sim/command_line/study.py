@@ -25,14 +25,15 @@ def study_command(words: list[str], program: str) -> int:
         if arguments.study is not None or arguments.out is not None:
             raise InputError("--show", arguments.show, "nothing but the folder of a study")
         report = folder.show_study(named_file(arguments.show, "--show"), "--show")
-        _print(report)
+        print(report.summary, line("results", arguments.show), sep="\n")
         return 0
     path, out = named_file(arguments.study, "STUDY.yaml"), named_file(arguments.out, "--out")
     for field, given in (("STUDY.yaml", path), ("--out", out)):
         if given is None:
             raise InputError(field, None, "a study file and --out DIR, or --show DIR")
     tables.check_format(arguments.format, "--format")
-    _print(_run(folder, path, out, arguments))
+    report = _run(folder, path, out, arguments)
+    print(report.summary, line("results", out), sep="\n")
     return 0
 
 
@@ -60,12 +61,6 @@ def _run(folder, path, out, arguments):
             text = f"{done} runs are done; the same command continues, --show {out} shows them"
             print(f"{PROGRAM}: {text}", file=sys.stderr)
             raise
-
-
-def _print(report) -> None:
-    print(report.summary)
-    for file in report.files:
-        print(line(file.stem, file))
 
 
 def _parser(program: str) -> OneLineParser:

@@ -9,8 +9,10 @@ import numpy as np
 from vehicle_roll_sim.analysis.drawing import DrawnFigure, add_title, new_figure, save_figure
 from vehicle_roll_sim.analysis.pens import COLOURS
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+from vehicle_roll_sim.studies.quantities import unit_of
 from vehicle_roll_sim.studies.results import Results
 from vehicle_roll_sim.studies.statistics import probability
+from vehicle_roll_sim.studies.study import NEVER
 
 WIDTH, HEIGHT = 6.4, 4.2
 """Inches."""
@@ -38,7 +40,8 @@ def _figures(results: Results) -> Iterator[tuple[str, DrawnFigure]]:
         if results.brackets is not None:
             values = np.array([each.threshold for each in results.brackets])
             points = [each.point for each in results.brackets]
-            label = f"lowest {study.search.factor} with {study.search.event}"
+            unit = unit_of(study.search.factor, study.manoeuvre)
+            label = _labelled(f"lowest {study.search.factor} with {study.search.event}", unit)
             yield from _of_values(results, points, values, "thresholds", label)
         return
     for name, event in study.events.items():
@@ -47,8 +50,13 @@ def _figures(results: Results) -> Iterator[tuple[str, DrawnFigure]]:
         if study.gridded:
             yield from _of_values(results, results.rows, happened, name, label, is_event=True)
     for name in study.outputs[:MOST_OUTPUTS]:
-        label = f"{name} ({METRIC_UNITS[name]})" if METRIC_UNITS[name] else name
-        yield from _of_values(results, results.rows, results.column(name), name, label)
+        magnitude = f"|{name}|" if name.startswith("peak_") and name not in NEVER else name
+        label = _labelled(magnitude, METRIC_UNITS[name])
+        yield from _of_values(results, results.rows, results.magnitudes(name), name, label)
+
+
+def _labelled(name: str, unit: str) -> str:
+    return f"{name} ({unit})" if unit else name
 
 
 def _of_values(
@@ -65,15 +73,18 @@ def _of_values(
         return
     numeric = [factor for factor in study.gridded if study.is_numeric[factor]]
     texts = [factor for factor in study.gridded if factor not in numeric]
+    labels = {each: _labelled(each, unit_of(each, study.manoeuvre)) for each in study.factors}
+    groups = _grouped([*numeric, *texts], points, values)
     if len(numeric) == 2 and not texts:
-        yield f"map_{name}", _map(numeric, _grouped(numeric, points, values), label, is_event)
+        yield f"map_{name}", _map([labels[each] for each in numeric], groups, label, is_event)
     elif len(numeric) == 1 and len(texts) <= 1:
-        groups = _grouped([*numeric, *texts], points, values)
-        yield f"curve_{name}", _curves([*numeric, *texts], groups, label, is_event)
+        axes = [labels[each] for each in (*numeric, *texts)]
+        yield f"curve_{name}", _curves(axes, groups, label, is_event)
     elif not is_event:
         factors = [factor for factor in study.factors if study.is_numeric[factor]]
-        if factors:
-            yield f"scatter_{name}", _scatter(factors[:MOST_FACTORS], points, values, label)
+        across = {labels[n]: [point[n] for point in points] for n in factors[:MOST_FACTORS]}
+        if across:
+            yield f"scatter_{name}", _scatter(across, values, label)
     if not study.gridded:
         yield f"histogram_{name}", _histogram(values[~np.isnan(values)], label)
 
@@ -95,7 +106,7 @@ def _centre(group: list[float], is_event: bool) -> float:
     return float(np.mean(group) if is_event else np.median(group))
 
 
-def _map(factors: list[str], groups: dict, label: str, is_event: bool) -> DrawnFigure:
+def _map(axis_labels: list[str], groups: dict, label: str, is_event: bool) -> DrawnFigure:
     across, up = (sorted({values[i] for values in groups}) for i in range(2))
     field = np.full((len(up), len(across)), np.nan)
     for (x, y), group in groups.items():
@@ -106,13 +117,13 @@ def _map(factors: list[str], groups: dict, label: str, is_event: bool) -> DrawnF
     limits = {"vmin": 0.0, "vmax": 1.0} if is_event else {}
     mesh = axes.pcolormesh(across, up, field, shading="nearest", cmap="viridis", **limits)
     figure.colorbar(mesh, ax=axes, label=label)
-    axes.set(xlabel=factors[0], ylabel=factors[1])
+    axes.set(xlabel=axis_labels[0], ylabel=axis_labels[1])
     if np.isnan(field).any():
         add_title(figure, "grey: no value")
     return figure
 
 
-def _curves(factors: list[str], groups: dict, label: str, is_event: bool) -> DrawnFigure:
+def _curves(axis_labels: list[str], groups: dict, label: str, is_event: bool) -> DrawnFigure:
     """A curve over the first factor for each value of the second, if there is one."""
     figure = new_figure(WIDTH, HEIGHT)
     axes = figure.add_subplot()
@@ -127,8 +138,8 @@ def _curves(factors: list[str], groups: dict, label: str, is_event: bool) -> Dra
             low, high = np.transpose([_band(group, is_event) for group in found])
             axes.fill_between(across, low, high, color=colour, alpha=0.15, linewidth=0)
     if names != [()]:
-        axes.legend(title=factors[1])
-    axes.set(xlabel=factors[0], ylabel=label)
+        axes.legend(title=axis_labels[1])
+    axes.set(xlabel=axis_labels[0], ylabel=label)
     axes.grid(alpha=0.3)
     return figure
 
@@ -144,17 +155,17 @@ def _band(group: list[float], is_event: bool) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def _scatter(factors: list[str], points: list[dict], values: np.ndarray, label: str) -> DrawnFigure:
-    columns = min(len(factors), 3)
-    rows = -(-len(factors) // columns)
+def _scatter(across: dict[str, list], values: np.ndarray, label: str) -> DrawnFigure:
+    """A panel for each factor. across: its values, by the label of its axis."""
+    columns = min(len(across), 3)
+    rows = -(-len(across) // columns)
     figure = new_figure(3.0 * columns + 1.0, 2.6 * rows)
     panels = figure.subplots(rows, columns, sharey=True, squeeze=False)
-    for axes, factor in zip(panels.flat, factors, strict=False):
-        across = [point[factor] for point in points]
-        axes.plot(across, values, ".", color=COLOURS[2], markersize=3, alpha=0.6)
-        axes.set_xlabel(factor)
+    for axes, (name, places) in zip(panels.flat, across.items(), strict=False):
+        axes.plot(places, values, ".", color=COLOURS[2], markersize=3, alpha=0.6)
+        axes.set_xlabel(name)
         axes.grid(alpha=0.3)
-    for axes in panels.flat[len(factors) :]:
+    for axes in panels.flat[len(across) :]:
         axes.set_visible(False)
     for axes in panels[:, 0]:
         axes.set_ylabel(label)

@@ -3,19 +3,16 @@
 import dataclasses
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from vehicle_roll_sim.batch.case import Case
 from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, unknown_name
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.studies.study import Study
 from vehicle_roll_sim.vehicle.masses import Load
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire.keys import SIMULATED
-
-if TYPE_CHECKING:
-    from vehicle_roll_sim.studies.study import Study
 
 TIRES = {"tire": ("front", "rear"), "front_tire": ("front",), "rear_tire": ("rear",)}
 """Sections whose names are coefficients of tire files, and the axles that they concern."""
@@ -46,6 +43,11 @@ def quantity(name: str, manoeuvre: Manoeuvre, field: str) -> Parameter:
     return known[key]
 
 
+def unit_of(name: str, manoeuvre: Manoeuvre) -> str:
+    """The unit of a quantity that is known."""
+    return quantity(name, manoeuvre, name).unit
+
+
 def _example(section: str) -> str:
     examples = {"vehicle": "cg_height", PAYLOAD: "1.mass", "road": "bank", "manoeuvre": "speed"}
     return f"{section}.{examples.get(section, 'model' if section == 'options' else 'LMUY')}"
@@ -58,7 +60,7 @@ def _coefficient(name: str) -> Parameter:
     return Parameter(name, float, None, "", *free, about, "", (), False, 0, "", ("", 0.0))
 
 
-def case_of(study: "Study", values: Mapping[str, float | str]) -> Case:
+def case_of(study: Study, values: Mapping[str, float | str]) -> Case:
     """The run with these values of the factors; raises InputError if they are refused."""
     parts = {section: {} for section in SECTIONS}
     for name, value in {**study.fixed, **values}.items():

@@ -5,7 +5,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.studies.designs import drawn_at, points_of
 from vehicle_roll_sim.studies.runner import NotDoneError, Runner
 from vehicle_roll_sim.studies.search import Bracket, brackets
@@ -30,12 +29,13 @@ class Results:
     estimate: Estimate | None = None
     is_complete: bool = True
 
-    def column(self, name: str) -> np.ndarray:
-        """An input or metric in all runs, shape (runs,); metrics are nan where a run failed."""
-        values = [row[name] for row in self.rows]
-        if name not in METRIC_UNITS:
-            return np.array(values)
-        return np.array([np.nan if value is None else value for value in values], float)
+    def magnitudes(self, metric: str) -> np.ndarray:
+        """The magnitude of a metric in all runs, shape (runs,); nan for never and for unknown.
+
+        A peak has the sign of its direction, which the table keeps.
+        """
+        values = [row[metric] for row in self.rows]
+        return np.abs([np.nan if value is None else value for value in values])
 
 
 def results_of(

@@ -103,7 +103,7 @@ class Event:
 
     def __str__(self) -> str:
         if not self.is_bounded:
-            return f"{self.metric} is a time, not never"
+            return f"there is a {self.metric}"
         sign, bound = (">=", self.above) if self.below is None else ("<=", self.below)
         unit = METRIC_UNITS[self.metric]
         return f"|{self.metric}| {sign} {bound:g}{f' {unit}' if unit else ''}"

@@ -8,7 +8,7 @@ import numpy as np
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.studies.results import Results
 from vehicle_roll_sim.studies.statistics import Interval, probability, quantile, sobol_indices
-from vehicle_roll_sim.studies.study import SALTELLI
+from vehicle_roll_sim.studies.study import SALTELLI, Study
 from vehicle_roll_sim.studies.tables import cell
 
 QUANTILES = (0.05, 0.5, 0.95)
@@ -55,29 +55,31 @@ def _failures(results: Results) -> Iterator[str]:
 
 
 def _probabilities(results: Results) -> Iterator[str]:
-    """The probability of each event, in all and at each point of the grid."""
+    """The probability of each event, or whether it happened, at each point of the grid."""
     study = results.study
-    rows = []
-    for name, event in study.events.items():
-        for levels, group in _grid_points(results):
-            known = [happened for row in group if (happened := event.happened(row)) is not None]
-            if not known:
-                rows.append((name, *levels.values(), 0, 0, "–", "–"))
-                continue
-            found = probability(sum(known), len(known))
-            interval = f"{cell(found.low)} to {cell(found.high)}" if study.drawn else "–"
-            rows.append(
-                (name, *levels.values(), sum(known), len(known), cell(found.value), interval)
-            )
-    yield "## Events"
+    rows = [
+        (*levels.values(), len(group), *(_share(study, each, group) for each in study.events))
+        for levels, group in _grid_points(results)
+    ]
+    yield "## Probabilities" if study.drawn else "## Events"
     yield "\n".join(f"- {name}: {event}" for name, event in study.events.items())
-    columns = ("event", *study.gridded, "happened", "runs", "probability", "95 % interval")
-    yield from _shortened(columns, rows)
+    yield from _shortened((*study.gridded, "runs", *study.events), rows)
     if study.drawn:
         yield (
-            "Wilson intervals, which suppose independent draws; those of Latin hypercubes and "
-            "Sobol sequences spread less."
+            "In brackets 95 % intervals (Wilson). They suppose independent draws; Latin hypercubes "
+            "and Sobol sequences spread less."
         )
+
+
+def _share(study: Study, name: str, rows: list[dict]) -> str:
+    """The share of runs in which an event happened, of those that did not fail."""
+    outcomes = [study.events[name].happened(row) for row in rows]
+    known = [happened for happened in outcomes if happened is not None]
+    if not known:
+        return "unknown"
+    if not study.drawn:
+        return "yes" if all(known) else "no"
+    return _with_interval(probability(sum(known), len(known)))
 
 
 def _grid_points(results: Results) -> Iterator[tuple[dict, list[dict]]]:
@@ -93,7 +95,7 @@ def _grid_points(results: Results) -> Iterator[tuple[dict, list[dict]]]:
 def _quantiles(results: Results) -> Iterator[str]:
     rows = []
     for name in results.study.outputs:
-        values = results.column(name)
+        values = results.magnitudes(name)
         values = values[~np.isnan(values)]
         if len(values):
             found = [_with_interval(quantile(values, share)) for share in QUANTILES]
@@ -102,7 +104,7 @@ def _quantiles(results: Results) -> Iterator[str]:
         yield "## Quantiles"
         names = (f"{100 * share:g} %" for share in QUANTILES)
         yield table(("metric", "unit", "runs", *names), rows)
-        yield "In brackets 95 % intervals (bootstrap)."
+        yield "Magnitudes; in brackets 95 % intervals (bootstrap)."
 
 
 def _with_interval(found: Interval) -> str:
@@ -114,7 +116,7 @@ def _indices(results: Results) -> Iterator[str]:
     yield "## Sobol indices"
     rows = []
     for name in results.study.outputs:
-        values = results.column(name)
+        values = results.magnitudes(name)
         if results.study.gridded or np.isnan(values).any():
             why = "there is a grid" if results.study.gridded else "not all runs have a value"
             yield f"None of {name}: {why}."
