@@ -15,7 +15,7 @@ from vehicle_roll_sim.studies.search import Bracket
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study_file import study_of
 from vehicle_roll_sim.studies.subset_simulation import Estimate
-from vehicle_roll_sim.studies.tables import CSV, check_format
+from vehicle_roll_sim.studies.tables import PARQUET, check_format
 
 
 @dataclasses.dataclass(frozen=True)
@@ -55,13 +55,13 @@ def study(
     given: str | Path | Mapping,
     out: str | Path,
     *,
-    format: str = CSV,
+    format: str = PARQUET,
     progress: Callable[[int, bool], object] = lambda runs, kept: None,
 ) -> StudyResult:
     """Run a study, or complete an interrupted one, like `vehicle_roll_sim study`.
 
     given: a study file, or a mapping of the same keys, in which `vehicle` may also be a Vehicle.
-    out: folder of the results. format: of the tables, csv or parquet. progress: called after each
+    out: folder of the results. format: of the tables, parquet or csv. progress: called after each
     chunk with its number of runs, and whether they were in the folder already. Returns a
     StudyResult. Raises InputError.
     """

@@ -72,7 +72,7 @@ class Runner:
         inputs = [row[1 : len(self.study.inputs) + 1] for row in rows]
         if inputs != [list(point.values()) for point in points]:
             allowed = "as it was written: delete it, and its runs are computed again"
-            path = self.store.folder / "chunks" / f"{self._chunk:06d}.json"
+            path = self.store.path(self._chunk)
             raise InputError(f"file {path}", "", allowed, "it has other runs")
         return rows
 

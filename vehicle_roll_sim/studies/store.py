@@ -12,11 +12,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError, NotWrittenError
-from vehicle_roll_sim.files.output_file import check_folder, replaced_file
+from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.text_file import read_text
 from vehicle_roll_sim.studies.study import Study
 
 IDENTITY, CHUNKS, LOCK = "study.json", "chunks", ".lock"
+PARTIAL = ".partial-*"
 LARGEST = 100_000_000
 """Bytes of a file of the folder."""
 ELSEWHERE = "another folder, or the study as it was: results of different studies do not mix"
@@ -34,12 +35,10 @@ class Store:
 
         field: names the folder in messages. Raises InputError for the folder of another study.
         """
-        check_folder(self.folder, field)
-        is_used = self.folder.exists() and not (self.folder / IDENTITY).exists()
-        if is_used and any(path.name != LOCK for path in self.folder.iterdir()):
-            raise InputError(field, str(self.folder), "a new folder, or that of the same study")
         with _refused(self.folder):
-            (self.folder / CHUNKS).mkdir(parents=True, exist_ok=True)
+            if not (self.folder / IDENTITY).exists():
+                self._check_new(field)
+            self._chunks.mkdir(parents=True, exist_ok=True)
             with (self.folder / LOCK).open("w") as lock:
                 try:
                     fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -47,9 +46,16 @@ class Store:
                     problem = f"{self.folder}: another process runs this study"
                     raise InputError(field, "", "one at a time", problem) from None
                 self._check(study, field)
-                for path in (*self.folder.glob(".partial-*"), *self._chunks.glob(".partial-*")):
+                for path in (*self.folder.glob(PARTIAL), *self._chunks.glob(PARTIAL)):
                     path.unlink()  # of a process that was killed
                 yield
+
+    def _check_new(self, field: str) -> None:
+        """Raise InputError for a folder of something else; a study may have just begun in it."""
+        if self.folder.exists():
+            names = [path.name for path in self.folder.iterdir() if not path.match(PARTIAL)]
+            if {*names} - {LOCK, CHUNKS}:
+                raise InputError(field, str(self.folder), "a new folder, or that of the same study")
 
     @property
     def _chunks(self) -> Path:
@@ -81,14 +87,15 @@ class Store:
 
     def chunk(self, number: int) -> list[list] | None:
         """The rows of a chunk, each a list of values; None if it is not done."""
-        path = self._path(number)
+        path = self.path(number)
         return self._read(path)["rows"] if path.exists() else None
 
     def keep(self, number: int, rows: list[list]) -> None:
         """Write the rows of a chunk, so that they survive even a loss of power."""
-        self._write(self._path(number), {"rows": rows})
+        self._write(self.path(number), {"rows": rows})
 
-    def _path(self, number: int) -> Path:
+    def path(self, number: int) -> Path:
+        """The file of a chunk."""
         return self._chunks / f"{number:06d}.json"
 
     def _read(self, path: Path) -> dict:

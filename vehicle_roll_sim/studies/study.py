@@ -202,7 +202,7 @@ class Study:
     @property
     def samples(self) -> int:
         """Number of draws at each point of the grid."""
-        if not self.drawn:
+        if not self.drawn or self.rare:
             return 1
         return self.settings.runs * (len(self.drawn) + 2 if self.design == SALTELLI else 1)
 

@@ -120,7 +120,7 @@ class _Reader:
                 problem = f"{MODEL} together with model"
                 raise source.refused(("fixed", MODEL), values[MODEL], "only one of both", problem)
             declared = self.quantity(("model",), MODEL)
-            fixed[MODEL] = declared.validate(source.values["model"], source.where("model"))
+            fixed[MODEL] = declared.validate(str(source.values["model"]), source.where("model"))
         for name, value in values.items():
             place = ("fixed", name)
             fixed[name] = self.quantity(place, name).validate(value, source.where(*place))
