@@ -2,6 +2,7 @@
 
 _HOMES = {
     "__version__": "version",
+    "Batch": "batch.batch",
     "InputError": "declaration",
     "Condition": "model.integration.events",
     **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),

@@ -7,6 +7,7 @@ documentation all read these declarations.
 import array
 import dataclasses
 import difflib
+import functools
 import itertools
 import math
 import numbers
@@ -250,13 +251,21 @@ def parameter(
     return dataclasses.field(default=default, metadata=about)
 
 
-def parameters_of(declaring_class) -> dict[str, Parameter]:
-    """The parameters declared by a dataclass, by name, in order of declaration."""
-    return {
+def parameters_of(declaring_class) -> Mapping[str, Parameter]:
+    """The parameters declared by a dataclass or an instance of it, by name, as declared."""
+    is_class = isinstance(declaring_class, type)
+    return _parameters_of(declaring_class if is_class else type(declaring_class))
+
+
+@functools.cache
+def _parameters_of(declaring_class: type) -> Mapping[str, Parameter]:
+    """Kept, since a simulation needs those of its vehicle dozens of times; read-only therefore."""
+    found = {
         field.name: Parameter(field.name, _kind(field.type), field.default, **field.metadata)
         for field in dataclasses.fields(declaring_class)
         if field.metadata
     }
+    return types.MappingProxyType(found)
 
 
 def given(field: str, value, kind: type):

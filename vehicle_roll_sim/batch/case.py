@@ -1,13 +1,14 @@
 """A case is one run to be made; an outcome is what came of it."""
 
 import dataclasses
-import math
 
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, given
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
+from vehicle_roll_sim.manoeuvres.command_file import CommandTable
 from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.model.records import STATE
 from vehicle_roll_sim.model.variants import MODELS
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.options import Options, options_for
@@ -20,12 +21,12 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 class Case:
     """One run: a vehicle, and how it is driven. Checked when it is run, not before.
 
-    vehicle: the vehicle. manoeuvre: a Manoeuvre of the catalogue, such as `STANDARD["j_turn"]`;
-    it is completed for the vehicle. speed: entry speed (m/s), by default that of the manoeuvre.
-    duration: simulated time (s), by default that of the manoeuvre. options: options of the model,
-    by default those of the vehicle. model: name of the model, in place of that of the options.
-    road: by default level. step: integration step (s). rollover_angle: roll angle at which the run
-    stops (rad).
+    vehicle: the vehicle. manoeuvre: a Manoeuvre, such as `STANDARD["j_turn"]` of the catalogue; it
+    is completed for the vehicle. speed: entry speed (m/s), by default that of the manoeuvre.
+    duration: simulated time (s), by default that of the manoeuvre; that of a command table is
+    rounded up to a multiple of the step. options: options of the model, by default those of the
+    vehicle. model: name of the model, in place of that of the options. road: by default level.
+    step: integration step (s). rollover_angle: roll angle at which the run stops (rad).
     """
 
     vehicle: Vehicle
@@ -65,6 +66,8 @@ class Case:
         values = {"speed": self.speed, "duration": self.duration}
         chosen = {name: value for name, value in values.items() if value is not None}
         manoeuvre = dataclasses.replace(given("manoeuvre", self.manoeuvre, Manoeuvre), **chosen)
+        if isinstance(manoeuvre, CommandTable) and self.duration is None:
+            manoeuvre = manoeuvre.to_whole_steps(simulation.step_ns)
         return manoeuvre.for_vehicle(simulation.vehicle, simulation.options)
 
 
@@ -73,20 +76,28 @@ class Outcome:
     """What came of a case.
 
     metrics: as `RunResult.metrics`, by name, in SI units and radians; times (s) are nan for never.
-    Empty if the run failed. failure: one line, "refused: ..." if the run was not begun, or
-    "diverged at ..." if it was broken off; "" otherwise. condition: RUNNING if the run was
-    completed, else why it stopped; None if it was refused. final_state: values of
-    `model.records.STATE_NAMES` at the end, shape (40,); nan if it was refused, and what the model
-    does not have. history: rows of the run if they were asked for, else None.
+    Empty if the run failed. failure: one line, "refused: ..." if the run was not begun,
+    "diverged at ..." if it was broken off, or "failed: ..." if a driver of the user's own raised an
+    exception; "" otherwise. condition: RUNNING if the run was completed, else why it stopped; None
+    if it was refused or failed. final_state: STATE record at the end, such as `final_state.u`; nan
+    without a condition, and where the model does not have a state. history: rows of the run if they
+    were asked for, else None.
     """
 
     metrics: dict[str, float]
     failure: str
     condition: Condition | None
-    final_state: np.ndarray
+    final_state: np.record
     history: History | None = None
 
-    @property
-    def is_rollover(self) -> bool:
-        """Whether the vehicle rolled over."""
-        return not math.isnan(self.metrics.get("rollover_time", math.nan))
+
+def no_state() -> np.ndarray:
+    """An array of one STATE record in which everything is unknown: nan."""
+    return np.full(1, np.nan, STATE)
+
+
+def unsuccessful(error: Exception) -> Outcome:
+    """The outcome of a case that is refused, or of one whose driver raised an exception."""
+    is_refused = isinstance(error, InputError)
+    text = f"refused: {error}" if is_refused else f"failed: {type(error).__name__}: {error}"
+    return Outcome({}, " ".join(text.split()), None, no_state()[0])

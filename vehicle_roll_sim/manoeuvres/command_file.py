@@ -71,6 +71,16 @@ class CommandTable(OpenLoop):
         shares = {"drive_torque": vehicle.drive_shares, "brake": vehicle.brake_shares}
         return dataclasses.replace(self, shares=shares)
 
+    def to_whole_steps(self, step_ns: int) -> "CommandTable":
+        """A copy whose duration is rounded up to a multiple of the integration step (ns).
+
+        Raises InputError if it is 0.
+        """
+        if not self.duration > 0.0:
+            raise InputError("duration", None, "required for commands that end at time 0")
+        steps = math.ceil(self.duration * NANOSECONDS / step_ns - 1e-6)
+        return dataclasses.replace(self, duration=steps * step_ns / NANOSECONDS)
+
     @property
     def doubts(self) -> list[str]:
         """One line for each steering column with an implausibly large angle."""

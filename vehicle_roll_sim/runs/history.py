@@ -74,15 +74,17 @@ def check_with_commands(wanted: bool, csv: Path | None) -> None:
         raise InputError("--with-commands", "", "together with --csv", "without a file")
 
 
-def _places_of_outputs() -> np.ndarray:
-    """Where the outputs among COLUMNS are in the flat vector of OUTPUTS."""
+def _places_of_outputs() -> tuple[np.ndarray, np.ndarray]:
+    """Where the outputs among COLUMNS, and ROLL_CENTRES, are in the flat vector of OUTPUTS."""
     places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
     quantities = (places[quantity] for quantity in OUTPUT_QUANTITIES)
     steering, accelerations = places["commanded_steering"][:1], places["acceleration"]
-    return np.concatenate((*quantities, steering, accelerations[: len(ACCELERATIONS)])).astype(int)
+    of_rows = np.concatenate((*quantities, steering, accelerations[: len(ACCELERATIONS)]))
+    centres = np.concatenate((places["roll_centre_height"], places["roll_centre_place"]))
+    return of_rows.astype(int), centres.astype(int)
 
 
-_OF_OUTPUTS = _places_of_outputs()
+OUTPUT_PLACES, ROLL_CENTRE_PLACES = _places_of_outputs()
 
 
 def row_of(simulation: Simulation) -> np.ndarray:
@@ -90,14 +92,13 @@ def row_of(simulation: Simulation) -> np.ndarray:
     row = np.empty(len(COLUMNS))
     row[0] = simulation.time
     row[1 : 1 + MODEL_STATE_SIZE] = simulation.state_vector[:MODEL_STATE_SIZE]
-    row[1 + MODEL_STATE_SIZE :] = simulation.output_vector[_OF_OUTPUTS]
+    row[1 + MODEL_STATE_SIZE :] = simulation.output_vector[OUTPUT_PLACES]
     return row
 
 
 def roll_centres_of(simulation: Simulation) -> np.ndarray:
     """The values of ROLL_CENTRES at the present simulated time; nan in models without them."""
-    outputs = simulation.outputs
-    return np.concatenate((outputs["roll_centre_height"], outputs["roll_centre_place"]))
+    return simulation.output_vector[ROLL_CENTRE_PLACES]
 
 
 class History:

@@ -220,10 +220,10 @@ class Simulation(Restorable):
         if self._checked_speed is None:
             self._check_start(DEFAULT_SPEED)
         if self.condition is Condition.RUNNING:
-            self._advance(records_of(command, lambda: self._stage_times(steps)), steps)
+            self._advance(records_of(command, lambda: self.stage_times(steps)), steps)
         return self.condition
 
-    def _stage_times(self, steps: int) -> np.ndarray:
+    def stage_times(self, steps: int) -> np.ndarray:
         """Times of the ends and midpoints of the next steps (s), shape (2 * steps + 1,)."""
         halves = np.arange(2 * steps + 1)
         return (self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS
@@ -249,21 +249,20 @@ class Simulation(Restorable):
         """
         return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
 
-    def _advance(self, commands: np.ndarray, steps: int) -> None:
-        arguments = (
-            self.state_vector,
-            commands,
-            steps,
-            self.time_ns,
-            self.step_ns,
-            self._plant,
-            kernel_argument(self._outputs),
-            kernel_argument(self._events),
-            self._stages,
-        )
-        with silently():  # divergence is detected from the result
-            taken, condition, culprit = interruptible(advance, arguments)
-        self.time_ns += taken * self.step_ns
-        self.condition = Condition(condition)
+    def parts(self) -> tuple:
+        """State, plant, outputs, events and work space, in the form in which kernels take them."""
+        outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
+        return self.state_vector, self._plant, outputs, events, self._stages
+
+    def note_moved(self, until_ns: int, condition: int, culprit: int) -> None:
+        """Note the time (ns), the condition and the culprit with which a kernel left the parts."""
+        self.time_ns, self.condition = until_ns, Condition(condition)
         if self.condition is Condition.DIVERGED:
             self.implausible = STATE_NAMES[culprit]
+
+    def _advance(self, commands: np.ndarray, steps: int) -> None:
+        state, *others = self.parts()
+        arguments = (state, commands, steps, self.time_ns, self.step_ns, *others)
+        with silently():  # divergence is detected from the result
+            taken, condition, culprit = interruptible(advance, arguments)
+        self.note_moved(self.time_ns + taken * self.step_ns, condition, culprit)

@@ -1,5 +1,7 @@
 """Which details of a vehicle a model uses; those that it cannot use are refused."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from vehicle_roll_sim.declaration import ON, InputError
@@ -28,23 +30,24 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
 
     options: with `on` or `off` in place of `auto`.
     """
+    given = vehicle.given
     for name in OF_SIDE_AND_LIFT if options.has_eight_dof else ():
-        _refuse(vehicle, name, f"a 14 DOF model; {options.model} has no such force of the air")
+        _refuse(given, name, f"a 14 DOF model; {options.model} has no such force of the air")
     for axle in AXLES:
         for name in () if options.is_kinematic else GUIDANCE:
-            _refuse(vehicle, f"{axle}_{name}", "model 2, whose wheels are guided")
+            _refuse(given, f"{axle}_{name}", "model 2, whose wheels are guided")
         for name in OF_WHEEL_TRAVEL if options.has_eight_dof else ():
-            _refuse(vehicle, f"{axle}_{name}", f"a 14 DOF model; {options.model} has none of it")
+            _refuse(given, f"{axle}_{name}", f"a 14 DOF model; {options.model} has none of it")
         for name in MOTION_RATIOS if options.has_eight_dof else ():
             if isinstance(getattr(vehicle, f"{axle}_{name}"), tuple):
-                _refuse(vehicle, f"{axle}_{name}", f"a 14 DOF model; {options.model} has numbers")
+                _refuse(given, f"{axle}_{name}", f"a 14 DOF model; {options.model} has numbers")
         if options.tire_moments != ON:
-            _refuse(vehicle, f"{axle}_aligning_moment_steer", "tire_moments on")
+            _refuse(given, f"{axle}_aligning_moment_steer", "tire_moments on")
 
 
-def _refuse(vehicle: Vehicle, name: str, needed: str) -> None:
-    if name in vehicle.given:
-        raise InputError(name, vehicle.given[name], f"no value, since it needs {needed}")
+def _refuse(given: Mapping, name: str, needed: str) -> None:
+    if name in given:
+        raise InputError(name, given[name], f"no value, since it needs {needed}")
 
 
 def steers_each_wheel(vehicle: Vehicle, options: Options) -> bool:
