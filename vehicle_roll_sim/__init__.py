@@ -11,6 +11,7 @@ _HOMES = {
     "replay": "offline.replaying",
     "run": "offline.running",
     "series": "offline.series",
+    "study": "offline.studying",
     **dict.fromkeys(("Command", "Feedback"), "simulation.command"),
     "Options": "simulation.options",
     "Road": "simulation.road",

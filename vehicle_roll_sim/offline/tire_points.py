@@ -10,9 +10,8 @@ import numpy as np
 
 from vehicle_roll_sim.analysis.tire_curves import Condition, Curve, reference_speed
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
-from vehicle_roll_sim.files.table_file import read_table
+from vehicle_roll_sim.files.table_file import read_table, write_rows
 from vehicle_roll_sim.input_errors import number_in
-from vehicle_roll_sim.offline.tables import write_rows
 from vehicle_roll_sim.vehicle.tire_evaluation import TireForces, evaluate
 from vehicle_roll_sim.vehicle.tire_file import Tire
 

@@ -8,11 +8,12 @@ from importlib.resources import as_file, files
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
+from vehicle_roll_sim.files.yaml_file import read_mapping
 from vehicle_roll_sim.vehicle.masses import Load
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
-from vehicle_roll_sim.vehicle.yaml_mapping import mapping_of
 
+A_MAPPING = "expected a YAML mapping of parameter names to values"
 TEMPLATE_HAS_ALL = "`vehicle_roll_sim template` writes a complete file"
 SHIPPED_TIRE = "reference"
 """The name by which a vehicle file refers to the tire that comes with the package."""
@@ -34,7 +35,7 @@ PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 def load_vehicle(path: str | Path) -> Vehicle:
     """Read a vehicle file and its tire files; raises InputError naming file, line and key."""
     path = Path(path)
-    values, lines = mapping_of(path)
+    values, lines = _mapping(path)
     where = {name: f"{path}: line {line}: {name}" for name, line in lines.items()}
     known = parameters_of(Vehicle)
     expected = (*known, *NO_NUMBERS)
@@ -168,6 +169,12 @@ def on_tires(vehicle: Vehicle, files: dict[str, str | Path]) -> Vehicle:
         of_axles = {f"{axle}_tire": tire for axle, tire in vehicle.axle_tires.items()}
         loaded = of_axles | loaded
     return dataclasses.replace(vehicle, **dict.fromkeys(TIRES) | loaded)
+
+
+def _mapping(path: Path) -> tuple[dict, dict[str, int]]:
+    """The values of a file and their line numbers, both by name."""
+    values, lines = read_mapping(path, "vehicle file", A_MAPPING)
+    return values, {place[0]: line for place, line in lines.items() if len(place) == 1}
 
 
 def shipped_tire() -> Tire:
