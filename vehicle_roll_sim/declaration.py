@@ -239,11 +239,13 @@ def validated(declaring_class, values: Mapping, prefix: str = "") -> dict:
     return {name: known[name].validate(value, prefix + name) for name, value in values.items()}
 
 
-def keep_validated(instance) -> None:
+def keep_validated(instance, given: Mapping | None = None) -> None:
     """Validate the parameters of a frozen dataclass instance and store them as declared types.
 
-    For use in `__post_init__`. Raises InputError.
+    For use in `__post_init__`. given: the parameters that have a value; by default all of them.
+    Raises InputError.
     """
-    given = {name: getattr(instance, name) for name in parameters_of(instance)}
+    if given is None:
+        given = {name: getattr(instance, name) for name in parameters_of(instance)}
     for name, value in validated(type(instance), given).items():
         object.__setattr__(instance, name, value)

@@ -4,7 +4,8 @@ import dataclasses
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, given
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.input_errors import given
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.command_file import CommandTable
 from vehicle_roll_sim.model.integration.events import Condition

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import yaml
 
-from vehicle_roll_sim.declaration import LONGEST_SHOWN, InputError
 from vehicle_roll_sim.files.text_file import read_text
+from vehicle_roll_sim.input_errors import LONGEST_SHOWN, InputError
 
 LONGEST_VALUE = 4096
 """Characters: the longest possible file name.

@@ -11,9 +11,9 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from vehicle_roll_sim.declaration import InputError, NotWrittenError
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.text_file import read_text
+from vehicle_roll_sim.input_errors import InputError, NotWrittenError
 from vehicle_roll_sim.studies.study import Study
 
 IDENTITY, CHUNKS, LOCK = "study.json", "chunks", ".lock"
