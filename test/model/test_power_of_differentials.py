@@ -18,7 +18,7 @@ INERTIA = 1.3
 """kg m^2: of each wheel."""
 VISCOUS, STIFF, PRELOAD = 60.0, 1e4, 80.0
 """N m s/rad, N m s/rad, N m"""
-DRAWN, ROUNDING = 12, 1e-9
+DRAWN, ROUNDING = 5, 1e-9
 
 
 @dataclasses.dataclass(frozen=True)
