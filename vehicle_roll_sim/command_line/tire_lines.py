@@ -12,7 +12,9 @@ HEADER = (
     f"{'braking':>10}{'driving':>9}{'α > 0':>8}{'α < 0':>8}"
 )
 UNITS = f"{'N':>8}{'rad':>8}{'kPa':>10}{'kN':>14}{'kN/rad':>15}{'peak force over load':>35}"
-KILO = MILLI = 1e3
+KILO = 1e3
+MILLIMETRES = 1e3
+"""In a metre."""
 VERSION, UNITS_READ, WARNING = "Magic Formula", "converted to SI units: ", "warning: "
 """The beginnings of notes on version and units, and of warnings."""
 LABELS = (VERSION, UNITS_READ)
@@ -48,9 +50,9 @@ def _vertical_lines(tire: Tire) -> list[str]:
         return [line("vertical stiffness", "not given; the vehicle file must give it")]
     load, change = given["FNOMIN"], pressure_change(tire, None)
     at = " at the inflation pressure" if given["PFZ1"] * change else ""
-    said = f"{load / stiffness * MILLI:.4g} mm at nominal load"
+    said = f"{load / stiffness * MILLIMETRES:.4g} mm at nominal load"
     if given["Q_FZ2"]:
-        by_file = compression(given, load, change) * MILLI
+        by_file = compression(given, load, change) * MILLIMETRES
         said += f"; by the formula of the file, at standstill, {by_file:.4g} mm"
     stated = f"{stiffness:g} N/m{at}, unless the vehicle file gives another"
     return [line("vertical stiffness", stated), line("tire compression", said)]
