@@ -126,13 +126,16 @@ def test_a_run_that_rolls_over_or_diverges_ends_alike():
     assert simulation.condition is Condition.DIVERGED
 
 
-def test_a_run_goes_on_from_the_present_state():
-    simulation, manoeuvre = Simulation(preset()), STANDARD["step_steer"]
-    found = []
+@pytest.mark.parametrize("name", ["step_steer", "nhtsa_fishhook"])
+def test_a_run_goes_on_from_the_present_state(name):
+    """Even from the middle of a command period: the driver is asked at once."""
+    simulation, found = Simulation(preset()), []
+    manoeuvre = ready(name, simulation)
     for driven in (run, compiled_run):
         simulation.reset(manoeuvre.speed)
-        histories = [driven(simulation, manoeuvre, duration) for duration in (0.995, 0.503, 0.01)]
-        found.append([everything(simulation, manoeuvre, each) for each in histories])
+        driver = manoeuvre.driver()
+        histories = [driven(simulation, driver, duration) for duration in (1.095, 0.503, 0.01)]
+        found.append([everything(simulation, driver, each) for each in histories])
     assert found[0] == found[1]
 
 
