@@ -64,12 +64,12 @@ class CommandTable(OpenLoop):
 
     @property
     def needs_vehicle(self) -> bool:
-        return bool(self.columns.keys() & TOTALS.keys())
+        return super().needs_vehicle or bool(self.columns.keys() & TOTALS.keys())
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "CommandTable":
         """A copy that distributes total torques as the vehicle does."""
         shares = {"drive_torque": vehicle.drive_shares, "brake": vehicle.brake_shares}
-        return dataclasses.replace(self, shares=shares)
+        return dataclasses.replace(super().for_vehicle(vehicle, options), shares=shares)
 
     @property
     def doubts(self) -> list[str]:

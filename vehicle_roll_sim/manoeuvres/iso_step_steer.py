@@ -6,12 +6,8 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.manoeuvres.base import LONGEST
-from vehicle_roll_sim.manoeuvres.handwheel import (
-    HOLD,
-    LARGEST_HANDWHEEL,
-    HandwheelProgramme,
-)
+from vehicle_roll_sim.manoeuvres.base import HOLD, LONGEST
+from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL, HandwheelProgramme
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback, Programme
