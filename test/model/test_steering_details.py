@@ -118,7 +118,7 @@ def test_left_and_right_are_alike_with_every_detail(plain, model):
 
 
 def test_gyroscopic_moments_turn_the_body_as_the_wheels_are_turned_in_model_1(plain):
-    """Angular momentum of body and spinning wheels together changes as without spin."""
+    """Angular momentum of body and spinning wheels together changes as without moments of spin."""
     exact = {"no_roll_centre": True, "euler_terms": True}
     for (state, command, rates, _), without in zip(
         cases(plain, Options(**exact, wheel_gyroscopics=True)),
@@ -131,13 +131,13 @@ def test_gyroscopic_moments_turn_the_body_as_the_wheels_are_turned_in_model_1(pl
         angles, now = commanded(command), along(state, rates)
         axes = np.array([-np.sin(angles), np.cos(angles), 0 * angles])
         turned = attitude(now["roll"], now["pitch"], now["yaw"]) @ axes
-        of_wheels = plain.wheel_inertia * slope(turned) @ state["wheel_speed"]
+        of_wheels = plain.wheel_inertia * slope(turned @ now["wheel_speed"])
         largest = np.abs(of_wheels).max()
         np.testing.assert_allclose(changes[0] - changes[1], -of_wheels, rtol=0, atol=1e-9 * largest)
 
 
 def test_gyroscopic_moments_act_through_the_carriers_of_model_2(plain):
-    """They do no work; with the turning carriers they change both momenta as the axes turn."""
+    """They change angular momentum as the axes turn with the carriers and the wheels spin up."""
     vehicle = plain.with_values(TRAVEL | {"front_camber_change": -0.8, "rear_camber_change": -0.5})
     for (state, command, rates, _), without in zip(
         cases(vehicle, Options(model="2", wheel_gyroscopics=True)),
@@ -149,7 +149,7 @@ def test_gyroscopic_moments_act_through_the_carriers_of_model_2(plain):
             slope(momenta(vehicle, along(state, each), command))[3:] for each in (rates, without[2])
         ]
         axes = np.array([each.spin_axis for each in wheels(vehicle, now, command)])
-        of_wheels = vehicle.wheel_inertia * state["wheel_speed"] @ slope(axes)
+        of_wheels = vehicle.wheel_inertia * slope(now["wheel_speed"] @ axes)
         largest = np.abs(of_wheels).max()
         np.testing.assert_allclose(changes[0] - changes[1], -of_wheels, rtol=0, atol=1e-8 * largest)
 

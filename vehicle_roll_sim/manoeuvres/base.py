@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 
 from vehicle_roll_sim.declaration import keep_validated, parameter
-from vehicle_roll_sim.model.records import COMMAND
+from vehicle_roll_sim.model.records import COMMAND, LR
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.options import Options
@@ -19,26 +19,42 @@ STEEPEST = 60.0
 """deg; no road vehicle reaches larger road-wheel angles."""
 LONGEST = 86_400.0
 """s"""
+HOLD = 2000.0
+"""N m s/m: speed-hold gain of the standard manoeuvres for the reference vehicle; keeps its speed
+within a few cm/s of the entry speed."""
+REFERENCE_MASS, REFERENCE_RADIUS = 1760.0, 0.285
+"""kg and m: of the vehicle, and of its rear tires."""
 SIDES = {"left": 1.0, "right": -1.0}
 """Direction of the first steering input, and the sign of its angle."""
 
 
+def hold_for(vehicle: Vehicle) -> float:
+    """The speed-hold gain (N m s/m) with which an error of speed fades as in the reference vehicle.
+
+    Its rate is 2 gain / (mass * radius), about 8 per second.
+    """
+    radius = float(vehicle.per_wheel("tire_radius")[LR])
+    return HOLD * (vehicle.mass * radius / (REFERENCE_MASS * REFERENCE_RADIUS))
+
+
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Manoeuvre(abc.ABC):
-    """A test manoeuvre: entry speed, duration, speed-hold gain, and a driver."""
+    """A test manoeuvre: entry speed, duration, speed-hold gain, and a driver.
+
+    A speed-hold gain of HOLD is that for the reference vehicle: `for_vehicle` sets that of another.
+    """
 
     speed: float = parameter("entry speed", "m/s", 0.0, MAXIMUM_SPEED, default=DEFAULT_SPEED)
     duration: float = parameter("simulated time", "s", 0.0, LONGEST)
     speed_hold: float = parameter(
-        "gain of the speed hold: drive torque at each rear wheel per m/s below the entry speed",
+        "gain of the speed hold: drive torque at each rear wheel per m/s below the entry speed; "
+        "2000 is adapted to the vehicle",
         "N m s/m",
         0.0,
         1e6,
         default=0.0,
     )
 
-    needs_vehicle = False
-    """Whether `for_vehicle` must be called before the manoeuvre can be driven."""
     doubts: ClassVar[list[str]] = []
     """One line for each implausible command."""
     throttle_dropped = math.inf
@@ -48,13 +64,20 @@ class Manoeuvre(abc.ABC):
         keep_validated(self)
 
     @property
+    def needs_vehicle(self) -> bool:
+        """Whether `for_vehicle` must be called before the manoeuvre can be driven."""
+        return self.speed_hold == HOLD
+
+    @property
     def commanded(self) -> tuple[str, ...]:
         """Fields of a Command that the manoeuvre sets: steering, and torque if it holds speed."""
         return ("steering", "wheel_torque") if self.speed_hold else ("steering",)
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "Manoeuvre":
         """A copy completed with the values that depend on the vehicle and its model."""
-        return self
+        if self.speed_hold != HOLD:
+            return self
+        return dataclasses.replace(self, speed_hold=hold_for(vehicle))
 
     @abc.abstractmethod
     def driver(self) -> Programme | Feedback:

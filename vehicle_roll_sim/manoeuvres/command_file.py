@@ -67,7 +67,8 @@ class CommandTable(OpenLoop):
 
     @property
     def needs_vehicle(self) -> bool:
-        return bool(self.columns.keys() & TOTALS.keys() or self._of_wind)
+        has_more = bool(self.columns.keys() & TOTALS.keys() or self._of_wind)
+        return super().needs_vehicle or has_more
 
     @property
     def _of_wind(self) -> list[str]:
@@ -81,7 +82,7 @@ class CommandTable(OpenLoop):
         if self._of_wind and not has_air_forces(vehicle):
             raise InputError(f"{self.file}: column", self._of_wind[0], NO_WIND)
         shares = {"drive_torque": vehicle.drive_shares, "brake": vehicle.brake_shares}
-        return dataclasses.replace(self, shares=shares)
+        return dataclasses.replace(super().for_vehicle(vehicle, options), shares=shares)
 
     def to_whole_steps(self, step_ns: int) -> "CommandTable":
         """A copy whose duration is rounded up to a multiple of the integration step (ns).

@@ -7,11 +7,10 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
-from vehicle_roll_sim.manoeuvres.base import SIDES
+from vehicle_roll_sim.manoeuvres.base import HOLD, SIDES
 from vehicle_roll_sim.manoeuvres.body_outline import BodySettings, Outline
 from vehicle_roll_sim.manoeuvres.criteria import ROUNDING, two_wheel_lift_line
 from vehicle_roll_sim.manoeuvres.driver.path_following import PathFollowing
-from vehicle_roll_sim.manoeuvres.handwheel import HOLD
 from vehicle_roll_sim.manoeuvres.lane_change_track import (
     Track,
     double_lane_change_track,

@@ -14,8 +14,6 @@ from vehicle_roll_sim.vehicle.steering_gear import Gear, in_words, to_handwheel,
 
 LARGEST_HANDWHEEL = 1440.0
 """deg: four turns from straight ahead."""
-HOLD = 2000.0
-"""N m s/m: default speed-hold gain; keeps the speed within a few cm/s of the entry speed."""
 METRES_PER_SECOND_OF_A_MPH = 0.44704
 ROUNDING = 1e-12
 """Relative tolerance for rounding in angles computed as a multiple of another angle."""
@@ -47,7 +45,7 @@ class HandwheelManoeuvre(Manoeuvre):
         A standard's own handwheel angle ends at the largest one of the vehicle. Raises InputError
         if any other exceeds it.
         """
-        ready = dataclasses.replace(self, gear=vehicle.gear)
+        ready = dataclasses.replace(super().for_vehicle(vehicle, options), gear=vehicle.gear)
         return ready.filled_in(vehicle, options).within_the_wheels().checked()
 
     def filled_in(self, vehicle: Vehicle, options: Options) -> "HandwheelManoeuvre":

@@ -6,13 +6,9 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.manoeuvres.base import LONGEST
+from vehicle_roll_sim.manoeuvres.base import HOLD, LONGEST
 from vehicle_roll_sim.manoeuvres.driving import history_of
-from vehicle_roll_sim.manoeuvres.handwheel import (
-    HOLD,
-    LARGEST_HANDWHEEL,
-    HandwheelProgramme,
-)
+from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL, HandwheelProgramme
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.options import Options

@@ -6,10 +6,9 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
-from vehicle_roll_sim.manoeuvres.base import LONGEST
+from vehicle_roll_sim.manoeuvres.base import HOLD, LONGEST
 from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift_line
 from vehicle_roll_sim.manoeuvres.handwheel import (
-    HOLD,
     METRES_PER_SECOND_OF_A_MPH,
     HandwheelProgramme,
     ramp,

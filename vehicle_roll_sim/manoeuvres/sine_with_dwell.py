@@ -6,9 +6,9 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
-from vehicle_roll_sim.manoeuvres.base import LONGEST
+from vehicle_roll_sim.manoeuvres.base import HOLD, LONGEST
 from vehicle_roll_sim.manoeuvres.criteria import value_at
-from vehicle_roll_sim.manoeuvres.handwheel import HOLD, HandwheelProgramme
+from vehicle_roll_sim.manoeuvres.handwheel import HandwheelProgramme
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme

@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.manoeuvres.base import HOLD, hold_for
 from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.manoeuvres.handwheel import (
-    HOLD,
     LARGEST_HANDWHEEL,
     METRES_PER_SECOND_OF_A_MPH,
     HandwheelProgramme,
@@ -140,7 +140,11 @@ def _steering_at_03g(same: "_Same", options: Options) -> float:
     angles = [_angle_to_a_side(vehicle, options, side) for side in (1.0, -1.0)]
     if any(map(math.isnan, angles)):
         problem = "the slowly increasing steer of this vehicle has " + TOO_LITTLE
-        raise InputError("steering_at_03g", 0.0, "a number above 0 deg", problem)
+        allowed = (
+            "a number above 0 deg, such as slowly_increasing_steer prints at a lower speed or "
+            "handwheel_rate"
+        )
+        raise InputError("steering_at_03g", 0.0, allowed, problem)
     return float(np.mean(angles))
 
 
@@ -161,6 +165,7 @@ def _angle_to_a_side(vehicle: Vehicle, options: Options, side: float) -> float:
     steer = dataclasses.replace(
         SLOWLY_INCREASING_STEER,
         handwheel_angle=side * STANDARD_ANGLE,
+        speed_hold=hold_for(vehicle),
         gear=vehicle.gear,
     ).within_the_wheels()
     return angle_at_level(history_to_the_level(steer, vehicle, options), steer.gear)

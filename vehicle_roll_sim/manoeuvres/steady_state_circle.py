@@ -6,13 +6,9 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.manoeuvres.base import HOLD
 from vehicle_roll_sim.manoeuvres.driver.path_following import PathFollowing
-from vehicle_roll_sim.manoeuvres.handwheel import (
-    HOLD,
-    LARGEST_HANDWHEEL,
-    HandwheelManoeuvre,
-    ramp,
-)
+from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL, HandwheelManoeuvre, ramp
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import SlowlyIncreasingSteer
 from vehicle_roll_sim.manoeuvres.steady_turn import RisingSpeed, RisingSpeedDriver, SteadyTurn
 from vehicle_roll_sim.simulation.options import Options

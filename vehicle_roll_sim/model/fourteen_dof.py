@@ -54,8 +54,9 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
     contact_forces(state, vehicle, tires, options, outputs)
     if options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
+    wheel_rates(state, command, vehicle, options, outputs, rates)
     if options.wheel_gyroscopics:
-        gyroscopic_moments(state, vehicle, outputs)
+        gyroscopic_moments(state, vehicle, outputs, rates)
     contact_forces_on_body_axes(options, attitude, outputs)
     if vehicle.details.struts != 0.0:
         detailed_strut_forces(state, command, vehicle, outputs)
@@ -72,7 +73,6 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
     body_rates(state, options, heading, attitude, outputs, rates)
     unsprung_rates(state, vehicle, options, attitude, outputs, rates)
     compression_rates(state, options, attitude, outputs, rates)
-    wheel_rates(state, command, vehicle, options, outputs, rates)
     accelerations(state, vehicle, exact, outputs)
 
 

@@ -61,7 +61,8 @@ class Options:
         "include the gyroscopic terms that the paper omits from equations 32 to 34", default=False
     )
     wheel_gyroscopics: bool = parameter(
-        "include the gyroscopic moments of the spinning wheels", default=False
+        "include the gyroscopic moments of the spinning wheels and the reactions to their spin-up",
+        default=False,
     )
     tire_moments: str = parameter(
         "apply the overturning, rolling resistance and aligning moments of the tires; auto: as in "
@@ -150,8 +151,10 @@ class Options:
             if value:
                 of_payload = vehicle.origin and name not in vehicle.given
                 source = " (from payload or data of the whole vehicle)" if of_payload else ""
-                takes_it = "model 2" if name in ASIDE else "a model with 14 degrees of freedom"
-                allowed = f"0 in model {self.model}; {takes_it} takes it"
+                takes_it = "a model with 14 degrees of freedom takes it"
+                if name in ASIDE:
+                    takes_it = "its two halves are alike, model 2 takes it"
+                allowed = f"0 in model {self.model}; {takes_it}"
                 raise InputError(name, value, allowed, f"{value:.6g}{source} is not allowed")
 
 

@@ -45,7 +45,8 @@ class PathFollowing(DriverSettings, Manoeuvre):
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "PathFollowing":
         """A copy with the steering gear and the linear single-track model of the vehicle."""
-        return dataclasses.replace(self, gear=vehicle.gear, model=SingleTrack.of(vehicle))
+        ready = super().for_vehicle(vehicle, options)
+        return dataclasses.replace(ready, gear=vehicle.gear, model=SingleTrack.of(vehicle))
 
     @abc.abstractmethod
     def path_ahead(self, x: float, y: float, distance: float) -> np.ndarray:

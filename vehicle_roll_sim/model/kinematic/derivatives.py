@@ -54,8 +54,9 @@ def kinematic_derivatives(state, command, vehicle, tires, options, outputs, rate
     contact_forces(state, vehicle, tires, options, outputs)
     if options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
+    wheel_rates(state, command, vehicle, options, outputs, rates)
     if options.wheel_gyroscopics:
-        gyroscopic_moments_on_carriers(state, vehicle, outputs)
+        gyroscopic_moments_on_carriers(state, vehicle, outputs, rates)
     forces_on_body_axes(attitude, outputs)
     if vehicle.details.struts != 0.0:
         detailed_strut_forces(state, command, vehicle, outputs)
@@ -70,6 +71,5 @@ def kinematic_derivatives(state, command, vehicle, tires, options, outputs, rate
 
     body_rates(state, options, heading, attitude, outputs, rates)
     compression_rates(state, vehicle, attitude, outputs, rates)
-    wheel_rates(state, command, vehicle, options, outputs, rates)
     accelerations(state, vehicle, attitude, outputs)
     roll_centres(state, attitude, outputs)
