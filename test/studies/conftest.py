@@ -8,7 +8,7 @@ import pytest
 from vehicle_roll_sim.batch.case import Outcome
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
-from vehicle_roll_sim.studies import runner
+from vehicle_roll_sim.studies import folder, runner
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study_file import study_of
 
@@ -39,7 +39,7 @@ def formula(cases) -> list[Outcome]:
 
 
 @pytest.fixture
-def by_formula(monkeypatch):
+def by_formula(monkeypatch, request):
     """Runs are computed by `formula`; the list of the numbers of cases computed at a time."""
     sizes = []
 
@@ -48,7 +48,14 @@ def by_formula(monkeypatch):
         return formula(cases)
 
     monkeypatch.setattr(runner, "evaluate", evaluate)
+    if "figures" not in request.fixturenames:
+        monkeypatch.setattr(folder, "draw", lambda results, path: [])
     return sizes
+
+
+@pytest.fixture
+def figures():
+    """Of a test that draws figures: half a second each time."""
 
 
 @pytest.fixture
