@@ -9,7 +9,7 @@ import random
 import signal
 
 import pytest
-from conftest import formula
+from formula_runs import formula
 from patience import PATIENCE
 from scipy import stats
 
@@ -199,7 +199,9 @@ def test_a_chunk_that_was_changed_is_refused(study, tmp_path, by_formula, spoil,
 
 
 @pytest.mark.parametrize("changes", [{}, SEARCH, RARE], ids=["grid", "search", "rare"])
-def test_shown_again_a_study_has_the_same_summary_and_figures(study, tmp_path, by_formula, changes):
+def test_shown_again_a_study_has_the_same_summary_and_figures(
+    study, tmp_path, by_formula, figures, changes
+):
     run_study(study(**changes), tmp_path, "csv")
     before, computed = content(tmp_path), sum(by_formula)
     drawn = {path.stem for path in tmp_path.glob("*.png")}
