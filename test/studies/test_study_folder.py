@@ -9,7 +9,7 @@ import random
 import signal
 
 import pytest
-from conftest import formula
+from formula_runs import formula
 from patience import PATIENCE
 from scipy import stats
 
@@ -31,10 +31,16 @@ SEARCH = {
 RARE = {
     "factors": {"vehicle.cg_height": {"distribution": "normal", "mean": 0.5, "sd": 0.05}},
     "seed": 2,
-    "chunk": 50,
+    "chunk": 20,
     "events": {"high": {"metric": "peak_roll", "above": 0.27}},
     "rare": {"event": "high", "level_runs": 100},
 }
+DRAWN = {
+    "grid": {"map_rollover", "map_two_wheel_lift", "map_peak_roll"},
+    "search": {"curve_thresholds"},
+    "rare": set(),
+}
+"""Figures by kind of study."""
 
 
 def content(folder) -> dict[str, bytes]:
@@ -193,9 +199,13 @@ def test_a_chunk_that_was_changed_is_refused(study, tmp_path, by_formula, spoil,
 
 
 @pytest.mark.parametrize("changes", [{}, SEARCH, RARE], ids=["grid", "search", "rare"])
-def test_shown_again_a_study_has_the_same_summary_and_figures(study, tmp_path, by_formula, changes):
+def test_shown_again_a_study_has_the_same_summary_and_figures(
+    study, tmp_path, by_formula, figures, changes
+):
     run_study(study(**changes), tmp_path, "csv")
     before, computed = content(tmp_path), sum(by_formula)
+    drawn = {path.stem for path in tmp_path.glob("*.png")}
+    assert drawn == DRAWN[next(iter(changes.keys() & DRAWN.keys()), "grid")]
     for path in (*tmp_path.glob("*.png"), tmp_path / "summary.md"):
         path.unlink()
     show_study(tmp_path)

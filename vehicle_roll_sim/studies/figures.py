@@ -10,7 +10,7 @@ from vehicle_roll_sim.analysis.drawing import DrawnFigure, add_title, new_figure
 from vehicle_roll_sim.analysis.pens import COLOURS
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.studies.quantities import unit_of
-from vehicle_roll_sim.studies.results import Results
+from vehicle_roll_sim.studies.results import Results, magnitudes
 from vehicle_roll_sim.studies.statistics import probability
 from vehicle_roll_sim.studies.study import NEVER
 
@@ -52,7 +52,7 @@ def _figures(results: Results) -> Iterator[tuple[str, DrawnFigure]]:
     for name in study.outputs[:MOST_OUTPUTS]:
         magnitude = f"|{name}|" if name.startswith("peak_") and name not in NEVER else name
         label = _labelled(magnitude, METRIC_UNITS[name])
-        yield from _of_values(results, results.rows, results.magnitudes(name), name, label)
+        yield from _of_values(results, results.rows, magnitudes(results.rows, name), name, label)
 
 
 def _labelled(name: str, unit: str) -> str:

@@ -29,13 +29,13 @@ class Results:
     estimate: Estimate | None = None
     is_complete: bool = True
 
-    def magnitudes(self, metric: str) -> np.ndarray:
-        """The magnitude of a metric in all runs, shape (runs,); nan for never and for unknown.
 
-        A peak has the sign of its direction, which the table keeps.
-        """
-        values = [row[metric] for row in self.rows]
-        return np.abs([np.nan if value is None else value for value in values])
+def magnitudes(rows: list[dict], metric: str) -> np.ndarray:
+    """The magnitude of a metric in each run, shape (runs,); nan for never and for unknown.
+
+    A peak has the sign of its direction, which the tables keep.
+    """
+    return np.abs([np.nan if row[metric] is None else row[metric] for row in rows])
 
 
 def results_of(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
-from vehicle_roll_sim.studies.results import Results
+from vehicle_roll_sim.studies.results import Results, magnitudes
 from vehicle_roll_sim.studies.statistics import Interval, probability, quantile, sobol_indices
 from vehicle_roll_sim.studies.study import SALTELLI, Study
 from vehicle_roll_sim.studies.tables import cell
@@ -83,27 +83,35 @@ def _share(study: Study, name: str, rows: list[dict]) -> str:
 
 
 def _grid_points(results: Results) -> Iterator[tuple[dict, list[dict]]]:
-    """The values of the gridded factors, and the runs with them."""
+    """The values of the gridded factors, and the runs with them that are drawn independently.
+
+    For Sobol indices these are the first two blocks; the others mix their values.
+    """
+    study = results.study
     groups = collections.defaultdict(list)
-    names = tuple(results.study.gridded)
     for row in results.rows:
-        groups[tuple(row[name] for name in names)].append(row)
+        groups[tuple(row[name] for name in study.gridded)].append(row)
     for values, rows in groups.items():
-        yield dict(zip(names, values, strict=True)), rows
+        independent = rows[: 2 * study.settings.runs] if study.design == SALTELLI else rows
+        yield dict(zip(study.gridded, values, strict=True)), independent
 
 
 def _quantiles(results: Results) -> Iterator[str]:
+    """Quantiles of the outputs at each point of the grid."""
+    if not results.study.drawn:
+        return
     rows = []
-    for name in results.study.outputs:
-        values = results.magnitudes(name)
-        values = values[~np.isnan(values)]
-        if len(values):
-            found = [_with_interval(quantile(values, share)) for share in QUANTILES]
-            rows.append((name, METRIC_UNITS[name], len(values), *found))
-    if rows and results.study.drawn:
+    for levels, group in _grid_points(results):
+        for name in results.study.outputs:
+            values = magnitudes(group, name)
+            values = values[~np.isnan(values)]
+            if len(values):
+                found = [_with_interval(quantile(values, share)) for share in QUANTILES]
+                rows.append((*levels.values(), name, METRIC_UNITS[name], len(values), *found))
+    if rows:
         yield "## Quantiles"
         names = (f"{100 * share:g} %" for share in QUANTILES)
-        yield table(("metric", "unit", "runs", *names), rows)
+        yield from _shortened((*results.study.gridded, "metric", "unit", "runs", *names), rows)
         yield "Magnitudes; in brackets 95 % intervals (bootstrap)."
 
 
@@ -116,7 +124,7 @@ def _indices(results: Results) -> Iterator[str]:
     yield "## Sobol indices"
     rows = []
     for name in results.study.outputs:
-        values = results.magnitudes(name)
+        values = magnitudes(results.rows, name)
         if results.study.gridded or np.isnan(values).any():
             why = "there is a grid" if results.study.gridded else "not all runs have a value"
             yield f"None of {name}: {why}."
