@@ -65,12 +65,13 @@ def test_presets_are_shared_as_files_for_users_to_copy(installed, root):
 
 
 def test_the_files_of_the_readme_are_shared_to_start_from(installed, root):
-    shared = {
-        file.name: file.read_bytes()
-        for file in (installed / "share" / PACKAGE / "examples").iterdir()
-    }
-    assert set(shared) == {"car.yaml", "tire.tir", "commands.csv"}
-    assert shared == {file.name: file.read_bytes() for file in (root / "examples").iterdir()}
+    folders = (installed / "share" / PACKAGE / "examples", root / "examples")
+    shared, there = (
+        {file.relative_to(each): file.read_bytes() for file in each.rglob("*.*")}
+        for each in folders
+    )
+    assert shared == there
+    assert {"car.yaml", "tire.tir", "commands.csv", "fishhook.yaml"} <= {f.name for f in shared}
 
 
 @pytest.mark.parametrize("folder", ["launch", "config"])

@@ -58,8 +58,8 @@ def test_nothing_that_is_read_is_run(calls):
 def test_yaml_makes_plain_values_only(calls, sources):
     loaders = [(file, name) for file, name, _ in calls if OF_YAML.match(name)]
     assert loaders == [
-        ("vehicle_roll_sim/ros/launching/rviz.py", "yaml.safe_load"),
         ("vehicle_roll_sim/files/yaml_file.py", "_Loader"),
+        ("vehicle_roll_sim/ros/launching/rviz.py", "yaml.safe_load"),
     ]
     assert "class _Loader(yaml.SafeLoader)" in sources["vehicle_roll_sim.files.yaml_file"]
 
