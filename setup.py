@@ -27,7 +27,8 @@ setup(
         (SHARE, ["package.xml", "LICENSE", "CHANGELOG.rst", *sorted(glob("*.md"))]),
         *((f"{SHARE}/{folder}", sorted(glob(f"{folder}/*.*"))) for folder in DOCS),
         (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
-        (f"{SHARE}/examples", sorted(glob("examples/*"))),
+        (f"{SHARE}/examples", sorted(glob("examples/*.*"))),
+        (f"{SHARE}/examples/studies", sorted(glob("examples/studies/*"))),
         (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
         (f"{SHARE}/launch", sorted(glob(f"{NAME}/launch/*.launch.py"))),
         (f"{SHARE}/config", sorted(glob(f"{NAME}/config/*"))),
@@ -46,6 +47,7 @@ setup(
         "recorder": ["rosbags>=0.11.6,<0.12"],
         "control": ["control>=0.10"],
         "pandas": ["pandas>=2"],
+        "studies": ["pyarrow>=14"],
         "validation": ["mujoco>=3.2"],
         "test": [
             "pytest>=7.4",

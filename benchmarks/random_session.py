@@ -31,6 +31,7 @@ USUAL = {
     "speed_cmd": 30.0,
     "drive_torque_cmd": 1500.0,
     "brake_cmd": 3000.0,
+    "wind_cmd": 30.0,
 }
 """Largest usual value on each topic, in its unit."""
 HUGE = (1e3, 1e6, 1e12, 1e100, 1e300, sys.float_info.max)

@@ -2,6 +2,7 @@
 
 _HOMES = {
     "__version__": "version",
+    "Batch": "batch.batch",
     "InputError": "declaration",
     "Condition": "model.integration.events",
     **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),
@@ -10,6 +11,7 @@ _HOMES = {
     "replay": "offline.replaying",
     "run": "offline.running",
     "series": "offline.series",
+    "study": "offline.studying",
     **dict.fromkeys(("Command", "Feedback"), "simulation.command"),
     "Options": "simulation.options",
     "Road": "simulation.road",

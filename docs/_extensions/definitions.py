@@ -105,6 +105,10 @@ def usual_combinations() -> tuple[tuple[str, str], ...]:
             "static load of a tire",
             f"{_between(together.LOAD_OF_TIRE)} times LFZO FNOMIN of its file",
         ),
+        (
+            "radius of a tire whose file gives the rolling radius",
+            f"{_between(together.RADIUS_OF_TIRE)} times UNLOADED_RADIUS",
+        ),
     )
 
 

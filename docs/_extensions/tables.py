@@ -25,7 +25,7 @@ from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, Argument
 from vehicle_roll_sim.ros.services import SERVICES
 from vehicle_roll_sim.ros.simulator.parameters import IMU_PREFIX, ODOM_PREFIX
 from vehicle_roll_sim.ros.simulator.settings import Settings
-from vehicle_roll_sim.runs.history import ROLL_CENTRES
+from vehicle_roll_sim.runs.history import ROLL_CENTRES, WIND
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.signals import as_markdown
@@ -92,7 +92,11 @@ def label_table() -> str:
         "`state` with the models `8dof…`": Options(model="8dof"),
     }
     labels = {name: ("time", *element_names(each.states)) for name, each in states.items()}
-    labels |= {"`applied_command`": COMMAND_LABELS, "`motion`": MOTION_LABELS}
+    labels |= {
+        "`applied_command`": COMMAND_LABELS,
+        "`applied_command` of vehicles with air forces": (*COMMAND_LABELS, *WIND),
+        "`motion`": MOTION_LABELS,
+    }
     labels["`tire_normal_forces`, `lift_off`"] = WHEELS
     labels["`roll_centre`"] = ROLL_CENTRES
     return table(

@@ -133,6 +133,11 @@ REFUSED = {
     "no folder": (("--npz", "none/model.npz"), "--npz", "none"),
     "empty name": (("--npz", ""), "--npz", "the name of a file"),
     "set": (("--set", "sprung_mass=-1"), "--set sprung_mass"),
+    "set for another model": (
+        ("--set", "front_toe_change=0.1", "--model", "8dof"),
+        "--set front_toe_change: 0.1",
+        "14 DOF",
+    ),
 }
 
 
@@ -141,6 +146,15 @@ def test_what_is_wrong_is_one_line(refused, case):
     words, *expected = REFUSED[case]
     file = () if "--npz" in words else ("--npz", "model.npz")
     refused(("linearize", *words, *file), *expected)
+
+
+def test_a_value_of_the_vehicle_file_is_refused_with_its_line(command, refused, folder):
+    command("template", "car.yaml")
+    with (folder / "car.yaml").open("a") as file:
+        file.write("front_toe_change: 0.1\n")
+    line = len((folder / "car.yaml").read_text().splitlines())
+    words = ("linearize", "--vehicle", "car.yaml", "--model", "8dof")
+    refused(words, f"car.yaml: line {line}: front_toe_change: 0.1", "14 DOF")
 
 
 def test_a_full_disk_leaves_no_file(command, folder, monkeypatch):

@@ -63,12 +63,13 @@ class Results:
 
 
 @pytest.fixture(scope="module")
-def complete(tmp_path_factory) -> Results:
-    """The command as a user types it, in an empty folder."""
+def complete(tmp_path_factory, study) -> Results:
+    """The command as a user types it, in an empty folder, with runs that are made already."""
     folder, studies = tmp_path_factory.mktemp("paper"), []
 
-    def keep(*arguments) -> Study:
-        studies.append(Study(*arguments))
+    def keep(vehicle, done) -> Study:
+        assert vehicle == study.vehicle
+        studies.append(Rerun(study, done=done))
         return studies[-1]
 
     with pytest.MonkeyPatch.context() as patched, contextlib.chdir(folder):
@@ -77,12 +78,6 @@ def complete(tmp_path_factory) -> Results:
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             status = main(["paper", "--out", "results", "--strict"])
     return Results(status, out.getvalue(), err.getvalue(), folder, *studies)
-
-
-@pytest.fixture(scope="module")
-def study(complete) -> Study:
-    """The study of the reference vehicle, whose runs are simulated once for all tests."""
-    return complete.study
 
 
 @pytest.fixture(scope="module")

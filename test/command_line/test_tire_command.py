@@ -94,6 +94,28 @@ def test_it_says_what_was_read(command, name, version):
     assert said["slip angle range"] == "-1.5 to 1.5 rad"
     assert said["inclination range"] == "-0.2 to 0.2 rad"
     assert ("inflation pressure" in said) == (version != "5.2")
+    p, _ = magic_formula.read(file(name))
+    dp = 0.0 if version == "5.2" else p["INFLPRES"] / p["NOMPRES"] - 1.0
+    stiffness = p["VERTICAL_STIFFNESS"] * (1 + p["PFZ1"] * dp)
+    assert result.number("vertical stiffness") == pytest.approx(stiffness, rel=1e-5)  # 6 digits
+    linear = 1e3 * p["FNOMIN"] / stiffness
+    assert result.number("tire compression") == pytest.approx(linear, rel=1e-3)
+    assert ("by the formula of the file" in said["tire compression"]) == (version != "5.2")
+
+
+def test_a_file_with_lateral_force_only_is_shown_on_request(command, folder, refused):
+    command("template", "--tire", "mine.tir")
+    text = (folder / "mine.tir").read_text()
+    lines = text.replace("VERTICAL_ST", "$ VERTICAL_ST").splitlines()
+    kept = [line for line in lines if not line.startswith(("PCX1", "PDX1", "PKX1"))]
+    (folder / "mine.tir").write_text("\n".join(kept))
+    refused(("tire", "mine.tir"), "PCX1, PDX1, PKX1", "--longitudinal from_lateral")
+    result = command("tire", "mine.tir", "--longitudinal", "from_lateral")
+    assert (result.status, result.err) == (0, "")
+    assert "derived from the lateral force" in result.out
+    assert result.value["vertical stiffness"].startswith("not given")
+    for row in table_of(result.out):
+        assert row[5] == pytest.approx(row[7], rel=1e-3)  # as isotropic as it can be
 
 
 def test_what_a_file_leaves_open_is_said(command, folder):
@@ -250,6 +272,15 @@ def test_points_outside_the_ranges_are_counted(command, folder):
     assert not {"outside slip ratio range", "outside inclination range"} & said.keys()
 
 
+def test_conditions_outside_the_ranges_are_counted(command):
+    words = ("--load", "3000", "14000", "--camber", "0", "0.3", "--pressure", "9e4")
+    said = command("tire", file("mf61"), *words).value
+    assert said["outside tire load range"] == "2 of 4 conditions"
+    assert said["outside inclination range"] == "2 of 4 conditions"
+    assert said["outside pressure range"] == "4 of 4 conditions"
+    assert not [label for label in command("tire", file("mf61")).value if "outside" in label]
+
+
 REFUSED = {
     "no file": (("none.tir",), "none.tir"),
     "a folder": ((".",), "not of a folder"),
@@ -260,6 +291,7 @@ REFUSED = {
     "camber": (("mf61", "--camber", "4"), "--camber: 4.0", "from -1 to 1 rad"),
     "many cambers": (("mf61", "--camber", *(f"0.{i}" for i in range(5))), "at most 4"),
     "pressure": (("mf61", "--pressure", "2.2"), "--pressure: 2.2", "Pa"),
+    "bar": (("mf61", "--pressure", "2e3"), "--pressure: 2000.0", "20 times NOMPRES, 230000 Pa"),
     "no pressure": (("mf52_full", "--pressure", "2e5"), "--pressure", "5.2"),
     "figure": (("mf61", "--plot", "f.txt"), "--plot", ".png, .svg, .pdf"),
     "no folder": (("mf61", "--csv", "none/f.csv"), "--csv", "none"),
@@ -269,6 +301,7 @@ REFUSED = {
     "no points": (("mf61", "--points", "none.csv", "--csv", "f.csv"), "none.csv"),
     "nothing simulated": (("mf61", "--as-simulated"), "--as-simulated", "--points"),
     "misspelt": (("mf61", "--lode", "1"), "did you mean --load?"),
+    "longitudinal": (("mf61", "--longitudinal", "yes"), "--longitudinal: 'yes'", "from_lateral"),
 }
 
 
@@ -298,6 +331,7 @@ WRONG_POINTS = {
     "few values": (f"{HEAD}\n1,0\n", "line 2: 2 values"),
     "semicolons": (f"{HEAD}\n1,0,0\n".replace(",", ";"), "semicolons"),
     "pressure": (f"{HEAD},pressure\n1,0,0,2.3\n", "line 2: pressure: 2.3", "Pa"),
+    "far from nominal": (f"{HEAD},pressure\n1,0,0,7e6\n", "line 2: pressure: 7", "20 times"),
 }
 
 

@@ -66,6 +66,8 @@ def test_every_value_is_shown_with_its_origin_and_the_figures_follow(command):
         "0.1",
         "m  (cg_height less front_roll_centre_depth)",
     ]
+    of_file = "N/m  (VERTICAL_STIFFNESS of the tire file: 200000)"
+    assert rows["rear_tire_stiffness"][1:] == ["200000", of_file]
     said, figures = result.value, figures_of(preset())
     assert said["mass"] == "1760 kg, 320 kg of it unsprung"
     assert result.number("static stability factor") == pytest.approx(

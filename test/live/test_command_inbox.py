@@ -14,6 +14,7 @@ GOOD = {
     "wheel_torque_cmd": (10.0, -20.0, 30.0, -40.0),
     "brake_torque_cmd": (500.0, 0.0, 300.0, 200.0),
     "normal_force_cmd": (100.0, 200.0, -300.0, -400.0),
+    "wind_cmd": (3.0, -8.0),
 }
 OTHER = {topic: tuple(value / 2 for value in values) for topic, values in GOOD.items()}
 DRIVEN = Command(
@@ -21,10 +22,13 @@ DRIVEN = Command(
     wheel_torque=GOOD["wheel_torque_cmd"],
     brake_torque=GOOD["brake_torque_cmd"],
     normal_force=GOOD["normal_force_cmd"],
+    wind=GOOD["wind_cmd"],
 )
 STEERING = {"steering_cmd": "steering", "rear_steering_cmd": "rear_steering"}
-FORCES = {f"{name}_cmd": name for name in ("wheel_torque", "brake_torque", "normal_force")}
-FIELDS = STEERING | FORCES
+NOT_HELD = {
+    f"{name}_cmd": name for name in ("wheel_torque", "brake_torque", "normal_force", "wind")
+}
+FIELDS = STEERING | NOT_HELD
 NOT_FINITE = (math.nan, math.inf, -math.inf)
 LENGTHS = (0, 1, 3, 4, 5, 1_000_000)
 SECOND = 1_000_000_000

@@ -331,6 +331,7 @@ def test_commands_have_the_units_and_sizes_that_their_limits_are_for():
         "speed_cmd": ("m/s", FLOAT),
         "drive_torque_cmd": ("N m", FLOAT),
         "brake_cmd": ("N m", FLOAT),
+        "wind_cmd": ("m/s", ARRAY),
     }
 
 

@@ -1,5 +1,7 @@
 """Random states that a vehicle can reach, for checks that need no history."""
 
+import functools
+
 import numpy as np
 
 from vehicle_roll_sim import Vehicle
@@ -38,13 +40,16 @@ def inertia_tensor(vehicle: Vehicle) -> np.ndarray:
     return np.array([[x, -xy, -xz], [-xy, y, -yz], [-xz, -yz, z]])
 
 
+@functools.lru_cache(maxsize=16)  # an audit asks for the same ones several times
 def attitude(roll, pitch, yaw) -> np.ndarray:
-    """Rz(yaw) Ry(pitch) Rx(roll), also of complex angles: body to ground."""
+    """Rz(yaw) Ry(pitch) Rx(roll), also of complex angles: body to ground. Read only."""
     (sr, sp, sy), (cr, cp, cy) = np.sin([roll, pitch, yaw]), np.cos([roll, pitch, yaw])
     about_z = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
     about_y = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
     about_x = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
-    return about_z @ about_y @ about_x
+    rotation = about_z @ about_y @ about_x
+    rotation.flags.writeable = False
+    return rotation
 
 
 def random_state(vehicle: Vehicle, rng: np.random.Generator) -> np.ndarray:
@@ -89,6 +94,8 @@ def mirrored(record) -> np.ndarray:
     """A STATE or COMMAND record seen in a mirror."""
     other = record.copy()
     for name in record.dtype.names:
-        value = record[name][OTHER_SIDE] if record.dtype[name].shape else record[name]
+        value = record[name][OTHER_SIDE] if record.dtype[name].shape == (4,) else record[name]
         other[name] = -value if name in (*REVERSED, "steering", "rear_steering") else value
+    if "wind" in record.dtype.names:
+        other["wind"][1] = -record["wind"][1]
     return other

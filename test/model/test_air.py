@@ -1,4 +1,4 @@
-"""Side force and lift of the air: their sizes, where they act, and which models have them."""
+"""Drag, side force and lift: their sizes, in still air and in wind, and which models have them."""
 
 import numpy as np
 import pytest
@@ -11,9 +11,10 @@ from random_states import attitude, random_command, random_state
 from vehicle_roll_sim import Command, InputError, Options, Simulation, preset
 from vehicle_roll_sim.vehicle.air_parameters import OF_SIDE_AND_LIFT
 
-DENSITY, SIDE, AHEAD, HEIGHT, FRONT, REAR = 1.1, 5.0, 0.4, -0.2, 0.3, -0.5
+DENSITY, DRAG, SIDE, AHEAD, HEIGHT, FRONT, REAR = 1.1, 0.7, 5.0, 0.4, -0.2, 0.3, -0.5
 AIR = {
     "air_density": DENSITY,
+    "drag_area": DRAG,
     "side_force_area": SIDE,
     "pressure_centre_ahead": AHEAD,
     "pressure_centre_height": HEIGHT,
@@ -34,18 +35,19 @@ def momenta(model: str, vehicle, state, command) -> np.ndarray:
     return np.concatenate(momenta_of_model_1(vehicle, state))
 
 
-def expected(vehicle, state) -> np.ndarray:
+def expected(vehicle, state, wind) -> np.ndarray:
     """Force of the air and its moment about the origin, over the ground, shape (6,)."""
-    u, v = state["u"], state["v"]
+    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+    u, v, _ = [state["u"], state["v"], 0.0] - rotation.T @ [*wind, 0.0]
     speed, beta = np.hypot(u, v), np.arctan2(v, u)
     pressure = DENSITY / 2 * speed**2
     lift = [0.0, 0.0, pressure]
     forces = {
+        (0.0, 0.0, 0.0): np.array([-DENSITY / 2 * DRAG * u * abs(u), 0.0, 0.0]),
         (AHEAD, 0.0, HEIGHT): np.array([0.0, -pressure * SIDE * np.sin(beta), 0.0]),
         (vehicle.cg_to_front_axle, 0.0, 0.0): np.multiply(FRONT, lift),
         (-vehicle.cg_to_rear_axle, 0.0, 0.0): np.multiply(REAR, lift),
     }
-    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
     cg = np.array([state["x"], state["y"], state["z"]])
     total = np.zeros(6)
     for point, force in forces.items():
@@ -56,16 +58,17 @@ def expected(vehicle, state) -> np.ndarray:
 
 @pytest.mark.parametrize("model", EXACT)
 def test_they_are_all_that_is_added_to_the_momenta(unequal_axles, model):
-    plain = with_moments(unequal_axles).with_values({"air_density": DENSITY})
+    plain = with_moments(unequal_axles).with_values({"air_density": DENSITY, "drag_area": 0.0})
     vehicle, rng = plain.with_values(AIR), np.random.default_rng(3)
     evaluations = [Evaluation(each, EXACT[model]) for each in (plain, vehicle)]
     for _ in range(8):
         state, command = random_state(vehicle, rng), random_command(rng)
+        command["wind"] = rng.uniform(-30.0, 30.0, 2)
         without, added = (
             slope(momenta(model, vehicle, along(state, each.rates(state, command)), command))
             for each in evaluations
         )
-        force = expected(vehicle, state)
+        force = expected(vehicle, state, command["wind"])
         assert np.abs(force[:3]).max() > 1.0
         assert added - without == pytest.approx(force, abs=1e-9 * np.abs(without).max())
 

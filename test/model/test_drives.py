@@ -66,10 +66,10 @@ def driven(vehicle, name: str, step: float, model: str = "1") -> tuple[np.ndarra
 
 
 @pytest.mark.parametrize("name", DRIVES)
-def test_a_drive_is_finite_and_comes_to_rest_and_a_step_of_1_ms_shows_it(vehicle, name):
+def test_a_drive_is_finite_and_comes_to_rest_and_a_step_of_1_ms_shows_it(unequal_axles, name):
     """Positions and speeds within 1 % of the peak of each; seen 0.6 % where wheels lock at once."""
-    coarse, simulation = driven(vehicle, name, 1e-3)
-    fine, _ = driven(vehicle, name, 0.25e-3)
+    coarse, simulation = driven(unequal_axles, name, 1e-3)
+    fine, _ = driven(unequal_axles, name, 0.25e-3)
     assert all(np.isfinite(coarse[state]).all() for state in STATE.names)
     gaps = {}
     for state in MODEL_STATE.names:
@@ -155,11 +155,11 @@ def test_ten_seconds_after_a_straight_stop_nothing_moves_any_more(vehicle):
 
 
 @pytest.mark.parametrize("name", ["reverse", "locked in a turn"])
-def test_no_state_jumps_through_a_stop_half_the_step_makes_half_the_change(vehicle, name):
+def test_no_state_jumps_through_a_stop_half_the_step_makes_half_the_change(reference, name):
     programme, speed, _ = DRIVES[name]
     changes = []
     for step in (1e-3, 0.5e-3):
-        simulation = Simulation(vehicle, step=step)
+        simulation = Simulation(reference, step=step)
         simulation.reset(speed)
         states = record_run(simulation, programme, 7.5 if name == "reverse" else 3.0).state
         changes.append({s: np.abs(np.diff(states[s], axis=0)).max() for s in STATE.names})
@@ -178,8 +178,8 @@ def test_at_standstill_on_the_flat_nothing_drifts(vehicle):
 
 
 @pytest.mark.parametrize("model", MODELS)
-def test_every_model_starts_stops_and_stays(vehicle, model):
-    simulation = Simulation(vehicle, Options(model=model))
+def test_every_model_starts_stops_and_stays(unequal_axles, model):
+    simulation = Simulation(unequal_axles, Options(model=model))
     simulation.reset(0.0)
     simulation.step(Command(wheel_torque=(200.0,) * 4), 3.0)
     assert simulation.state.u > 2.0

@@ -10,7 +10,7 @@ from vehicle_roll_sim import Options
 
 pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
-STATES = 300
+STATES = 100
 """Random states per variant; in about half of them wheels are off the ground."""
 RELATIVE = 1e-13
 """Of the largest single contribution: rounding of a 6 x 6 solution, seen 2e-15."""

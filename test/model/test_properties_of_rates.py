@@ -148,6 +148,6 @@ def reflected(record):
     """A STATE or COMMAND record of the vehicle seen in a mirror along its length."""
     result = record.copy()
     for name in record.dtype.names:
-        values = record[name][OTHER_SIDE] if record[name].shape else record[name]
+        values = record[name][OTHER_SIDE] if record[name].shape == (4,) else record[name]
         result[name] = -values if name in REVERSED else values
     return result

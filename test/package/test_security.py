@@ -59,9 +59,9 @@ def test_yaml_makes_plain_values_only(calls, sources):
     loaders = [(file, name) for file, name, _ in calls if OF_YAML.match(name)]
     assert loaders == [
         ("vehicle_roll_sim/ros/launching/rviz.py", "yaml.safe_load"),
-        ("vehicle_roll_sim/vehicle/yaml_mapping.py", "_Loader"),
+        ("vehicle_roll_sim/files/yaml_file.py", "_Loader"),
     ]
-    assert "class _Loader(yaml.SafeLoader)" in sources["vehicle_roll_sim.vehicle.yaml_mapping"]
+    assert "class _Loader(yaml.SafeLoader)" in sources["vehicle_roll_sim.files.yaml_file"]
 
 
 def test_no_file_is_read_whole_without_a_limit(calls):

@@ -9,8 +9,8 @@ from patience import PATIENCE
 
 pytestmark = pytest.mark.unmeasured
 
-MESSAGES = 20_000
-"""Number of messages: about five seconds."""
+MESSAGES = 8_000
+"""Number of messages: about two seconds."""
 GROWTH = 8.0
 """MiB: caches of the libraries still fill up in a run this short; a set a period is 20 MiB."""
 

@@ -8,7 +8,7 @@ import yaml
 from vehicle_roll_sim.messages.topics import COMMANDS
 
 EXAMPLES = Path(__file__).parents[2] / "msg_examples"
-ROLL, U, YAW_RATE = 4, 7, 12
+Y, ROLL, U, YAW_RATE = 2, 4, 7, 12
 """Places in `state`, whose first element is the time."""
 
 
@@ -36,6 +36,10 @@ def leans_left(state):
     return state[ROLL] < -0.01
 
 
+def is_blown_to_the_right(state):
+    return state[Y] < -0.05
+
+
 EFFECTS = {
     "steering_cmd": turns_left,
     "rear_steering_cmd": yaws_left_from_behind,
@@ -45,12 +49,15 @@ EFFECTS = {
     "drive_torque_cmd": gains_speed,
     "brake_cmd": loses_speed,
     "normal_force_cmd": leans_left,
+    "wind_cmd": is_blown_to_the_right,
 }
+NEEDED = {"wind_cmd": ("--ros-args", "-p", "vehicle.side_force_area:=4.0")}
+"""Arguments of the simulator without which a message has no effect."""
 
 
 @pytest.mark.parametrize("name", [topic.name for topic in COMMANDS])
 def test_the_example_message_has_its_effect(start, peer, name):
-    start("simulator")
+    start("simulator", *NEEDED.get(name, ()))
     peer.listen("state")
     peer.command(
         {name: example(name)}, lambda: EFFECTS[name](peer.newest("state").data), f"effect of {name}"

@@ -101,6 +101,7 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
         "speed_cmd": 13.0,
         "drive_torque_cmd": 0.0,
         "brake_cmd": 0.0,
+        "wind_cmd": [0.0, 0.0],
     }
     topics = [topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED) if is_installed(topic)]
     names = {f"/{topic.name.removeprefix('/')}" for topic in topics}

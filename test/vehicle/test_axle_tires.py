@@ -66,6 +66,7 @@ def test_each_axle_has_its_tire(vehicle_from):
         ("front_tire: other.tir", ("rear_tire: missing", "front_tire is given")),
         ("rear_tire: other.tir", ("front_tire: missing", "rear_tire is given")),
         ("front_tire: none.tir\nrear_tire: other.tir", ("front_tire", "does not exist")),
+        ("front_tire: other.tir\nrear_tire: .", ("rear_tire", "s a directory", ".tir file")),
         ("front_tire: other.tir\nrear_tire: 3", ("rear_tire", "3 is not allowed", ".tir file")),
         ("tire: reference\ntire_moments: 1", ("tire_moments", "1 is not", "true or false")),
         ("tire: reference\ntire_moments: auto", ("tire_moments", "'auto'", "true or false")),
@@ -240,9 +241,10 @@ def test_rolling_resistance_of_tire_and_vehicle_do_not_count_twice(name):
     named = dataclasses.replace(vehicle, stated_at={"rolling_resistance_coefficient": place})
     with refused(place, "QSY1"):
         Plant.of(named, Options())
-    named = named.with_values({"rolling_resistance_coefficient": 0.01}, "--set ")
-    with refused("--set rolling_resistance_coefficient: 0.01"):
-        Plant.of(named, Options())
+    for prefix in ("--set ", "vehicle."):  # an option, and the name of a node parameter
+        changed = named.with_values({"rolling_resistance_coefficient": 0.01}, prefix)
+        with refused(f"{prefix}rolling_resistance_coefficient: 0.01"):
+            Plant.of(changed, Options())
 
 
 def test_camber_leans_the_tops_of_the_wheels_of_an_axle_outwards():

@@ -1,5 +1,6 @@
 """Figures of a vehicle at rest against numbers by hand, and implausible combinations."""
 
+import dataclasses
 import math
 
 import pytest
@@ -105,6 +106,17 @@ def test_a_vehicle_whose_springs_cannot_hold_it_upright_is_told():
     vehicle = preset().with_values(SQUARE | {"front_anti_roll_bar_stiffness": 0.0} | soft)
     (found,) = [line for line in combinations(vehicle) if "topples" in line]
     assert found.startswith("rear_spring_stiffness: a roll stiffness of ")
+
+
+def test_a_radius_far_from_that_on_which_the_tire_rolls_is_told():
+    tire = preset().tire.with_coefficients(UNLOADED_RADIUS=0.285, FREFF=0.1)
+    vehicle = dataclasses.replace(preset(), tire=tire)
+    assert combinations(vehicle) == []
+    front = vehicle.with_values({"front_tire_radius": 0.31})
+    (told,) = combinations(front)
+    assert told.startswith("front_tire_radius: 0.31 m, but ")
+    assert "UNLOADED_RADIUS 0.285 m: typically 0.95 to 1.05 of it" in told
+    assert len(combinations(vehicle.with_values({"tire_radius": 0.26}))) == 2  # one for each axle
 
 
 def test_usual_vehicles_combine_well():

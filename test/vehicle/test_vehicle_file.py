@@ -105,6 +105,10 @@ ABSENT = {
     "front_brake_share": 0.7,
     "front_differential_damping": 20.0,
     "rear_differential_damping": 50.0,
+    "front_differential_preload": 40.0,
+    "rear_differential_preload": 60.0,
+    "front_differential_locking": 0.2,
+    "rear_differential_locking": 0.4,
 }
 """What the reference vehicle does not have."""
 TABLES = {"steering_gear": ("steering_ratio", "[[0, 0], [1, 0.1], [6, 0.5]]")} | {
@@ -135,6 +139,15 @@ def of_sprung_mass(name: str) -> str:
     return "sprung_mass" if name == "total_mass" else name.removeprefix("total_")
 
 
+def needed_by(name: str) -> list[str]:
+    """Parameters without which this one is refused."""
+    if name.startswith("pressure_centre"):
+        return ["side_force_area"]
+    axle, _, of = name.partition("_differential_")
+    needed = {"preload": ["damping"], "locking": ["damping", "preload"]}.get(of, [])
+    return [f"{axle}_differential_{each}" for each in needed]
+
+
 def whole_with(name: str) -> str:
     """A file that leaves nothing out, with the parameter of that name."""
     if name in TOTALS:
@@ -149,10 +162,9 @@ def whole_with(name: str) -> str:
     if "_stop_" in name:
         axle = name.partition("_")[0]
         return WHOLE_YAML + "".join(f"{axle}_{of}: {value}\n" for of, value in STOPS.items())
-    if name.startswith("pressure_centre"):
-        return WHOLE_YAML + f"side_force_area: 4.0\n{name}: {ABSENT[name]}\n"
     if name in ABSENT:
-        text = WHOLE_YAML + f"{name}: {ABSENT[name]}\n"
+        text = "".join(f"{each}: {ABSENT[each]}\n" for each in (*needed_by(name), name))
+        text = WHOLE_YAML + text
         return edited(text, "tire_radius", "") if "_tire_radius" in name else text
     if name not in HEIGHTS:
         return WHOLE_YAML

@@ -43,6 +43,10 @@ def _command(name: str, label: str) -> Signal:
     return Signal(label, lambda history: history.command(name), is_command=True)
 
 
+def _wind(axis: str) -> Signal:
+    return Signal(f"wind along {axis}\n(m/s)", lambda history: history.command(f"wind_{axis}"))
+
+
 STEERING, *RESPONSES = (_column(*panel) for panel in PANELS)
 REAR_STEERING = Signal(
     "steering, rear\nroad wheels (deg)", lambda history: history.command("rear_steering") * DEGREES
@@ -78,6 +82,7 @@ COMMANDS = (
     _command("wheel_torque", "wheel torque\n(N m)"),
     _command("brake_torque", "brake torque\n(N m)"),
     _command("active_force", "active force\n(N)"),
+    *(_wind(axis) for axis in "xy"),
 )
 """Shown only if they are not 0 throughout."""
 

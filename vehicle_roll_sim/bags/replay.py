@@ -10,7 +10,7 @@ from vehicle_roll_sim.bags.reading import RecordedRun
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT
-from vehicle_roll_sim.simulation.command import Command
+from vehicle_roll_sim.simulation.command import STILL_AIR, Command
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 LONGEST_PERIOD = 1.5
@@ -100,7 +100,8 @@ def _command(values: np.ndarray) -> Command:
     """The command in the values of an `applied_command`."""
     _, steering, rear_steering, *rest = map(float, values)
     torque, brake, force = (rest[k * WHEEL_COUNT : (k + 1) * WHEEL_COUNT] for k in range(3))
-    return Command(steering, rear_steering, tuple(torque), tuple(brake), tuple(force))
+    wind = rest[3 * WHEEL_COUNT :] or STILL_AIR
+    return Command(steering, rear_steering, torque, brake, force, wind=wind)
 
 
 def _compared(

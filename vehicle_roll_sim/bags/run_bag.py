@@ -12,6 +12,7 @@ from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     COMMANDS,
+    OF_WIND,
     PUBLISHED,
     ROBOT_DESCRIPTION,
     ROLL_CENTRE,
@@ -52,9 +53,9 @@ def run_bag(
 class RunBag:
     """Observer of a run that writes every set to a bag, stamped and logged in simulated time.
 
-    The bag has the topics of a recording, without those of total torques: a run commands wheels.
-    The topics of the `commanded` fields of a Command have the values applied in each period;
-    diagnostics stay empty.
+    The bag has the topics of a recording, without those of total torques, since a run commands
+    wheels, and without that of a wind which the vehicle does not feel. The topics of the
+    `commanded` fields of a Command have the values applied in each period; diagnostics stay empty.
     """
 
     def __init__(
@@ -67,11 +68,14 @@ class RunBag:
     ):
         self._simulation, self._bag = simulation, bag
         in_set = set_of(simulation.options, stamped)
-        absent = () if ROLL_CENTRE in in_set else (ROLL_CENTRE,)
-        published = (topic for topic in PUBLISHED if topic not in absent)
+        absent = [
+            *TOTAL_TORQUES,
+            *(() if simulation.feels_wind else OF_WIND),
+            *(() if ROLL_CENTRE in in_set else (ROLL_CENTRE,)),
+        ]
         with_header = (topic for topic in in_set if topic in STAMPED)
-        commands = (topic for topic in COMMANDS if topic not in TOTAL_TORQUES)
-        topics = (*commands, *published, *with_header)
+        present = (topic for topic in (*COMMANDS, *PUBLISHED) if topic not in absent)
+        topics = (*present, *with_header)
         self._connections = {
             topic.name: bag.add_topic(topic, "/" + topic.name.lstrip("/")) for topic in topics
         }
@@ -81,7 +85,11 @@ class RunBag:
             (topic.name, builder(messages, encode, topic)) for topic in (CLOCK, *in_set, TRANSFORMS)
         ]
         fields = set(commanded)
-        self._commands = {name: c.field for name, c in channels().items() if c.field in fields}
+        self._commands = {
+            name: channel.field
+            for name, channel in channels().items()
+            if channel.field in fields and name in self._connections
+        }
         self._rolled_over = None
         description = describe(simulation, period_ns)
         bag.describe(description)

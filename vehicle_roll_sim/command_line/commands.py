@@ -8,6 +8,7 @@ COMMANDS = {
     "run": "Simulate a manoeuvre offline and print a summary.",
     "replay": "Simulate the runs in a bag again from their applied commands, and compare.",
     "series": "Run a test series of a standard or a search over entry speeds: table and verdict.",
+    "study": "Run a study: many runs over varied values, with tables, probabilities and figures.",
     "plot": "Plot recorded runs in the standard figure.",
     "vehicle": "Show the contents of a vehicle file and what follows from it: figures and modes.",
     "vehicles": "List the vehicles that come with the package, with their figures.",

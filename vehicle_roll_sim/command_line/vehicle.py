@@ -19,6 +19,7 @@ from vehicle_roll_sim.command_line.vehicle_options import (
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.axle_tires import vertical_stiffness
 from vehicle_roll_sim.vehicle.combinations import combinations
 from vehicle_roll_sim.vehicle.derived_values import AXLES, GRAVITY
 from vehicle_roll_sim.vehicle.figures import figures_of
@@ -105,6 +106,7 @@ def _read_lines(vehicle: Vehicle) -> Iterator[str]:
             continue
         if not source and name in vehicle.given and value == declared.default:
             source = "default"
+        source = source or _of_tire_file(vehicle, name)
         shown = f"{len(value)} points" if isinstance(value, tuple) else f"{value:.6g}"
         yield _value_line(name, shown, declared.unit, source)
     for load in vehicle.payload:
@@ -116,6 +118,19 @@ def _read_lines(vehicle: Vehicle) -> Iterator[str]:
         for name, value in vehicle.origin.derived.items():
             if value is not None:
                 yield _value_line(name, f"{value:.6g}", parameters_of(Vehicle)[name].unit, "")
+
+
+def _of_tire_file(vehicle: Vehicle, name: str) -> str:
+    """What the tire files have in place of a radius or stiffness that the vehicle file gives."""
+    found = {}
+    for axle, tire in vehicle.axle_tires.items():
+        if name in ("tire_radius", f"{axle}_tire_radius"):
+            found["UNLOADED_RADIUS", tire.coefficients["UNLOADED_RADIUS"]] = None
+        elif name == f"{axle}_tire_stiffness":
+            stiffness = vertical_stiffness(tire, vehicle.at_axle(axle, "tire_pressure"))
+            found["VERTICAL_STIFFNESS", stiffness] = None
+    shown = [f"{key} of the tire file: {value:.6g}" for key, value in found if value]
+    return "; ".join(shown)
 
 
 def _value_line(name: str, shown: str, unit: str, about: str) -> str:

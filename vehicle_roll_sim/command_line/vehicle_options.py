@@ -147,5 +147,10 @@ def chosen_options(arguments: argparse.Namespace, vehicle: Vehicle) -> Options:
 
 
 def as_option(error: InputError) -> InputError:
-    """The same error, reported for the command-line option of that name."""
+    """The same error, reported for the command-line option of that name.
+
+    An error that already says where the value was given, such as a line of a file, stays as it is.
+    """
+    if not error.field.isidentifier():
+        return error
     return type(error)(_option(error.field), error.value, error.allowed, error.problem)

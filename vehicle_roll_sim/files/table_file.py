@@ -1,10 +1,11 @@
-"""Reading a CSV file of numbers; errors name the line."""
+"""CSV files: numbers are read, and errors name the line; rows are written."""
 
 import csv
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.text_file import read_text
 
 SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars", " ": "spaces"}
@@ -23,6 +24,14 @@ def read_table(path: Path, largest: int) -> tuple[list[str], Iterator[tuple[int,
     if len(header) == 1:
         _check_separator(path, header[0])
     return header, _rows(path, reader, len(header))
+
+
+def write_rows(path: Path, columns: Sequence[str], rows: Sequence[Sequence]) -> None:
+    """Write rows as CSV in full precision; the file is written completely or not at all."""
+    with replaced_file(path) as partial, partial.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(rows)
 
 
 def _check_separator(path: Path, line: str) -> None:

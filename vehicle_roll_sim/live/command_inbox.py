@@ -7,12 +7,14 @@ from collections.abc import Sequence
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT
-from vehicle_roll_sim.simulation.command import NO_FORCE, Command
+from vehicle_roll_sim.simulation.command import STILL_AIR, Command
 
 HOLD, CENTRE = "hold", "centre"
 SPEED, DRIVE, BRAKE = TOTALS = ("speed", "drive_torque", "brake")
 """Channels that are no fields of a Command: a speed for the speed controller, and total torques,
 which the driveline and the brake system distribute."""
+WIND = "wind"
+"""The channel of the air's velocity over the ground."""
 OVERRULED_BY = {
     "speed_cmd": ("wheel_torque_cmd", "drive_torque_cmd"),
     "drive_torque_cmd": ("wheel_torque_cmd",),
@@ -62,6 +64,7 @@ def channels() -> dict[str, Channel]:
         "speed_cmd": Channel(SPEED, 1, "speed_limit"),
         "drive_torque_cmd": Channel(DRIVE, 1, "drive_torque_limit"),
         "brake_cmd": Channel(BRAKE, 1, "brake_limit", 0.0),
+        "wind_cmd": Channel(WIND, len(STILL_AIR), "wind_limit"),
     }
 
 
@@ -69,9 +72,9 @@ class CommandInbox:
     """The latest valid command of every topic.
 
     timeout: simulated time (s) without a message after which a topic that had received one counts
-    as silent; 0: never. The torques and active forces of a silent topic become 0 and its speed
-    command ends; steering follows `steering_policy`, `hold` or `centre`. limits: the limits applied
-    when commands are read; by default those of CommandLimits().
+    as silent; 0: never. The torques, active forces and wind of a silent topic become 0 and its
+    speed command ends; steering follows `steering_policy`, `hold` or `centre`. limits: the limits
+    applied when commands are read; by default those of CommandLimits().
     """
 
     def __init__(
@@ -117,7 +120,7 @@ class CommandInbox:
                 centred = silent and self.steering_policy == CENTRE
                 values[channel.field] = 0.0 if centred else value[0]
             else:
-                values[channel.field] = NO_FORCE if silent else value
+                values[channel.field] = (0.0,) * channel.size if silent else value
         if values != self._values:
             self._values, self._command = values, Command(**values)
         return self._command

@@ -87,6 +87,14 @@ class CommandLimits:
         tunable=True,
         default=40_000.0,
     )
+    wind_limit: float = parameter(
+        "both components of wind_cmd are clamped to this speed",
+        "m/s",
+        0.0,
+        MAXIMUM_SPEED,
+        tunable=True,
+        default=MAXIMUM_SPEED,
+    )
 
     def clamped(self, name: str, values: tuple[float, ...]) -> tuple[float, ...]:
         """`values` clamped to the limit of that name, of either sign."""

@@ -5,7 +5,7 @@ import dataclasses
 from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
-from vehicle_roll_sim.simulation.command import Command
+from vehicle_roll_sim.simulation.command import STILL_AIR, Command
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
 
@@ -41,7 +41,7 @@ class Session:
     def run_period(self) -> None:
         """Advance by one publish period with the present commands, unless the model has stopped."""
         now, period = self.simulation.time_ns, self.period_ns / NANOSECONDS
-        command = self._with_totals(self.inbox.command(now), now)
+        command = self._with_totals(self._felt(self.inbox.command(now)), now)
         if self.stopped:
             return
         self.applied = self.inbox.limits.steered(self.applied, command, period)
@@ -53,6 +53,12 @@ class Session:
             slope = float(self.simulation.outputs["slope_gravity"][0])
             self.applied = self.controller.drive(self.applied, target, speed, period, slope)
         self.simulation.step(self.applied, period)
+
+    def _felt(self, command: Command) -> Command:
+        """The command, without a wind that the vehicle does not feel."""
+        if self.simulation.feels_wind or command.wind == STILL_AIR:
+            return command
+        return dataclasses.replace(command, wind=STILL_AIR)
 
     def _with_totals(self, command: Command, now_ns: int) -> Command:
         """The command with the total torques, if any, distributed to the wheels."""

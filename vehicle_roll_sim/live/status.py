@@ -3,7 +3,7 @@
 import enum
 from collections.abc import Mapping, Sequence
 
-from vehicle_roll_sim.live.command_inbox import SPEED, Channel
+from vehicle_roll_sim.live.command_inbox import SPEED, WIND, Channel
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
@@ -44,21 +44,30 @@ def ending(session: Session) -> str:
 
 
 def command_troubles(session: Session, publishers: Publishers) -> list[str]:
-    """Problems with the commands: a topic is silent, or has several publishers."""
+    """Problems with the commands: a topic is silent or ignored, or has several publishers."""
     troubles = []
     for topic, channel in session.inbox.channels.items():
         if session.inbox.is_silent(channel, session.simulation.time_ns):
             timeout, instead = session.inbox.timeout, _instead(channel, session)
             troubles.append(f"{topic}: no message within {timeout:g} s of simulation: {instead}")
-        now = session.simulation.time_ns
-        winner = session.inbox.overruled_by(topic, now)
-        if winner and session.inbox.is_in_force(topic, now):
-            troubles.append(f"{topic}: ignored while {winner} is commanded")
+        if reason := _ignored(topic, channel, session):
+            troubles.append(f"{topic}: ignored{reason}")
         names = publishers.get(topic, ())
         if len(names) > 1:
             listed = ", ".join(names)
             troubles.append(f"{topic}: {len(names)} publishers, the last message wins: {listed}")
     return troubles
+
+
+def _ignored(topic: str, channel: Channel, session: Session) -> str:
+    """Why a command in force is ignored, or ''."""
+    inbox, now = session.inbox, session.simulation.time_ns
+    if not inbox.is_in_force(topic, now):
+        return ""
+    if winner := inbox.overruled_by(topic, now):
+        return f" while {winner} is commanded"
+    is_unfelt = channel.field == WIND and not session.simulation.feels_wind
+    return ", the vehicle has no air forces" if is_unfelt else ""
 
 
 def step_trouble(session: Session) -> str:

@@ -16,6 +16,7 @@ from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.air_parameters import NO_WIND, has_air_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
@@ -28,8 +29,10 @@ COLUMNS = {
         for name in ("wheel_torque", "brake_torque", "normal_force")
         for i, wheel in enumerate(WHEELS)
     },
+    "wind_x": ("wind", 0),
+    "wind_y": ("wind", 1),
 }
-"""Column name: field of the command, and index of the wheel if the field has four values."""
+"""Column name: field of the command, and index of the value if the field has several."""
 TOTALS = {"drive_torque": "wheel_torque", "brake": "brake_torque"}
 """Columns with a total torque (N m), and the field that it is distributed to."""
 BRAKES = ("brake", "brake_torque_lf", "brake_torque_rf", "brake_torque_lr", "brake_torque_rr")
@@ -52,7 +55,7 @@ class CommandTable(OpenLoop):
     """Commands at given times: interpolated linearly between rows, constant outside them.
 
     times: (n,) (s), non-decreasing; where two are equal, the commands step from the values of the
-    first row to those of the second. columns: arrays (n,) by column name (rad, N m, N). file: name
+    first row to those of the second. columns: arrays (n,) by column name (SI, rad). file: name
     used in warnings. shares: by column of TOTALS the share of each wheel, shape (4,); `for_vehicle`
     sets it.
     """
@@ -64,12 +67,32 @@ class CommandTable(OpenLoop):
 
     @property
     def needs_vehicle(self) -> bool:
-        return super().needs_vehicle or bool(self.columns.keys() & TOTALS.keys())
+        has_more = bool(self.columns.keys() & TOTALS.keys() or self._of_wind)
+        return super().needs_vehicle or has_more
+
+    @property
+    def _of_wind(self) -> list[str]:
+        return [name for name in self.columns if COLUMNS.get(name, ("",))[0] == "wind"]
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "CommandTable":
-        """A copy that distributes total torques as the vehicle does."""
+        """A copy that distributes total torques as the vehicle does.
+
+        Raises InputError for columns of a wind that the vehicle does not feel.
+        """
+        if self._of_wind and not has_air_forces(vehicle):
+            raise InputError(f"{self.file}: column", self._of_wind[0], NO_WIND)
         shares = {"drive_torque": vehicle.drive_shares, "brake": vehicle.brake_shares}
         return dataclasses.replace(super().for_vehicle(vehicle, options), shares=shares)
+
+    def to_whole_steps(self, step_ns: int) -> "CommandTable":
+        """A copy whose duration is rounded up to a multiple of the integration step (ns).
+
+        Raises InputError if it is 0.
+        """
+        if not self.duration > 0.0:
+            raise InputError("duration", None, "required for commands that end at time 0")
+        steps = math.ceil(self.duration * NANOSECONDS / step_ns - 1e-6)
+        return dataclasses.replace(self, duration=steps * step_ns / NANOSECONDS)
 
     @property
     def doubts(self) -> list[str]:
@@ -107,11 +130,11 @@ class CommandTable(OpenLoop):
             if name in TOTALS:
                 commands[TOTALS[name]] = np.outer(column, self.shares[name])
                 continue
-            field, wheel = COLUMNS[name]
-            if wheel is None:
+            field, index = COLUMNS[name]
+            if index is None:
                 commands[field] = column
             else:
-                commands[field][:, wheel] = column
+                commands[field][:, index] = column
 
 
 def load_commands(path: str | Path) -> CommandTable:

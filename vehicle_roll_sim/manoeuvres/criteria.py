@@ -4,14 +4,11 @@ import math
 
 import numpy as np
 
-from vehicle_roll_sim.model.records import LF, RF
 from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.metrics import two_wheel_lift_time
 
-TWO_INCHES = 0.0508
-"""m"""
 ROUNDING = 1e-9
 """s"""
-SIDES = (slice(LF, None, 2), slice(RF, None, 2))
 
 
 def two_wheel_lift(history: History) -> float:
@@ -20,9 +17,7 @@ def two_wheel_lift(history: History) -> float:
     nan if there is none, or if the model has no tire compression. Off the ground the tire
     compression is negative: minus the height of the tire above the ground.
     """
-    heights = -history.wheels("tire_compression")
-    lifted = np.any([np.all(heights[:, side] >= TWO_INCHES, axis=1) for side in SIDES], axis=0)
-    return float(history["time"][np.argmax(lifted)]) if lifted.any() else math.nan
+    return two_wheel_lift_time(history["time"], history.wheels("tire_compression"))
 
 
 def has_wheel_heights(history: History) -> bool:

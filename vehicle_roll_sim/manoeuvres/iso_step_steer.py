@@ -7,9 +7,9 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.base import HOLD, LONGEST
+from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL, HandwheelProgramme
 from vehicle_roll_sim.runs.history import History
-from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -87,7 +87,7 @@ class IsoStepSteer(HandwheelProgramme):
         simulation = Simulation(vehicle, options)
         simulation.reset(self.speed)
         step = dataclasses.replace(self, handwheel_angle=angle)
-        history = run(simulation, step, self.duration)
+        history = history_of(simulation, step, self.duration)
         return steady(history, "lateral_acceleration", self.duration)
 
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:

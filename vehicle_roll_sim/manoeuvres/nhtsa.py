@@ -16,6 +16,7 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.timetable import Timetable
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -79,35 +80,23 @@ class Fishhook(RolloverManoeuvre):
         return {**super().report(history, driver), "steering reversal": reversed_at}
 
 
-class FishhookDriver(Feedback):
+class FishhookDriver(Timetable):
     """Turns the handwheel of a fishhook, and reverses it depending on the roll rate.
 
-    The reversal takes place in the first command period that begins after the first turn is
-    complete and in which the roll rate, towards the outside of the turn, has been above the
-    threshold and no longer is. `reversal`: time of the reversal (s), inf until then. `roll_rate`:
-    the roll rate at that time (deg/s, towards the outside).
+    The reversal takes place when the roll rate towards the outside of the turn has dropped to the
+    threshold, but not before the first turn is complete.
     """
 
     def __init__(self, manoeuvre: Fishhook):
+        outside = math.copysign(1.0, manoeuvre.amplitude)
+        super().__init__(outside, manoeuvre.reversal_roll_rate, manoeuvre.turned)
         self.manoeuvre = manoeuvre
-        self.reversal, self.roll_rate = math.inf, math.nan
-        self._has_risen = False
 
-    def command(self, time: float, state) -> np.ndarray:
-        if self.reversal == math.inf:
-            self._watch(time, state["roll_rate"])
-        times = np.array([time])
+    def commands(self, times: np.ndarray) -> np.ndarray:
         commands = self.manoeuvre.straight_ahead(times)
         handwheel = self.manoeuvre.handwheel(times, self.reversal)
         commands["steering"] = self.manoeuvre.road_wheel(handwheel)
         return commands
-
-    def _watch(self, time: float, roll_rate: float) -> None:
-        outwards = math.degrees(roll_rate) * math.copysign(1.0, self.manoeuvre.amplitude)
-        is_above = outwards > self.manoeuvre.reversal_roll_rate
-        self._has_risen = self._has_risen or is_above
-        if self._has_risen and not is_above and time >= self.manoeuvre.turned:
-            self.reversal, self.roll_rate = time, outwards
 
 
 LOWEST_ENTRY = 35 * METRES_PER_SECOND_OF_A_MPH

@@ -1,12 +1,14 @@
 """NHTSA's slowly increasing steer: determines the handwheel angle at 0.3 g."""
 
 import dataclasses
+import functools
 import math
 
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.base import HOLD, hold_for
+from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.manoeuvres.handwheel import (
     LARGEST_HANDWHEEL,
     METRES_PER_SECOND_OF_A_MPH,
@@ -16,7 +18,6 @@ from vehicle_roll_sim.manoeuvres.handwheel import (
 )
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.history import History
-from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -33,6 +34,8 @@ FEWEST = 10
 TOO_LITTLE = f"not enough samples between {FIT_FROM:g} and {FIT_TO:g} g"
 STANDARD_ANGLE = 270.0
 """deg: final handwheel angle of the standard, reduced if the road wheels cannot turn that far."""
+KEPT = 100
+"""Number of vehicles whose handwheel angle at 0.3 g is kept, for further runs with them."""
 STRETCH = 1.0
 """s: interval between checks for enough data."""
 
@@ -128,6 +131,12 @@ def steering_at_03g(vehicle: Vehicle, options: Options) -> float:
     On a level road. One run to each side is enough because simulated runs are repeatable. Raises
     InputError if the vehicle does not reach 0.375 g, or too quickly for a fit.
     """
+    return _steering_at_03g(_Same(vehicle), options)
+
+
+@functools.lru_cache(maxsize=KEPT)
+def _steering_at_03g(same: "_Same", options: Options) -> float:
+    vehicle = same.vehicle
     angles = [_angle_to_a_side(vehicle, options, side) for side in (1.0, -1.0)]
     if any(map(math.isnan, angles)):
         problem = "the slowly increasing steer of this vehicle has " + TOO_LITTLE
@@ -137,6 +146,19 @@ def steering_at_03g(vehicle: Vehicle, options: Options) -> float:
         )
         raise InputError("steering_at_03g", 0.0, allowed, problem)
     return float(np.mean(angles))
+
+
+class _Same:
+    """A vehicle as a key: a vehicle never changes, and equals itself only."""
+
+    def __init__(self, vehicle: Vehicle):
+        self.vehicle = vehicle
+
+    def __eq__(self, other) -> bool:
+        return self.vehicle is other.vehicle
+
+    def __hash__(self) -> int:
+        return id(self.vehicle)
 
 
 def _angle_to_a_side(vehicle: Vehicle, options: Options, side: float) -> float:
@@ -157,7 +179,7 @@ def history_to_the_level(
     simulation.reset(steer.speed)
     is_beyond = False
     while not is_beyond:
-        rows.append(run(simulation, steer, STRETCH).rows[:-1])
+        rows.append(history_of(simulation, steer, STRETCH).rows[:-1])
         is_beyond = np.any(np.abs(History(rows[-1])["lateral_acceleration"]) > FIT_TO * GRAVITY)
         if simulation.condition is not Condition.RUNNING or simulation.time >= steer.duration:
             break

@@ -13,7 +13,7 @@ from vehicle_roll_sim.messages.sets import COMMAND_LABELS
 from vehicle_roll_sim.messages.topics import ROLL_CENTRE, STATE_SET
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, ROLL_CENTRES, History
+from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, ROLL_CENTRES, WIND, History
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 
@@ -23,6 +23,8 @@ COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS)
 NOT_OF_EVERY_MODEL = (ROLL_CENTRE,)
 """Topics from which columns are added to it, if there are any messages on them."""
 
+COMMAND_SIZES = (len(COMMAND_LABELS), len(COMMAND_LABELS) + len(WIND))
+"""Numbers of values of an `applied_command`, without wind and with it."""
 NEEDED = {"x", "y", "yaw", "u", "v", "yaw_rate", "roll", "roll_rate"}
 """States that every model publishes."""
 
@@ -55,11 +57,12 @@ class RunMessages:
     def history(self, road: Road) -> History:
         """One row for each complete set, driven on `road`; nan in columns that no topic carries."""
         sets = self._complete_sets()
-        commands = [
-            command.data[len(COMMAND_LABELS) - len(COMMANDS) :] for _, command, *_ in sets.values()
-        ]
+        given, end = [command.data for _, command, *_ in sets.values()], len(COMMAND_LABELS)
+        commands = np.array([values[end - len(COMMANDS) : end] for values in given])
+        has_wind = all(len(values) > end for values in given)
+        wind = np.array([values[end:] for values in given]) if has_wind else None
         rows = [_row(road, *parts) for parts in sets.values()]
-        return History(rows, np.array(commands), self._roll_centres(sets))
+        return History(rows, commands, self._roll_centres(sets), wind)
 
     def _roll_centres(self, places: Iterable[int]) -> np.ndarray | None:
         """The values of ROLL_CENTRES for the states at some places, shape (n, 4); None if unknown.
@@ -120,7 +123,7 @@ def is_ours(name: str, message) -> bool:
         is_whole = labels[:1] == ["time"] and len(labels) == len(message.data)
         return is_whole and set(labels) >= NEEDED and math.isfinite(message.data[0])
     if name == COMMAND:
-        return len(message.data) == len(COMMAND_LABELS) and math.isfinite(message.data[0])
+        return len(message.data) in COMMAND_SIZES and math.isfinite(message.data[0])
     sizes = {LOADS: len(WHEELS), ROLL_CENTRE.name: len(ROLL_CENTRES)}
     return name not in sizes or len(message.data) == sizes[name]
 

@@ -21,7 +21,7 @@ from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.runs.history import ROLL_CENTRES, roll_centres_of
+from vehicle_roll_sim.runs.history import ROLL_CENTRES, WIND, roll_centres_of
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -32,6 +32,7 @@ COMMAND_LABELS = (
     *(f"brake_torque_{wheel}" for wheel in WHEELS),
     *(f"normal_force_{wheel}" for wheel in WHEELS),
 )
+"""Those of vehicles with air forces are followed by WIND."""
 MOTION_LABELS = (
     *("time", "steering", "rear_steering", "u", "v", "yaw_rate"),
     *("roll", "roll_rate", "lateral_acceleration"),
@@ -79,8 +80,9 @@ class Messages:
         self._frame_prefix, self._encode = frame_prefix, encode
         self._whole_body = not simulation.options.has_eight_dof
         self.named: dict[str, tuple[tuple[str, ...], np.ndarray]] = {}
+        wind = WIND if simulation.feels_wind else ()
         self._state = self._labelled("state", ("time", *simulation.state_names))
-        self._command = self._labelled("applied_command", COMMAND_LABELS)
+        self._command = self._labelled("applied_command", (*COMMAND_LABELS, *wind))
         self._loads = self._labelled("tire_normal_forces", WHEELS)
         self._motion = self._labelled("motion", MOTION_LABELS)
         self._roll_centre = self._labelled("roll_centre", ROLL_CENTRES)
@@ -173,6 +175,7 @@ class Messages:
             *command.wheel_torque,
             *command.brake_torque,
             *command.normal_force,
+            *(command.wind if self.simulation.feels_wind else ()),
         )
         return bytes(self._command)
 

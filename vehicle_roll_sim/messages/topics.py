@@ -5,7 +5,7 @@ Nodes, bags and the documentation take them from here.
 
 import dataclasses
 
-from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, channels
+from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, WIND, channels
 from vehicle_roll_sim.live.command_limits import UNITS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.options import Options
@@ -51,6 +51,8 @@ COMMAND_MEANINGS = {
     "`front_drive_share`; ignored while wheel torques are commanded",
     "brake_cmd": "total brake torque, not below 0, distributed by the vehicle's "
     "`front_brake_share`; ignored while brake torques of wheels are commanded",
+    "wind_cmd": "velocity of the air over the ground, along x and y of `odom`; ignored if the "
+    "vehicle has no air forces",
 }
 COMMANDS = tuple(
     Topic(
@@ -65,6 +67,8 @@ COMMANDS = tuple(
 """What the simulator subscribes to; the depth is that of publishers in this package."""
 TOTAL_TORQUES = tuple(topic for topic in COMMANDS if channels()[topic.name].field in (DRIVE, BRAKE))
 """Commands that the vehicle distributes to the wheels."""
+OF_WIND = tuple(topic for topic in COMMANDS if channels()[topic.name].field == WIND)
+"""Commands for vehicles with air forces."""
 STATE_SET = (
     Topic("state", ARRAY, meaning="time since the reset, then the states of the model"),
     Topic(

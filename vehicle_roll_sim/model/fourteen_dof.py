@@ -4,6 +4,7 @@ The simplified models share these stages; the options select other forms of some
 """
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.air import move_through_air
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.contact import (
     contact_forces,
@@ -46,6 +47,7 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
         steer_each_wheel(state, vehicle, options, outputs)
 
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
+    move_through_air(state, command, heading, attitude, outputs)
     strut_kinematics(state, vehicle, options, outputs)
     contact_kinematics(state, vehicle, options, attitude, outputs)
     inclinations(attitude, vehicle, tires, options, outputs)

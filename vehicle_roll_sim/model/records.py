@@ -96,10 +96,12 @@ COMMAND = record_dtype(
     *("steering", "rear_steering"),
     *per_wheel("wheel_torque", "brake_torque", "normal_force"),
     *("speed_hold_gain", "speed_hold_target"),
+    ("wind", 2),
 )
 """The commands: road-wheel angles (rad), drive torque at each wheel (N m), brake torque capacity at
 each wheel (N m), active force at each corner (N), and a speed hold, a torque gain * (target - u)
-added at each rear wheel (N m per m/s, m/s)."""
+added at each rear wheel (N m per m/s, m/s). wind: velocity of the air along x and y of the ground
+frame (m/s)."""
 
 STOPS = ("bump_stop", "rebound_stop")
 DETAIL_CURVES = ("spring", "damper", "toe_change", "spring_travel", "damper_travel")
@@ -139,7 +141,8 @@ VEHICLE = record_dtype(
     ("travel_knots", (2, KNOTS)),
     ("travel_origins", (2, KNOTS + 1)),
     ("travel_curves", (2, KNOTS + 1, COEFFICIENTS, TRAVEL_CURVE_COUNT)),
-    *per_wheel("engine_drag", "differential_damping"),
+    *per_wheel("engine_drag"),
+    *per_wheel("differential_damping", "differential_preload", "differential_locking"),
     *("roll_pitch_product", "roll_yaw_product", "pitch_yaw_product"),
     ("details", DETAILS),
 )
@@ -211,13 +214,15 @@ OUTPUTS = record_dtype(
     ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
     ("compliance_terms", COMPLIANCE_TERMS),
     ("commanded_steering", AXLE_COUNT),
+    ("air_velocity", 2),
 )
 """Everything that is computed between a state and its derivative.
 
 normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N). support: normal load
 before clipping at 0 (N), negative off the ground. acceleration: of the sprung c.g. along the axes
 of frame 2 (m/s^2). specific_force: reading of an accelerometer at the c.g., in frame 1 (m/s^2).
-commanded_steering: front and rear (rad).
+commanded_steering: front and rear (rad). air_velocity: of the sprung c.g. through the air, along x
+and y of frame 1 (m/s).
 body_acceleration: derivatives of u, v, w and the body rates. The others are terms of the equations,
 described where they are computed. Outputs that a model does not have are nan.
 """

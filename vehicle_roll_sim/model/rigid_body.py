@@ -88,12 +88,12 @@ def applied_forces(state, vehicle, options, attitude, outputs):
     f[DU] = weight * s_pitch - moved * (wy * w - wz * v)  # (29)
     f[DV] = -weight * s_roll * c_pitch - moved * (wz * u - wx * w)  # (30)
     f[DW] = -weight * c_roll * c_pitch - m * (wx * v - wy * u)  # (31)
-    f[DU] += m * outputs.slope_gravity[0] - drag(u, vehicle)
+    f[DU] += m * outputs.slope_gravity[0] - drag(outputs.air_velocity[0], vehicle)
     f[DV] += m * outputs.slope_gravity[1]
     f[DW] += m * outputs.slope_gravity[2]
     f[DWX] = f[DWY] = f[DWZ] = 0.0
     if vehicle.side_and_lift > 0.0:
-        add_side_force_and_lift(state, vehicle, outputs)
+        add_side_force_and_lift(vehicle, outputs)
     if options.euler_terms:
         jx, jy, jz = vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia
         f[DWX] += (jy - jz) * wy * wz

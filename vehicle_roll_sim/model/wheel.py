@@ -40,16 +40,28 @@ def with_friction(torque, capacity, turning):
 
 @term
 def drive_torque(i, hold, spin, command, vehicle):
-    """Torque of the drive shaft of wheel i (N m): command, speed hold, engine drag, differential.
-
-    An open differential gives both wheels the same torque, which the command contains. A viscous
-    coupling adds a torque from the faster to the slower wheel of the axle; i ^ 1 is the other one.
-    """
+    """Torque of the drive at wheel i, before the coupling of the differential (N m)."""
     torque = command.wheel_torque[i]
     if i >= LR:
         torque += hold
-    torque -= vehicle.engine_drag[i] * spin[i]
-    return torque - vehicle.differential_damping[i] * (spin[i] - spin[i ^ 1])
+    return torque - vehicle.engine_drag[i] * spin[i]
+
+
+@kernel
+def coupling_torque(i, hold, spin, command, vehicle):
+    """Torque that the differential takes from wheel i for the other one of the axle, i ^ 1 (N m).
+
+    An open differential gives both the same, which the command contains. A viscous coupling adds
+    c (w - w'), a limited-slip differential the dry friction L tanh[c (w - w') / L], regularized at
+    equal speeds, where L = preload + locking / 2 |torque of the axle|.
+    """
+    torque = vehicle.differential_damping[i] * (spin[i] - spin[i ^ 1])
+    if vehicle.differential_preload[i] == 0.0:
+        return torque
+    of_axle = drive_torque(i, hold, spin, command, vehicle)
+    of_axle += drive_torque(i ^ 1, hold, spin, command, vehicle)
+    largest = vehicle.differential_preload[i] + vehicle.differential_locking[i] / 2 * abs(of_axle)
+    return largest * math.tanh(torque / largest)
 
 
 @kernel
@@ -62,6 +74,7 @@ def wheel_rates(state, command, vehicle, options, outputs, rates):
     hold = command.speed_hold_gain * (command.speed_hold_target - state[at.U])
     for i in range(WHEEL_COUNT):
         torque = drive_torque(i, hold, spin, command, vehicle)
+        torque -= coupling_torque(i, hold, spin, command, vehicle)
         torque -= outputs.loaded_radius[i] * outputs.tire_longitudinal[i]
         if options.contact_moments:
             torque += outputs.spin_moment[i]

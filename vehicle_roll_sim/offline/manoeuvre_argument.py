@@ -1,7 +1,6 @@
 """Conversion of the argument of `run` to a Manoeuvre: a name, a file, a table or a driver."""
 
 import dataclasses
-import math
 import os
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,7 +11,6 @@ from vehicle_roll_sim.declaration import InputError, unknown_name, validated
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.manoeuvres.command_file import CommandTable, command_table, load_commands
-from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme
 
 FIELD = "manoeuvre"
@@ -20,7 +18,7 @@ ALLOWED = (
     "a name, a Manoeuvre, a command file (.csv) or table, a Command, a function of time or "
     "a Feedback"
 )
-COMMANDED = ("steering", "rear_steering", "wheel_torque", "brake_torque", "normal_force")
+COMMANDED = ("steering", "rear_steering", "wheel_torque", "brake_torque", "normal_force", "wind")
 """The commands that a user-defined driver may issue."""
 
 
@@ -65,10 +63,7 @@ def manoeuvre_of(asked, values: Mapping, step_ns: int) -> Manoeuvre:
     manoeuvre = _named(asked)
     values = validated(type(manoeuvre), values)
     if isinstance(manoeuvre, CommandTable) and "duration" not in values:
-        if not manoeuvre.duration > 0.0:
-            raise InputError("duration", None, "required for commands that end at time 0")
-        steps = math.ceil(manoeuvre.duration * NANOSECONDS / step_ns - 1e-6)
-        values["duration"] = steps * step_ns / NANOSECONDS
+        manoeuvre = manoeuvre.to_whole_steps(step_ns)
     return dataclasses.replace(manoeuvre, **values)
 
 

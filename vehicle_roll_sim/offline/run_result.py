@@ -1,7 +1,6 @@
 """The result of a run: columns with units, events, how it ended, and output files."""
 
 import dataclasses
-import math
 from pathlib import Path
 
 import numpy as np
@@ -10,11 +9,11 @@ from vehicle_roll_sim.analysis.figure_size import Size, named_size
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.output_file import check_figure_format
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.model.integration.events import TIME, VALUE, Condition
+from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
 from vehicle_roll_sim.runs.history import COLUMNS, UNITS, History
-from vehicle_roll_sim.runs.metrics import load_transfer_ratio, peak
+from vehicle_roll_sim.runs.run_metrics import metrics_of
 from vehicle_roll_sim.runs.summary import line, summary_lines
 
 
@@ -62,24 +61,10 @@ class RunResult:
         """Metrics of the run by name, in SI units and radians; times (s) are nan for never.
 
         Peaks are signed values of the largest magnitude. Those of roll and lateral acceleration are
-        taken over all integration steps, that of the load transfer ratio (-1 to 1) over the rows.
+        taken over all integration steps, that of the load transfer ratio (-1 to 1) and the time of
+        the two-wheel lift over the rows.
         """
-        roll, acceleration = self.events.peak_roll, self.events.peak_lateral_acceleration
-        ratio, ratio_time = peak(self["time"], load_transfer_ratio(self.wheels("normal_force")))
-        lift_offs = zip(WHEELS, self.events.lift_off_time.tolist(), strict=True)
-        return {
-            "peak_roll": float(roll[VALUE]),
-            "peak_roll_time": float(roll[TIME]) if roll[VALUE] else math.nan,
-            "peak_lateral_acceleration": float(acceleration[VALUE]),
-            "peak_lateral_acceleration_time": (
-                float(acceleration[TIME]) if acceleration[VALUE] else math.nan
-            ),
-            "peak_load_transfer_ratio": ratio,
-            "peak_load_transfer_ratio_time": ratio_time,
-            **{f"lift_off_time_{wheel}": time for wheel, time in lift_offs},
-            "rollover_time": float(self.events.rollover_time[0]),
-            "end_time": self.time,
-        }
+        return metrics_of(self.history, self.events, self.time)
 
     def to_numpy(self) -> np.ndarray:
         """All rows as a structured array, shape (rows,), with a float64 field for each column."""

@@ -8,11 +8,12 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
+from vehicle_roll_sim.files.table_file import write_rows
 from vehicle_roll_sim.input_errors import given
 from vehicle_roll_sim.manoeuvres.series.base import Series
 from vehicle_roll_sim.manoeuvres.series.catalogue import series_named
 from vehicle_roll_sim.manoeuvres.series.speed_search import SpeedSearch
-from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured, write_rows
+from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset

@@ -1,6 +1,5 @@
-"""Conversion of results with named columns to numpy, pandas and CSV."""
+"""Conversion of results with named columns to numpy and pandas."""
 
-import csv
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -8,7 +7,6 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.files.output_file import replaced_file
 
 
 def structured(columns: Sequence[str], values: Sequence[np.ndarray]) -> np.ndarray:
@@ -34,14 +32,6 @@ def data_frame(table: np.ndarray, units: dict[str, str]):
     frame = pandas.DataFrame({name: table[name] for name in table.dtype.names})
     frame.attrs["units"] = units
     return frame
-
-
-def write_rows(path: Path, columns: Sequence[str], rows: Sequence[Sequence]) -> None:
-    """Write rows as CSV in full precision; the file is written completely or not at all."""
-    with replaced_file(path) as partial, partial.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        writer.writerows(rows)
 
 
 def path_of(value: str | os.PathLike, field: str) -> Path:

@@ -8,11 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.analysis.tire_curves import Curve, reference_speed
+from vehicle_roll_sim.analysis.tire_curves import Condition, Curve, reference_speed
 from vehicle_roll_sim.declaration import InputError, parameter, parameters_of, unknown_name
-from vehicle_roll_sim.files.table_file import read_table
+from vehicle_roll_sim.files.table_file import read_table, write_rows
 from vehicle_roll_sim.input_errors import number_in
-from vehicle_roll_sim.offline.tables import write_rows
 from vehicle_roll_sim.vehicle.tire_evaluation import TireForces, evaluate
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
@@ -74,6 +73,8 @@ def read_points(path: Path, tire: Tire) -> dict[str, np.ndarray]:
         for name, text in zip(header, row, strict=True):
             where = f"{path}: line {number}: {name}"
             columns[name].append(_value(where, text, declared[name]))
+            if name == "pressure":
+                tire.check_pressure(columns[name][-1], where)
     given = {name: np.array(values) for name, values in columns.items()}
     defaults = {"pressure": own_pressure(tire), "speed": reference_speed(tire)}
     missing = {n: defaults.get(n, declared[n].default) for n in COLUMNS if n not in given}
@@ -87,12 +88,20 @@ def own_pressure(tire: Tire) -> float:
     return tire.coefficients["INFLPRES"] or tire.coefficients["NOMPRES"] or math.nan
 
 
+def columns_of(conditions: Sequence[Condition]) -> dict[str, np.ndarray]:
+    """Load and inclination of conditions, and the pressures that they give, by column."""
+    names = ("normal_force", "inclination", "pressure")
+    given = {name: [getattr(each, name) for each in conditions] for name in names}
+    return {name: np.array(values) for name, values in given.items() if None not in values}
+
+
 def outside(tire: Tire, points: dict[str, np.ndarray]) -> dict[str, int]:
     """The number of points outside each range of the tire file, by name; zeros are omitted."""
     given = tire.coefficients
     counts = {
         label: int(((points[name] < given[low]) | (points[name] > given[high])).sum())
         for name, (label, low, high, _) in LIMITS.items()
+        if name in points
     }
     return {label: count for label, count in counts.items() if count}
 

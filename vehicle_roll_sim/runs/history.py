@@ -64,6 +64,8 @@ ROLL_CENTRES = tuple(
 )
 """Names of further columns of model 2: height above the road, and place to the left of the c.g., of
 the roll centre of each axle (m); nan where there is none."""
+WIND = ("wind_x", "wind_y")
+"""Names of further commands of vehicles with air forces (m/s), in the same sense."""
 WITH_COMMANDS = "add all commands to the CSV, not only the steering; `plot` then draws them"
 """Help text of the option of that name."""
 
@@ -74,15 +76,17 @@ def check_with_commands(wanted: bool, csv: Path | None) -> None:
         raise InputError("--with-commands", "", "together with --csv", "without a file")
 
 
-def _places_of_outputs() -> np.ndarray:
-    """Where the outputs among COLUMNS are in the flat vector of OUTPUTS."""
+def _places_of_outputs() -> tuple[np.ndarray, np.ndarray]:
+    """Where the outputs among COLUMNS, and ROLL_CENTRES, are in the flat vector of OUTPUTS."""
     places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
     quantities = (places[quantity] for quantity in OUTPUT_QUANTITIES)
     steering, accelerations = places["commanded_steering"][:1], places["acceleration"]
-    return np.concatenate((*quantities, steering, accelerations[: len(ACCELERATIONS)])).astype(int)
+    of_rows = np.concatenate((*quantities, steering, accelerations[: len(ACCELERATIONS)]))
+    centres = np.concatenate((places["roll_centre_height"], places["roll_centre_place"]))
+    return of_rows.astype(int), centres.astype(int)
 
 
-_OF_OUTPUTS = _places_of_outputs()
+OUTPUT_PLACES, ROLL_CENTRE_PLACES = _places_of_outputs()
 
 
 def row_of(simulation: Simulation) -> np.ndarray:
@@ -90,14 +94,13 @@ def row_of(simulation: Simulation) -> np.ndarray:
     row = np.empty(len(COLUMNS))
     row[0] = simulation.time
     row[1 : 1 + MODEL_STATE_SIZE] = simulation.state_vector[:MODEL_STATE_SIZE]
-    row[1 + MODEL_STATE_SIZE :] = simulation.output_vector[_OF_OUTPUTS]
+    row[1 + MODEL_STATE_SIZE :] = simulation.output_vector[OUTPUT_PLACES]
     return row
 
 
 def roll_centres_of(simulation: Simulation) -> np.ndarray:
     """The values of ROLL_CENTRES at the present simulated time; nan in models without them."""
-    outputs = simulation.outputs
-    return np.concatenate((outputs["roll_centre_height"], outputs["roll_centre_place"]))
+    return simulation.output_vector[ROLL_CENTRE_PLACES]
 
 
 class History:
@@ -105,7 +108,8 @@ class History:
 
     rows: values of COLUMNS, shape (rows, columns). commands: values of COMMANDS, shape (rows,
     commands), or None if they are unknown. roll_centres: values of ROLL_CENTRES, shape (rows, 4),
-    or None if the model has none or they are unknown.
+    or None if the model has none or they are unknown. wind: values of WIND, shape (rows, 2), or
+    None if the vehicle does not feel it or it is unknown.
     """
 
     def __init__(
@@ -113,19 +117,21 @@ class History:
         rows: list[np.ndarray] | np.ndarray,
         commands: np.ndarray | None = None,
         roll_centres: np.ndarray | None = None,
+        wind: np.ndarray | None = None,
     ):
         self.rows, self.commands, self.roll_centres = np.array(rows), commands, roll_centres
+        self.wind = wind
 
     @classmethod
     def read_csv(cls, path: Path) -> "History":
         """Read a file written by `write_csv`; raises InputError naming line and column.
 
         Columns may be in any order, and further columns are ignored. COMMANDS are read if all of
-        them are present, likewise ROLL_CENTRES. All values except the time may be nan. Times must
-        not decrease; a time may occur twice, like the last one of a run that diverged.
+        them are present, likewise WIND and ROLL_CENTRES. All values except the time may be nan.
+        Times must not decrease; a time may occur twice, like the last one of a run that diverged.
         """
         header, lines = read_table(path, LARGEST_FILE)
-        further = [names for names in (COMMANDS, ROLL_CENTRES) if set(names) <= set(header)]
+        further = [names for names in (COMMANDS, ROLL_CENTRES, WIND) if set(names) <= set(header)]
         places = _places(path, header, tuple(itertools.chain(COLUMNS, *further)))
         rows, time = [], -math.inf
         for line, texts in lines:
@@ -140,7 +146,7 @@ class History:
         ends = np.cumsum([len(names) for names in (COLUMNS, *further)])[:-1]
         own, *others = np.split(np.array(rows), ends, axis=1)
         found = dict(zip(further, others, strict=True))
-        return cls(own, found.get(COMMANDS), found.get(ROLL_CENTRES))
+        return cls(own, *(found.get(names) for names in (COMMANDS, ROLL_CENTRES, WIND)))
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.rows[:, COLUMNS.index(name)]
@@ -158,10 +164,13 @@ class History:
         return self.rows[:, first : first + len(WHEELS)]
 
     def command(self, name: str) -> np.ndarray:
-        """One column of COMMANDS, shape (rows,); nan if the commands are unknown.
+        """One column of COMMANDS or WIND, shape (rows,); nan if it is unknown.
 
         Without the name of a wheel, such as `wheel_torque`: those of all wheels, shape (rows, 4).
         """
+        if name in WIND:
+            unknown = np.full(len(self.rows), np.nan)
+            return unknown if self.wind is None else self.wind[:, WIND.index(name)]
         wanted = [name] if name in COMMANDS else [f"{name}_{wheel}" for wheel in WHEELS]
         if self.commands is None:
             found = np.full((len(self.rows), len(wanted)), np.nan)
@@ -173,19 +182,22 @@ class History:
         """The selected rows; chosen: a boolean for each row, shape (rows,)."""
         commands = None if self.commands is None else self.commands[chosen]
         centres = None if self.roll_centres is None else self.roll_centres[chosen]
-        return History(self.rows[chosen], commands, centres)
+        wind = None if self.wind is None else self.wind[chosen]
+        return History(self.rows[chosen], commands, centres, wind)
 
     def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
         """Write all rows in full precision; the file is written completely or not at all.
 
         Columns of ROLL_CENTRES follow if they are known. with_commands: append COMMANDS to the
-        columns; nan if they are unknown.
+        columns, nan if they are unknown, and WIND if it is known.
         """
         names, rows = COLUMNS, self.rows
         if self.roll_centres is not None:
             names, rows = (*names, *ROLL_CENTRES), np.hstack((rows, self.roll_centres))
         if with_commands:
             names, rows = (*names, *COMMANDS), np.hstack((rows, self._known_commands()))
+            if self.wind is not None:
+                names, rows = (*names, *WIND), np.hstack((rows, self.wind))
         with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
             file.write(",".join(names) + "\n")
             for row in rows.tolist():

@@ -23,6 +23,8 @@ STRAIGHT = 1e-6
 STANDSTILL = 0.1
 """m/s"""
 CROSSINGS_OF_A_PERIOD = 3
+TWO_INCHES = 0.0508
+"""m"""
 
 
 def peak(time: np.ndarray, values: np.ndarray) -> tuple[float, float]:
@@ -111,6 +113,17 @@ def load_transfer_ratio(loads: np.ndarray) -> float | np.ndarray:
     left, right = loads[..., LEFT].sum(axis=-1), loads[..., RIGHT].sum(axis=-1)
     total = left + right
     return np.divide(right - left, total, out=np.zeros(np.shape(total)), where=total != 0.0)[()]
+
+
+def two_wheel_lift_time(time: np.ndarray, tire_compression: np.ndarray) -> float:
+    """Time (s) of the first sample with both wheels of one side at least 2 inches off the ground.
+
+    tire_compression: (n, 4) (m), off the ground minus the height of the tire above it; nan in a
+    model without it, which gives nan.
+    """
+    heights = -tire_compression
+    lifted = np.any([np.all(heights[:, s] >= TWO_INCHES, axis=1) for s in (LEFT, RIGHT)], axis=0)
+    return float(time[np.argmax(lifted)]) if lifted.any() else math.nan
 
 
 def sideslip_angle(velocity: Sequence[np.ndarray], roll: np.ndarray, pitch: np.ndarray):

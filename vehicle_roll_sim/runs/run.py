@@ -56,7 +56,7 @@ def run(
         whole_steps(command_period, step_ns, "command period") * step_ns if command_period else 0
     )
     end = simulation.time_ns + whole_steps(duration, step_ns, "duration") * step_ns
-    steps_at = [] if period else _in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
+    steps_at = [] if period else in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
     rows, held = [row_of(simulation)], None
     centres = [roll_centres_of(simulation)]
     driven = [Command() if period else None]
@@ -84,27 +84,42 @@ def run(
     history = History(rows)
     if simulation.options.is_kinematic:
         history.roll_centres = np.array(centres)
-    return _with_commands(history, driven, driver)
+    return _with_commands(history, driven, driver, simulation.feels_wind)
 
 
 def _with_commands(
-    history: History, driven: list[Command | None], driver: Programme | Feedback
+    history: History,
+    driven: list[Command | None],
+    driver: Programme | Feedback,
+    feels_wind: bool,
 ) -> History:
     """Add the commands to the history; driven: the command of each row, None if not held."""
     if None in driven:
-        records = np.broadcast_to(driver(history["time"]), len(history.rows))
-        torque = records["wheel_torque"].copy()
-        hold = records["speed_hold_gain"] * (records["speed_hold_target"] - history["u"])
-        torque[:, LR:] += hold[:, np.newaxis]
+        records = records_by_time(history, driver)
     else:
         records = np.concatenate([command.records() for command in driven])
-        torque = records["wheel_torque"]
-    others = (records["brake_torque"], records["normal_force"])
-    history.commands = np.column_stack((records["rear_steering"], torque, *others))
+    add_commands(history, records, feels_wind)
     return history
 
 
-def _in_whole_steps(times: Sequence[float], step_ns: int) -> list[int]:
+def records_by_time(history: History, programme: Programme) -> np.ndarray:
+    """COMMAND records of a programme at the rows, with its speed hold as a torque."""
+    records = np.broadcast_to(programme(history["time"]), len(history.rows)).copy()
+    hold = records["speed_hold_gain"] * (records["speed_hold_target"] - history["u"])
+    records["wheel_torque"][:, LR:] += hold[:, np.newaxis]
+    return records
+
+
+def add_commands(history: History, records: np.ndarray, feels_wind: bool) -> None:
+    """Add commands to a history: COMMAND records without a speed hold, one for each row."""
+    others = (records["brake_torque"], records["normal_force"])
+    torques = (records["wheel_torque"], *others)
+    history.commands = np.column_stack((records["rear_steering"], *torques))
+    if feels_wind:
+        history.wind = records["wind"].copy()
+
+
+def in_whole_steps(times: Sequence[float], step_ns: int) -> list[int]:
     """Those of `times` (s) that are multiples of the integration step, in ns."""
     nanoseconds = [round(time * NANOSECONDS) for time in times]
     return [time for time in nanoseconds if time % step_ns == 0]

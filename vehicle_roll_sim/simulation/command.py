@@ -10,9 +10,11 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_of
 from vehicle_roll_sim.model.records import COMMAND, LR, WHEELS
+from vehicle_roll_sim.vehicle.air_parameters import NO_WIND
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 NO_FORCE = (0.0,) * len(WHEELS)
+STILL_AIR = (0.0, 0.0)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -24,10 +26,11 @@ class Command:
     each wheel (N m, >= 0); it opposes the spin and can hold a stationary wheel. normal_force:
     active force at each suspension corner (N, positive pushes the body up). speed_hold_gain,
     speed_hold_target: additional torque at each rear wheel, gain * (target - u), in N m per m/s and
-    m/s.
+    m/s. wind: velocity of the air over the ground along x and y of the ground frame (m/s), for
+    vehicles with air forces; x is the initial heading, y points to its left.
 
-    Values per wheel may be any sequence of four numbers; all values are stored as floats. Raises
-    InputError for non-finite values and for sequences of another length. Issues a
+    Values per wheel may be any sequence of four numbers, the wind one of two; all values are stored
+    as floats. Raises InputError for non-finite values and for sequences of another length. Issues a
     PlausibilityWarning for implausibly large steering angles.
     """
 
@@ -38,6 +41,7 @@ class Command:
     normal_force: tuple[float, float, float, float] = NO_FORCE
     speed_hold_gain: float = 0.0
     speed_hold_target: float = 0.0
+    wind: tuple[float, float] = STILL_AIR
 
     def __post_init__(self):
         for name, kept in KEPT.items():
@@ -71,17 +75,25 @@ def _number(field: str, value) -> float:
 def _of_wheels(field: str, value) -> tuple[float, ...]:
     if value is NO_FORCE:
         return value
+    return _numbers(field, value, len(WHEELS), "four numbers, for lf, rf, lr and rr")
+
+
+def _horizontal(field: str, value) -> tuple[float, ...]:
+    if value is STILL_AIR:
+        return value
+    return _numbers(field, value, len(STILL_AIR), "two numbers, along x and y")
+
+
+def _numbers(field: str, value, count: int, allowed: str) -> tuple[float, ...]:
     is_text = isinstance(value, str | bytes)
     is_sequence = (isinstance(value, Sequence) and not is_text) or getattr(value, "ndim", None) == 1
-    if not is_sequence or len(value) != len(WHEELS):
-        raise InputError(field, value, "four numbers, for lf, rf, lr and rr")
+    if not is_sequence or len(value) != count:
+        raise InputError(field, value, allowed)
     return tuple([_number(field, each) for each in value])
 
 
-KEPT = {
-    field.name: _of_wheels if field.default is NO_FORCE else _number
-    for field in dataclasses.fields(Command)
-}
+_CHECKS = {NO_FORCE: _of_wheels, STILL_AIR: _horizontal}
+KEPT = {field.name: _CHECKS.get(field.default, _number) for field in dataclasses.fields(Command)}
 """The function that checks each value of a command and converts it."""
 
 
@@ -95,18 +107,25 @@ from the step on.
 """
 
 
-def records_of(command: "Command | Programme", times: Callable[[], np.ndarray]) -> np.ndarray:
+def records_of(
+    command: "Command | Programme", times: Callable[[], np.ndarray], feels_wind: bool = True
+) -> np.ndarray:
     """The COMMAND records at some times (s): one that is held, or one for each time.
 
-    Raises InputError for anything that is not a command. Non-finite values are accepted, and the
-    run then ends as diverged, except for brake torques, which would otherwise be ignored silently.
+    Raises InputError for anything that is not a command, and for a wind unless the vehicle
+    `feels_wind`. Non-finite values are accepted, and the run then ends as diverged, except for
+    brake torques, which would otherwise be ignored silently.
     """
     if isinstance(command, Command):
-        return command.records()
-    if not callable(command):
+        records = command.records()
+    elif callable(command):
+        instants = times()
+        records = _checked(command(instants), len(instants))
+    else:
         raise InputError("command", command, "a Command, or a function of an array of times")
-    instants = times()
-    return _checked(command(instants), len(instants))
+    if not feels_wind and records["wind"].any():
+        raise InputError("wind", float(max(records["wind"].flat, key=abs)), NO_WIND)
+    return records
 
 
 def _checked(records, count: int) -> np.ndarray:
@@ -158,4 +177,5 @@ def command_at(driver: Programme | Feedback, time: float, state) -> Command:
         float(answer["rear_steering"]),
         tuple(torque.tolist()),
         *(tuple(answer[name].tolist()) for name in ("brake_torque", "normal_force")),
+        wind=tuple(answer["wind"].tolist()),
     )

@@ -16,6 +16,7 @@ from vehicle_roll_sim.model.integration.events import no_events, note_lift_offs
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.model.tire.radii import free_spin, loaded_radius
+from vehicle_roll_sim.simulation.driving import compile_loop
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
 from vehicle_roll_sim.vehicle.vehicle_file import preset
@@ -75,7 +76,7 @@ def fill_cache(folder: str) -> None:
 
 def call_every_kernel() -> None:
     """Call all kernels that the package calls from Python, so that none is left to be compiled."""
-    Simulation(preset())
+    compile_loop(Simulation(preset()))
     evaluate(preset().tire, 1.0, 0.0, 0.0)
     tire = jit.kernel_argument(preset().tire.record())[0]
     loaded_radius(1.0, free_spin(1.0, 1.0, tire), 0.0, 0.0, 0.0, tire)

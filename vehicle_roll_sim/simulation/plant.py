@@ -13,7 +13,7 @@ from vehicle_roll_sim.simulation.suspension_use import use_details
 from vehicle_roll_sim.vehicle.consistency import check_one_rolling_resistance
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.plausibility import plausibility, warn
+from vehicle_roll_sim.vehicle.plausibility import doubts, warn
 
 
 class Plant(NamedTuple):
@@ -36,7 +36,7 @@ class Plant(NamedTuple):
         and vehicle both have a rolling resistance, and for details of the suspension that the model
         does not use.
         """
-        warn(plausibility(vehicle))
+        warn(doubts(vehicle))
         options = options.for_vehicle(vehicle)
         has_moments = options.tire_moments == ON
         if has_moments:

@@ -114,6 +114,9 @@ OUTPUT_SIGNALS = {
     ),
     "compliance_terms": Signal("", WHEEL, "compliance steer of the wheels (work space)"),
     "commanded_steering": Signal("rad", BODY, "steering commands, front and rear"),
+    "air_velocity": Signal(
+        "m/s", BODY, "velocity of the sprung c.g. through the air, forward and to the left"
+    ),
 }
 """Every field of an OUTPUTS record, in its order; fields of four values are lf, rf, lr, rr."""
 

@@ -36,6 +36,7 @@ from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.snapshot import Restorable, identity
 from vehicle_roll_sim.simulation.stability import Modes
+from vehicle_roll_sim.vehicle.air_parameters import has_air_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 DEFAULT_STEP, SHORTEST_STEP, LONGEST_STEP = 0.001, 1e-6, 0.1
@@ -84,6 +85,7 @@ class Simulation(Restorable):
     - `outputs`: an OUTPUTS record: `.normal_force`, `.slip_angle`, `.acceleration`, ...
     - `model_state`, `state_names`: the states of the chosen model and their names
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.integration.events)
+    - `feels_wind`: whether the vehicle has air forces; commands of a wind are refused otherwise
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
     Units are SI and radians. The records are views of memory that the next step overwrites: copy
@@ -109,6 +111,7 @@ class Simulation(Restorable):
             vehicle
         )
         self.road = given("road", road or Road(), Road)
+        self.feels_wind = has_air_forces(vehicle)
         step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
         self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
@@ -214,16 +217,18 @@ class Simulation(Restorable):
 
         A Command is held. A Programme is evaluated at every stage of the integration, with times
         since the reset (s); if it returns a single record, that is held. A run that has stopped
-        remains as it is until a reset. Returns the condition. Raises InputError.
+        remains as it is until a reset. Returns the condition. Raises InputError, also for a wind
+        that would have no effect.
         """
         steps = whole_steps(duration, self.step_ns, "duration")
         if self._checked_speed is None:
             self._check_start(DEFAULT_SPEED)
         if self.condition is Condition.RUNNING:
-            self._advance(records_of(command, lambda: self._stage_times(steps)), steps)
+            records = records_of(command, lambda: self.stage_times(steps), self.feels_wind)
+            self._advance(records, steps)
         return self.condition
 
-    def _stage_times(self, steps: int) -> np.ndarray:
+    def stage_times(self, steps: int) -> np.ndarray:
         """Times of the ends and midpoints of the next steps (s), shape (2 * steps + 1,)."""
         halves = np.arange(2 * steps + 1)
         return (self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS
@@ -249,21 +254,20 @@ class Simulation(Restorable):
         """
         return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
 
-    def _advance(self, commands: np.ndarray, steps: int) -> None:
-        arguments = (
-            self.state_vector,
-            commands,
-            steps,
-            self.time_ns,
-            self.step_ns,
-            self._plant,
-            kernel_argument(self._outputs),
-            kernel_argument(self._events),
-            self._stages,
-        )
-        with silently():  # divergence is detected from the result
-            taken, condition, culprit = interruptible(advance, arguments)
-        self.time_ns += taken * self.step_ns
-        self.condition = Condition(condition)
+    def parts(self) -> tuple:
+        """State, plant, outputs, events and work space, in the form in which kernels take them."""
+        outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
+        return self.state_vector, self._plant, outputs, events, self._stages
+
+    def note_moved(self, until_ns: int, condition: int, culprit: int) -> None:
+        """Note the time (ns), the condition and the culprit with which a kernel left the parts."""
+        self.time_ns, self.condition = until_ns, Condition(condition)
         if self.condition is Condition.DIVERGED:
             self.implausible = STATE_NAMES[culprit]
+
+    def _advance(self, commands: np.ndarray, steps: int) -> None:
+        state, *others = self.parts()
+        arguments = (state, commands, steps, self.time_ns, self.step_ns, *others)
+        with silently():  # divergence is detected from the result
+            taken, condition, culprit = interruptible(advance, arguments)
+        self.note_moved(self.time_ns + taken * self.step_ns, condition, culprit)

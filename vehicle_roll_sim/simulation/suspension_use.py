@@ -44,7 +44,8 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
 
 def _refuse(vehicle: Vehicle, name: str, needed: str) -> None:
     if name in vehicle.given:
-        raise InputError(name, vehicle.given[name], f"no value, since it needs {needed}")
+        place, allowed = vehicle.stated_at.get(name, name), f"no value, since it needs {needed}"
+        raise InputError(place, vehicle.given[name], allowed)
 
 
 def steers_each_wheel(vehicle: Vehicle, options: Options) -> bool:

@@ -31,12 +31,19 @@ _DECLARED = {
 }
 OF_SIDE_AND_LIFT = tuple(name for name in _DECLARED if name != "air_density")
 """What only models with all motions of the body use."""
+NO_WIND = "no wind, since the vehicle has no air forces, such as a side_force_area"
+"""What is allowed to a vehicle on which the wind does not act."""
 
 
 def of_air(name: str):
     """The declaration of a parameter of the air forces; it may be absent."""
     meaning, limits = _DECLARED[name]
     return parameter(meaning, **limits, default=None)
+
+
+def has_air_forces(vehicle) -> bool:
+    """Whether the vehicle is given any of OF_SIDE_AND_LIFT, even as 0; a wind then acts on it."""
+    return any(name in vehicle.given for name in OF_SIDE_AND_LIFT)
 
 
 def check_air(vehicle) -> None:

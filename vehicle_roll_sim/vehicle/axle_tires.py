@@ -32,8 +32,17 @@ def from_tire(name: str, axle: str, tire: Tire, pressure: float | None) -> FromT
         file = f" {tire.file}" if tire.file else ""
         raise InputError(field, None, f"required, since the tire file{file} has no {key}")
     if name == "tire_stiffness":
-        value *= 1.0 + tire.coefficients["PFZ1"] * pressure_change(tire, pressure)
+        value = vertical_stiffness(tire, pressure)
     return FromTire(value, f"{key} of the tire file")
+
+
+def vertical_stiffness(tire: Tire, pressure: float | None) -> float:
+    """VERTICAL_STIFFNESS at an inflation pressure (N/m); 0 if the file does not have one.
+
+    pressure: Pa; None: that of the file.
+    """
+    change = pressure_change(tire, pressure)
+    return tire.coefficients["VERTICAL_STIFFNESS"] * (1.0 + tire.coefficients["PFZ1"] * change)
 
 
 def of_file(tire: Tire, key: str) -> float | None:

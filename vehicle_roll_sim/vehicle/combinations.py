@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from vehicle_roll_sim.vehicle.derived_values import AXLES, GRAVITY
 from vehicle_roll_sim.vehicle.figures import VehicleFigures, figures_of
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.tire_file import Tire
 
 STATIC_STABILITY = (0.5, 4.0)
 """From loaded trucks with high loads to race cars; passenger cars have 1.2 to 1.5."""
@@ -15,6 +16,8 @@ FRONT_SHARE = (0.25, 0.9)
 """Of the roll stiffness."""
 FRONT_LOAD = (0.25, 0.75)
 """Share of the weight on the front axle."""
+RADIUS_OF_TIRE = (0.95, 1.05)
+"""Radius in the vehicle file over UNLOADED_RADIUS, if the tire file gives the rolling radius."""
 LOAD_OF_TIRE = (0.25, 2.0)
 """Static load of a tire over the nominal load of its file, LFZO FNOMIN."""
 
@@ -67,3 +70,14 @@ def _tires(vehicle: Vehicle, figures: VehicleFigures) -> Iterator[str]:
             )
             name = "tire" if vehicle.tire is not None else f"{axle}_tire"
             yield f"{name}: {found}, {nominal:g} N, at the {axle}: typically {least:g} to {most:g}"
+        yield from _radius(vehicle, axle, tire)
+
+
+def _radius(vehicle: Vehicle, axle: str, tire: Tire) -> Iterator[str]:
+    radius = float(vehicle.per_wheel("tire_radius")[AXLES[axle]])
+    own, (least, most) = tire.coefficients["UNLOADED_RADIUS"], RADIUS_OF_TIRE
+    if tire.record()["rolls_on_own_radius"] and not least <= radius / own <= most:
+        name = f"{axle}_tire_radius"
+        name = name if name in vehicle.given else "tire_radius"
+        found = f"{radius:g} m, but the {axle} wheels roll on that of the tire file, "
+        yield f"{name}: {found}UNLOADED_RADIUS {own:g} m: typically {least:g} to {most:g} of it"

@@ -11,6 +11,7 @@ from vehicle_roll_sim.vehicle.air_parameters import check_air
 from vehicle_roll_sim.vehicle.axle_tires import of_file
 from vehicle_roll_sim.vehicle.chassis_parameters import ROLL_CENTRES
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
+from vehicle_roll_sim.vehicle.differential_parameters import check_differentials
 from vehicle_roll_sim.vehicle.masses import PRODUCTS, tensor
 from vehicle_roll_sim.vehicle.suspension_checks import check_suspension
 from vehicle_roll_sim.vehicle.tire.moments import ROLLING_RESISTANCE, has_moment
@@ -43,6 +44,7 @@ def check_consistency(vehicle: DerivedValues) -> None:
     _check_carriers(vehicle)
     check_suspension(vehicle)
     check_air(vehicle)
+    check_differentials(vehicle)
     _check_fits_on_its_wheels(vehicle)
     _check_springs_carry_it(vehicle)
     for curves in vehicle.travel_curves.values():

@@ -4,19 +4,7 @@ import dataclasses
 
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.vehicle.air_parameters import of_air
-
-
-def _differential_of(axle: str):
-    """The declaration of the viscous coupling in an axle's differential; it may be absent."""
-    return parameter(
-        f"viscous coupling of the {axle} wheels: torque from the faster to the slower one per "
-        "difference of their speeds; 0, the default, is an open differential, a large value a "
-        "locked one",
-        "N m s/rad",
-        0.0,
-        1e5,
-        default=None,
-    )
+from vehicle_roll_sim.vehicle.differential_parameters import of_differential
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,5 +39,9 @@ class DriveAndAir:
         1.0,
         default=None,
     )
-    front_differential_damping: float | None = _differential_of("front")
-    rear_differential_damping: float | None = _differential_of("rear")
+    front_differential_damping: float | None = of_differential("damping", "front")
+    rear_differential_damping: float | None = of_differential("damping", "rear")
+    front_differential_preload: float | None = of_differential("preload", "front")
+    rear_differential_preload: float | None = of_differential("preload", "rear")
+    front_differential_locking: float | None = of_differential("locking", "front")
+    rear_differential_locking: float | None = of_differential("locking", "rear")

@@ -4,11 +4,13 @@ Each group declares names, units, ranges and descriptions of its parameters, onc
 """
 
 import dataclasses
+import functools
+from collections.abc import Mapping
 
 from vehicle_roll_sim.declaration import (
     InputError,
+    Table,
     check_alternatives,
-    keep_validated,
     parameters_of,
     validated,
 )
@@ -81,7 +83,7 @@ class Vehicle(
 
     def __post_init__(self):
         self._keep(as_given(self))
-        keep_validated(self, self.given)
+        self._keep(validated(Vehicle, self.given))
         check_alternatives(Vehicle, self.given)
         check_given(self, PER_AXLE)
         given = self.given
@@ -92,6 +94,7 @@ class Vehicle(
     def _keep(self, values: dict) -> None:
         for name, value in values.items():
             object.__setattr__(self, name, value)
+        self.__dict__.pop("given", None)
 
     @classmethod
     def checked(
@@ -129,14 +132,14 @@ class Vehicle(
         others = self.not_numbers | {"stated_at": places}
         return self.checked(kept | values, prefix=prefix, **others)
 
-    @property
-    def given(self) -> dict[str, float]:
+    @functools.cached_property
+    def given(self) -> Mapping[str, float | Table]:
         """Every given value by name; of two alternatives, only the one that was specified.
 
         Not what `origin.derived` has.
         """
         if self.origin:
-            return dict(self.origin.given)
+            return self.origin.given
         known = parameters_of(Vehicle)
         values = {name: getattr(self, name) for name in known}
         return {n: v for n, v in values.items() if v is not None or known[n].default is not None}

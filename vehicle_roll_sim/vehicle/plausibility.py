@@ -1,6 +1,7 @@
 """Plausibility checks: values that are allowed but atypical, usually given in the wrong unit."""
 
 import contextlib
+import contextvars
 import math
 import sys
 import warnings
@@ -36,6 +37,8 @@ WHEELS_RADIUS_OF_GYRATION = (0.1, 3.0)
 """Radius of gyration of the unsprung mass over the tire radius; includes geared driveline parts."""
 ROUNDING = 1e-9
 """m"""
+_UNWARNED = contextvars.ContextVar("unwarned", default=False)
+"""Whether warnings are suppressed; the filters of `warnings` are the same in all threads."""
 
 
 class PlausibilityWarning(UserWarning):
@@ -47,13 +50,17 @@ class PlausibilityWarning(UserWarning):
 
 def plausibility(vehicle: Vehicle) -> list[str]:
     """One line for each implausible value of a vehicle, beginning with the parameter's name."""
-    return [
-        *_inertias(vehicle),
-        *(line for axle, wheel in AXLES.items() for line in _suspension(vehicle, axle, wheel)),
-        *(line for axle, wheel in AXLES.items() for line in _roll_centre(vehicle, axle, wheel)),
-        *_lowness(vehicle),
-        *_pressures(vehicle),
-    ]
+    return list(doubts(vehicle))
+
+
+def doubts(vehicle: Vehicle) -> Iterator[str]:
+    """The lines of `plausibility`, each found when it is asked for."""
+    yield from _inertias(vehicle)
+    for check in (_suspension, _roll_centre):
+        for axle, wheel in AXLES.items():
+            yield from check(vehicle, axle, wheel)
+    yield from _lowness(vehicle)
+    yield from _pressures(vehicle)
 
 
 def doubtful_steering(name: str, angle: float) -> str:
@@ -65,16 +72,21 @@ def doubtful_steering(name: str, angle: float) -> str:
 
 def warn(lines: Iterable[str]) -> None:
     """Issue a PlausibilityWarning for each line, located at the call into this package."""
+    if _UNWARNED.get():
+        return
     for line in lines:
         warnings.warn(line, PlausibilityWarning, stacklevel=_levels_to_the_caller())
 
 
 @contextlib.contextmanager
 def unwarned() -> Iterator[None]:
-    """Suppress PlausibilityWarning, for programs that report implausible values themselves."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", PlausibilityWarning)
+    """Suppress PlausibilityWarning in this thread, for programs that report implausible values
+    themselves."""
+    before = _UNWARNED.set(True)
+    try:
         yield
+    finally:
+        _UNWARNED.reset(before)
 
 
 def _levels_to_the_caller() -> int:

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_of, unknown_name
+from vehicle_roll_sim.vehicle.tire.checks import PRESSURE_RATIO
 from vehicle_roll_sim.vehicle.tire.keys import ALL, KEYS, SIMULATED, defaults, is_neutral
 from vehicle_roll_sim.vehicle.tire.reading import tire_data
 from vehicle_roll_sim.vehicle.tire_record import MIRRORED, tire_record
@@ -59,6 +60,18 @@ class Tire:
         """
         given = (self.coefficients, self.version, self.side, pressure)
         return tire_record(*given, combined=self.combined, moments=moments)
+
+    def check_pressure(self, pressure: float, field: str) -> None:
+        """Raise InputError naming `field` for a pressure (Pa) beyond what it is made for."""
+        if self.version == "5.2":
+            allowed = "no pressure for a file of Magic Formula 5.2, which has none"
+            raise InputError(field, pressure, allowed)
+        nominal = self.coefficients["NOMPRES"]
+        if not nominal > 0.0:
+            raise InputError(field, pressure, "no pressure, since the tire file has no NOMPRES")
+        if not nominal / PRESSURE_RATIO <= pressure <= nominal * PRESSURE_RATIO:
+            allowed = f"from 1/{PRESSURE_RATIO} to {PRESSURE_RATIO} times NOMPRES, {nominal:g} Pa"
+            raise InputError(field, pressure, allowed)
 
     def with_coefficients(self, **values: float) -> "Tire":
         """A copy with some coefficients replaced."""

@@ -5,6 +5,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.records import LF, LR, RF, RR
 from vehicle_roll_sim.model.tire.coefficients import INCLINED, NEUTRAL, PRESSURE, TIRE
+from vehicle_roll_sim.vehicle.tire.moments import moments_of
 
 MIRRORED = {"left": (RF, RR), "right": (LF, LR), "symmetric": (RF, RR)}
 """Wheels at which a tire is mirrored, by the side of the vehicle for which its file was made.
@@ -26,8 +27,8 @@ def tire_record(
 
     coefficients: by their names in the .tir file, in SI units; those that are missing have no
     effect. pressure: Pa; None: that of the file, else the nominal one. combined: whether slip in
-    one direction takes force from the other. moments: whether moments are computed. Raises
-    InputError for a pressure if the coefficients do not depend on it.
+    one direction takes force from the other. moments: whether moments are computed, if the tire has
+    any. Raises InputError for a pressure if the coefficients do not depend on it.
     """
     values = NEUTRAL | {name: coefficients[name] for name in NEUTRAL if name in coefficients}
     nominal = coefficients.get("NOMPRES", 0.0)
@@ -36,6 +37,7 @@ def tire_record(
         raise InputError("pressure", pressure, allowed)
     pressure = coefficients.get("INFLPRES") if pressure is None else pressure
     change = (pressure - nominal) / nominal if pressure and nominal > 0.0 else 0.0
+    moments = moments and bool(moments_of(values))
     tire = np.zeros(1, TIRE)
     for name, value in values.items():
         tire[name] = value

@@ -8,11 +8,12 @@ from importlib.resources import as_file, files
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
+from vehicle_roll_sim.files.yaml_file import read_mapping
 from vehicle_roll_sim.vehicle.masses import Load
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import Tire, load_tire
-from vehicle_roll_sim.vehicle.yaml_mapping import mapping_of
 
+A_MAPPING = "expected a YAML mapping of parameter names to values"
 TEMPLATE_HAS_ALL = "`vehicle_roll_sim template` writes a complete file"
 SHIPPED_TIRE = "reference"
 """The name by which a vehicle file refers to the tire that comes with the package."""
@@ -34,7 +35,7 @@ PRESETS = files("vehicle_roll_sim.vehicle") / "presets"
 def load_vehicle(path: str | Path) -> Vehicle:
     """Read a vehicle file and its tire files; raises InputError naming file, line and key."""
     path = Path(path)
-    values, lines = mapping_of(path)
+    values, lines = _mapping(path)
     where = {name: f"{path}: line {line}: {name}" for name, line in lines.items()}
     known = parameters_of(Vehicle)
     expected = (*known, *NO_NUMBERS)
@@ -137,10 +138,12 @@ def _tire(path: Path, name, where: str, longitudinal: str) -> Tire:
     try:
         return tire_of(file, longitudinal)
     except InputError as error:
-        if error.problem != os.strerror(errno.ENOENT):
+        if error.field != f"file {file}":
             raise
+        is_absent = error.problem == os.strerror(errno.ENOENT)
+        problem = f"{file} does not exist" if is_absent else f"{file}: {error.problem}"
     wanted = f"the path of a .tir file relative to the vehicle file, or {SHIPPED_TIRE}"
-    raise InputError(where, name, wanted, f"{file} does not exist")
+    raise InputError(where, name, wanted, problem)
 
 
 def tire_of(file: str | Path, longitudinal: str) -> Tire:
@@ -166,6 +169,12 @@ def on_tires(vehicle: Vehicle, files: dict[str, str | Path]) -> Vehicle:
         of_axles = {f"{axle}_tire": tire for axle, tire in vehicle.axle_tires.items()}
         loaded = of_axles | loaded
     return dataclasses.replace(vehicle, **dict.fromkeys(TIRES) | loaded)
+
+
+def _mapping(path: Path) -> tuple[dict, dict[str, int]]:
+    """The values of a file and their line numbers, both by name."""
+    values, lines = read_mapping(path, "vehicle file", A_MAPPING)
+    return values, {place[0]: line for place, line in lines.items() if len(place) == 1}
 
 
 def shipped_tire() -> Tire:

@@ -4,9 +4,9 @@ import numpy as np
 
 from vehicle_roll_sim.model.records import VEHICLE
 from vehicle_roll_sim.vehicle.air_parameters import air_of
+from vehicle_roll_sim.vehicle.differential_parameters import differentials_of
 from vehicle_roll_sim.vehicle.masses import PRODUCTS
 from vehicle_roll_sim.vehicle.suspension_details import details_of
-from vehicle_roll_sim.vehicle.suspension_parameters import AXLES
 from vehicle_roll_sim.vehicle.travel_curves import tabulated
 
 
@@ -32,7 +32,7 @@ def _placement(vehicle, gravity: float) -> dict:
 
     x, y: in the plane of the c.g. (m). camber: positive with the top towards the right (rad).
     tire_lateral_compliance: 0, as for a contact patch that does not shift. engine_drag: at the
-    driven wheels (N m s/rad). differential_damping: 0 for an open differential.
+    driven wheels (N m s/rad).
     """
     front, rear = vehicle.cg_to_front_axle, -vehicle.cg_to_rear_axle
     camber = vehicle.per_wheel("camber") * (-1, 1, -1, 1)
@@ -48,9 +48,7 @@ def _placement(vehicle, gravity: float) -> dict:
         "tire_radius": vehicle.per_wheel("tire_radius"),
         "tire_lateral_compliance": 0.0,
         "engine_drag": np.where(vehicle.drive_shares > 0.0, vehicle.engine_drag or 0.0, 0.0),
-        "differential_damping": np.repeat(
-            [getattr(vehicle, f"{axle}_differential_damping") or 0.0 for axle in AXLES], 2
-        ),
+        **differentials_of(vehicle),
         "travel_knots": knots,
         "travel_origins": origins,
         "travel_curves": curves,

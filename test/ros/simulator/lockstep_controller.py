@@ -20,11 +20,15 @@ ROLL, ROLL_RATE = 4, 10
 
 
 def answers(state) -> dict[str, object]:
-    """The commands that follow from a state: hard to the left, the body pushed against the roll."""
+    """The commands that follow from a state: hard to the left, the body pushed against the roll.
+
+    The wind from the left becomes stronger with time.
+    """
     push = 20_000.0 * state[ROLL] + 2_000.0 * state[ROLL_RATE]
     return {
         "steering_cmd": min(0.2, 0.4 * state[0]),
         "normal_force_cmd": [-push, push, -push, push],
+        "wind_cmd": [1.0, -5.0 * state[0]],
     }
 
 
@@ -34,7 +38,7 @@ class Controller(Node):
         self.periods = periods
         self.commands = {}
         for topic in COMMANDS:
-            if topic.name in ("steering_cmd", "normal_force_cmd"):
+            if topic.name in ("steering_cmd", "normal_force_cmd", "wind_cmd"):
                 kind = message_class(topic.type)
                 publisher = self.create_publisher(kind, topic.name, COMMANDING)
                 self.commands[topic.name] = publisher, kind

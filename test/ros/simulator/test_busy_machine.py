@@ -20,9 +20,10 @@ from vehicle_roll_sim.ros.topics import message_class
 
 pytestmark = pytest.mark.unmeasured
 
-SCALARS = {
+NOT_OF_WHEELS = {
     **dict.fromkeys(("steering_cmd", "rear_steering_cmd", "drive_torque_cmd", "brake_cmd"), 0.0),
     "speed_cmd": 13.0,
+    "wind_cmd": [0.0, 0.0],
 }
 FLOOD = 6.0
 """s"""
@@ -74,7 +75,8 @@ def flood(peer):
     Returns when every burst so far was sent (ns).
     """
     usual = {
-        topic.name: encoded(topic.name, SCALARS.get(topic.name, [0.0] * 4)) for topic in COMMANDS
+        topic.name: encoded(topic.name, NOT_OF_WHEELS.get(topic.name, [0.0] * 4))
+        for topic in COMMANDS
     }
     bursts = []
 

@@ -17,7 +17,12 @@ pytestmark = pytest.mark.unmeasured
 CONTROLLER = str(Path(__file__).with_name("lockstep_controller.py"))
 PERIODS, PERIOD = 300, 0.01
 """And s: the vehicle rolls over on the way."""
-BOTH = ("lockstep_topics:=[steering_cmd, normal_force_cmd]", "-p", "normal_force_limit:=1e6")
+AREA = 4.0
+"""m^2: side-force area of the vehicle."""
+GIVEN = (
+    "lockstep_topics:=[steering_cmd, normal_force_cmd, wind_cmd]",
+    *("-p", "normal_force_limit:=1e6", "-p", f"vehicle.side_force_area:={AREA}"),
+)
 
 
 @pytest.fixture
@@ -28,7 +33,7 @@ def hog(started):
 
 def heard_in_a_run(start, *words):
     """What a controller in a process of its own hears from a fresh simulator."""
-    simulator = start(*LOCKSTEP, "-p", *BOTH, *words)
+    simulator = start(*LOCKSTEP, "-p", *GIVEN, *words)
     status, out, err = start("controller", str(PERIODS), program=CONTROLLER).finish()
     simulator.close()
     assert status == 0, err
@@ -58,11 +63,13 @@ def test_a_set_comes_for_every_answer_and_none_besides(heard):
 
 
 def test_the_states_are_those_of_the_simulation_without_middleware(heard):
-    simulation = Simulation(preset())
+    simulation = Simulation(preset().with_values({"side_force_area": AREA}))
     for _ in range(PERIODS):
         commands = answers([simulation.time, *simulation.model_state])
         command = Command(
-            steering=commands["steering_cmd"], normal_force=tuple(commands["normal_force_cmd"])
+            steering=commands["steering_cmd"],
+            normal_force=commands["normal_force_cmd"],
+            wind=commands["wind_cmd"],
         )
         simulation.step(command, PERIOD)
     assert simulation.condition.name == "ROLLED_OVER"

@@ -12,6 +12,7 @@ import pytest
 from patience import PATIENCE
 
 from vehicle_roll_sim import InputError, load_tire
+from vehicle_roll_sim.vehicle.tire import moments
 from vehicle_roll_sim.vehicle.tire_evaluation import TireForces, evaluate
 
 DATA = Path(__file__).parents[2] / "model" / "tire" / "data"
@@ -21,6 +22,8 @@ COLUMNS = ("Fx", "Fy", "Mx", "My", "Mz", "Rl", "Re")
 ROUNDING = 1e-13
 """Relative to the largest value of a column."""
 CASES = 200
+FACTORS_OF_MX = tuple(f"QSX{number}" for number in range(4, 12))
+"""They act together only."""
 REVERSED = {"mf52_full": 2, "mf61": 2, "mf62": 0}
 """Rows of the tables with a weight of combined slip below 0."""
 
@@ -164,3 +167,20 @@ def test_plain_python_gives_the_same():
         )
         found.append(np.array(json.loads(done.stdout)))
     np.testing.assert_allclose(*found, rtol=1e-12)
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_moments_are_computed_only_for_a_tire_that_has_one(name):
+    """The other coefficients of moments, such as shape factors, give none by themselves."""
+    tire = tire_of(name)
+    names = [n for acting in moments.COEFFICIENTS.values() for n in acting]
+    names = [n for n in names if tire.coefficients[n]]
+    bare = tire.with_coefficients(**dict.fromkeys(names, 0.0))
+    assert tire.record(moments=True)["moments"] == 1.0
+    assert bare.record(moments=True)["moments"] == 0.0
+    for own in ([], *([n] for n in names if n not in FACTORS_OF_MX)):
+        given = bare.with_coefficients(**{n: tire.coefficients[n] for n in own})
+        assert given.record(moments=True)["moments"] == bool(own), own
+        p = magic_formula.Coefficients(given.coefficients, tire.version)
+        rows = magic_formula.evaluate(p, 6000.0, 0.05, [0.05, -0.1], 0.06, speed=20.0)
+        assert any(np.any(rows[k]) for k in range(2, 5)) == bool(own), own

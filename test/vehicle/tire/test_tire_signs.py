@@ -133,7 +133,8 @@ def test_a_side_force_that_fails_at_the_ends_of_its_range_is_refused(read, key):
     """With PKY4 = 5 the cornering stiffness is 0 at PKY2 tan(36 deg) FNOMIN, 4970 N, and above."""
     lines = {"PKY4": "PKY4 = 5"} if key == "PKY4" else {"PPY2": "PPY2 = -11"}
     text = changed(lines, BASE_6_1)
-    with refused(line_of(text, "PKY1"), "PKY1", "cornering stiffness"):
+    remedy = "FZMAX; see PKY2, PKY4" if key == "PKY4" else "SIGN_CONVENTION"
+    with refused(line_of(text, "PKY1"), "PKY1", "cornering stiffness", remedy):
         read(text)
 
 
@@ -186,7 +187,7 @@ def test_signs_that_are_not_those_that_a_file_says_are_refused(read):
     with refused(line_of(text, "PKY1"), "PKY1"):
         read(text)
     text = changed({"VXLOW": "SIGN_CONVENTION = 'ADAPTED_SAE'"})
-    with refused(line_of(text, "PKY1"), "PKY1"):
+    with refused(line_of(text, "PKY1"), "PKY1", "states other signs: SIGN_CONVENTION"):
         read(text)
     text = changed({"VXLOW": "SIGN_CONVENTION = 'left-handed'"})
     with refused(line_of(text, "SIGN_CONVENTION"), "left-handed", "ADAPTED_SAE"):

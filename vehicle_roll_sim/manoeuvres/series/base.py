@@ -5,9 +5,9 @@ import dataclasses
 from collections.abc import Iterator
 
 from vehicle_roll_sim.manoeuvres.base import SIDES, Manoeuvre
+from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.history import History
-from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -56,7 +56,7 @@ def driven(manoeuvre: Manoeuvre, vehicle: Vehicle, options: Options) -> tuple[Si
     """Drive a manoeuvre, completed by `for_vehicle`, in a new simulation."""
     simulation = Simulation(vehicle, options)
     simulation.reset(manoeuvre.speed)
-    return simulation, run(simulation, manoeuvre.driver(), manoeuvre.duration)
+    return simulation, history_of(simulation, manoeuvre.driver(), manoeuvre.duration)
 
 
 def ending_of(simulation: Simulation) -> str:

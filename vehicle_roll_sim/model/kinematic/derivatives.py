@@ -6,6 +6,7 @@ Stages that it shares with model 1 are those of `fourteen_dof`.
 """
 
 from vehicle_roll_sim.model import records as at
+from vehicle_roll_sim.model.air import move_through_air
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.contact import contact_forces
 from vehicle_roll_sim.model.contact_moments import contact_moments
@@ -43,6 +44,7 @@ def kinematic_derivatives(state, command, vehicle, tires, options, outputs, rate
         steer_each_wheel(state, vehicle, options, outputs)
 
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
+    move_through_air(state, command, heading, attitude, outputs)
     look_up(state, vehicle, outputs)
     carriers(vehicle, outputs)
     paths(vehicle, outputs)

@@ -135,9 +135,9 @@ def system(state, vehicle, options, outputs):
     a[DU, DU], a[DV, DV], a[DW, DW] = a[DU, DU] + m, a[DV, DV] + m, a[DW, DW] + m
     a[DWX, DWX], a[DWY, DWY] = a[DWX, DWX] + jx, a[DWY, DWY] + jy
     a[DWZ, DWZ] += jz
-    f[DU] -= drag(state[at.U], vehicle)
+    f[DU] -= drag(outputs.air_velocity[0], vehicle)
     if vehicle.side_and_lift > 0.0:
-        add_side_force_and_lift(state, vehicle, outputs)
+        add_side_force_and_lift(vehicle, outputs)
     f[DWX] += (jy - jz) * wy * wz
     f[DWY] += (jz - jx) * wz * wx
     f[DWZ] += (jx - jy) * wx * wy

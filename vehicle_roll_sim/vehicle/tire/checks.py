@@ -12,11 +12,16 @@ ABOVE_0 = (
     *("FNOMIN", "LFZO", "LONGVL", "UNLOADED_RADIUS", "VERTICAL_STIFFNESS"),
     *("INFLPRES", "NOMPRES", "LKX", "LKY"),
 )
+AT_LEAST_0 = ("LMUX", "LMUY", "LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS")
 DIVISORS = ("PCX1", "LCX", "PCY1", "LCY", "PKY2")
 EXPONENTS, LARGEST_EXPONENT = ("QSY7", "QSY8"), 20
 PRESSURE_RATIO = 20
 """Largest ratio of inflation pressure to nominal pressure, and of nominal to inflation pressure."""
 PRESSURE_TERMS = ("PPX1", "PPX2", "PPX3", "PPX4", "PPY1", "PPY2", "PPY3", "PPY4", "PPY5", "PFZ1")
+LARGEST_LOAD = 1e6
+"""N: nominal load of the largest tires for mining trucks."""
+LARGEST_RESISTANCE = 0.1
+"""Of the load, on a hard road; car tires have 0.01."""
 COMPLETE = "all are required; `vehicle_roll_sim template --tire` writes a complete file"
 NO_COMBINED = (
     "give the coefficients of combined slip, or switch it off with RBX1 = RCX1 = RBY1 = RCY1 = 0 "
@@ -46,6 +51,9 @@ def check_numbers(c: dict[str, float], entries: dict[str, Entry]) -> None:
     for name in ABOVE_0:
         if name in entries and c[name] <= 0.0:
             raise InputError(entries[name].where, c[name], "a number above 0")
+    for name in AT_LEAST_0:
+        if name in entries and c[name] < 0.0:
+            raise InputError(entries[name].where, c[name], "a number of at least 0")
     for name in DIVISORS:
         if name in entries and c[name] == 0.0:
             raise InputError(entries[name].where, 0.0, "any number except 0")
@@ -72,19 +80,24 @@ def warnings_of(c: dict[str, float], entries: dict[str, Entry], combined: bool) 
     if combined and c["RBY1"] * c["RCY1"] == 0.0:
         notes.append("combined slip is off for Fy: a locked wheel keeps its lateral force")
     for axis in "XY":
-        lost = [
-            load for load in loads_of(c) if curves.friction(c, axis, load) * c[f"PD{axis}1"] <= 0
-        ]
+        loads = loads_of(c)
+        lost = [each for each in loads if curves.friction(c, axis, each) * c[f"PD{axis}1"] <= 0.0]
         if lost:
-            notes.append(f"F{axis.lower()} has no friction at some loads, such as {lost[0]:.0f} N")
+            at = "any load" if lost == loads else f"some loads, such as {lost[0]:.0f} N"
+            notes.append(f"F{axis.lower()} has no friction at {at}")
     if c["NOMPRES"] <= 0.0 and any(c[name] for name in PRESSURE_TERMS):
         notes.append("NOMPRES is not given: the pressure terms have no effect")
     radius = c["UNLOADED_RADIUS"]
     if "UNLOADED_RADIUS" in entries and not 0.03 <= radius <= 2.0:
         said = entries["UNLOADED_RADIUS"].said
         notes.append(f"{said}: a radius of {radius:g} m; is the unit of LENGTH correct?")
-    if c["QSY1"] < 0.0:
+    if c["FNOMIN"] > LARGEST_LOAD:
+        said = entries["FNOMIN"].said
+        notes.append(f"{said}: a load of {c['FNOMIN']:g} N; is the unit of FORCE correct?")
+    if (resistance := c["QSY1"] * c["LMY"]) < 0.0:
         notes.append(f"{entries['QSY1'].said}: negative rolling resistance, which drives the wheel")
+    elif resistance > LARGEST_RESISTANCE:
+        notes.append(f"{entries['QSY1'].said}: a rolling resistance of {resistance:g} of the load")
     return [f"warning: {note}" for note in notes] + _missing_moments(c)
 
 

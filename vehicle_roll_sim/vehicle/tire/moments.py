@@ -6,7 +6,10 @@ OVERTURNING, ROLLING_RESISTANCE, ALIGNING = "overturning", "rolling resistance",
 COEFFICIENTS = {
     OVERTURNING: tuple(f"QSX{number}" for number in range(1, 15)),
     ROLLING_RESISTANCE: tuple(f"QSY{number}" for number in range(1, 7)),
-    ALIGNING: ("QDZ1", "QDZ6", "QDZ7", "QDZ8", "QDZ9", "SSZ1", "SSZ2"),
+    ALIGNING: (
+        *("QDZ1", "QDZ2", *(f"QDZ{number}" for number in range(6, 12))),
+        *(f"SSZ{number}" for number in range(1, 5)),
+    ),
 }
 """Those without which a moment vanishes."""
 FACTORS = {OVERTURNING: "LMX", ROLLING_RESISTANCE: "LMY"}

@@ -24,6 +24,7 @@ from vehicle_roll_sim.vehicle.tire.units import converted, factors
 from vehicle_roll_sim.vehicle.tire.unknown_keys import pass_over
 from vehicle_roll_sim.vehicle.tire.use_mode import Mode, mode_of, side_of
 from vehicle_roll_sim.vehicle.tire.version import version_of
+from vehicle_roll_sim.vehicle.tire.vertical import check_vertical, vertical_notes
 
 
 class TireData(NamedTuple):
@@ -62,11 +63,12 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
     acting = {name: v for name, v in numbers.items() if name in COEFFICIENTS[version.name]}
     coefficients, replaced = defaults() | acting, []
     check_numbers(coefficients, {n: e for n, e in entries.items() if not (is_made and n in WITH_Y)})
+    check_vertical(coefficients, entries)
     if is_made:
         coefficients, replaced = stand_in(coefficients, mode.combined)
     side, about_side = side_of(entries, mode.mirrored)
     coefficients, turned = in_iso(coefficients, entries, text.comments)
-    coefficients, cut = within_resistance(coefficients, entries)
+    coefficients, cut = within_resistance(coefficients, entries, turned)
     if mode.combined and not is_made:
         check_weights(coefficients, entries)
     if side == "symmetric":
@@ -74,7 +76,14 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
         about_side = [*about_side, *symmetric]
     decided = [version.reason, *dropped, *turned, *about_side, *mode.notes, *replaced]
     warned = warnings_of(coefficients, entries, mode.combined)
-    told = (*decided, *converted(units_given), *_turn_slip(entries), *notes, *cut, *warned)
+    told = (
+        *decided,
+        *converted(units_given),
+        *_not_simulated(entries, text.sections),
+        *notes,
+        *cut,
+        *warned,
+    )
     return TireData(coefficients, side, version.name, mode.combined, told)
 
 
@@ -95,13 +104,14 @@ def _is_to_be_made(path: Path, numbers: dict[str, float], mode: Mode, longitudin
         return True
     problem = "USE_MODE is for lateral force only" if mode.lateral_only else "missing or 0"
     allowed = (
-        "`longitudinal: from_lateral` in the vehicle file, or load_tire(..., "
-        "longitudinal='from_lateral'), which derives it from the lateral force"
+        "`longitudinal: from_lateral` in the vehicle file (of the command tire: --longitudinal "
+        "from_lateral; of load_tire: longitudinal='from_lateral') derives it from the lateral force"
     )
     raise InputError(f"{path}: {', '.join(LONGITUDINAL)}", None, allowed, problem)
 
 
-def _turn_slip(entries: dict[str, Entry]) -> list[str]:
-    """A note on the turn-slip terms of a file."""
+def _not_simulated(entries: dict[str, Entry], sections: list[str]) -> list[str]:
+    """Notes on the terms of turn slip and of the vertical force that have no effect."""
     given = [name for name in TURN_SLIP if name in entries and name != "LMP"]
-    return [f"turn slip is not simulated: {len(given)} coefficients ignored"] if given else []
+    notes = [f"turn slip is not simulated: {len(given)} coefficients ignored"] if given else []
+    return [*notes, *vertical_notes(entries, sections)]

@@ -40,16 +40,17 @@ def loads_of(c: dict[str, float]) -> list[float]:
 
 
 def within_resistance(
-    c: dict[str, float], entries: dict[str, Entry]
+    c: dict[str, float], entries: dict[str, Entry], turned: list[str]
 ) -> tuple[dict[str, float], list[str]]:
     """The coefficients with the load range in which the forces oppose slip, and notes on it.
 
-    Raises InputError if the lateral force acts with the slip at any load, or the longitudinal force
-    does so at nominal load or at all loads of the range.
+    turned: the note on the sign convention that the file states, if it does. Raises InputError if
+    the lateral force acts with the slip at any load, or the longitudinal force does so at nominal
+    load or at all loads of the range.
     """
     nominal, loads = curves.nominal_load(c), loads_of(c)
     if fault := _fault(c, nominal):
-        raise _refused(fault, entries)
+        raise _refused(_with_remedy(fault, turned), entries)
     faults = {load: _fault(c, load) for load in loads}
     found = [fault for fault in faults.values() if fault]
     right = [load for load in loads if not faults[load]]
@@ -76,6 +77,20 @@ def _cut(name: str, load: float, side: str, fault: Fault) -> str:
     )
 
 
+def _with_remedy(fault: Fault, turned: list[str]) -> Fault:
+    """The fault at nominal load; a wrong cornering stiffness is one of signs."""
+    if fault.name != "PKY1":
+        return fault
+    if turned:
+        remedy = f"a stiffness below 0 in ISO axes; the file states other signs: {turned[0]}"
+    else:
+        remedy = (
+            "a stiffness below 0, as in ISO axes (TYDEX W); to convert a fit in other axes, add "
+            "SIGN_CONVENTION = 'ADAPTED_SAE' (or SAE, ADAPTED_ISO) to [MODEL]"
+        )
+    return fault._replace(allowed=remedy)
+
+
 def _refused(fault: Fault, entries: dict[str, Entry]) -> InputError:
     entry = entries.get(fault.name, entries["PKY1"])
     return InputError(entry.where, entry.text, fault.allowed, f"{entry.text} {fault.problem}")
@@ -86,10 +101,7 @@ def _fault(c: dict[str, float], load: float) -> Fault | None:
     side, brake = curves.cornering_stiffness(c, load), curves.slip_stiffness(c, load)
     if not side < 0.0:
         problem = f"makes the cornering stiffness {side:.0f} N/rad at {load:.0f} N"
-        allowed = (
-            "a stiffness below 0, as in ISO axes (TYDEX W); to convert a fit in other axes, add "
-            "SIGN_CONVENTION = 'ADAPTED_SAE' (or SAE, ADAPTED_ISO) to [MODEL]"
-        )
+        allowed = "a stiffness below 0 at every load from FZMIN to FZMAX; see PKY2, PKY4, PPY2"
         return Fault("PKY1", problem, allowed)
     if not brake > 0.0:
         problem = f"makes the slip stiffness {brake:.0f} N at {load:.0f} N"

@@ -56,19 +56,21 @@ class Entry(NamedTuple):
 
 
 class Text(NamedTuple):
-    """All entries of a file in order, and its comments."""
+    """All entries of a file in order, its comments, and the names of its sections."""
 
     entries: list[Entry]
     comments: list[str]
+    sections: list[str]
 
 
 def read(path: Path) -> Text:
     """Split a tire file into entries and comments; raises InputError naming file and line."""
-    text, section, in_block = Text([], []), None, False
+    text, section, in_block = Text([], [], []), None, False
     for number, line in enumerate(read_text(path, encodings=ENCODINGS).split("\n"), 1):
         where = f"{path}: line {number}"
         if header := HEADER.match(line):
             section, in_block = header["name"].upper(), False
+            text.sections.append(section)
         elif entry := KEY.match(line):
             if section is None:
                 raise InputError(where, "", "a [SECTION] must come first", "entry before a section")

@@ -1,6 +1,7 @@
-"""YAML files of plain names and values, as safe to read as they are strict."""
+"""Reading a YAML file of plain names and values; errors name the line."""
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import yaml
@@ -8,7 +9,6 @@ import yaml
 from vehicle_roll_sim.files.text_file import read_text
 from vehicle_roll_sim.input_errors import LONGEST_SHOWN, InputError
 
-A_MAPPING = "expected a YAML mapping of parameter names to values"
 LONGEST_VALUE = 4096
 """Characters: the longest possible file name.
 
@@ -25,6 +25,8 @@ DECIMAL = re.compile(
 MERGE = "tag:yaml.org,2002:merge"
 ODD_VALUE = (ValueError, LookupError, TypeError, ArithmeticError, AttributeError)
 """Exceptions that PyYAML raises, apart from its own, for values with wrong or unusual tags."""
+Place = tuple[str | int, ...]
+"""Where a value is in a file: the names and indices that lead to it."""
 
 
 class _Loader(yaml.SafeLoader):
@@ -74,29 +76,46 @@ _Loader.add_implicit_resolver(  # YAML 1.1 would read 35e3 and 3.5e4 as text
 )
 
 
-def mapping_of(path: Path) -> tuple[dict, dict[str, int]]:
-    """The values of a file and their line numbers, both by name."""
+def read_mapping(path: Path, kind: str, wanted: str) -> tuple[dict, dict[Place, int]]:
+    """The values of a file by name, and the line of each, also within mappings and lists.
+
+    kind: of the file, such as `vehicle file`. wanted: what is expected of it. Raises InputError
+    naming file and line.
+    """
     text = read_text(path)
+
+    def refused(problem: str) -> InputError:
+        return InputError(f"{kind} {path}", "", wanted, problem)
+
     try:
         loader = _Loader(text)
         node = loader.get_single_node()
         values = loader.construct_document(node) if node else None
+        lines = dict(_lines(node)) if node else {}
     except yaml.reader.ReaderError as error:
         line = text.count("\n", 0, error.position) + 1
-        raise _no_mapping(path, f"{error.reason} in line {line}") from None
+        raise refused(f"{error.reason} in line {line}") from None
     except yaml.YAMLError as error:
-        raise _no_mapping(path, _where(error)) from None
+        raise refused(_where(error)) from None
     except RecursionError:
-        raise _no_mapping(path, f"nested too deep in line {loader.get_mark().line + 1}") from None
+        raise refused(f"nested too deep in line {loader.get_mark().line + 1}") from None
     except ODD_VALUE as error:  # an escape sequence for a character that does not exist
-        raise _no_mapping(path, f"{error} in line {loader.get_mark().line + 1}") from None
+        raise refused(f"{error} in line {loader.get_mark().line + 1}") from None
     if not isinstance(values, dict) or not all(isinstance(name, str) for name in values):
-        raise _no_mapping(path, "it has no NAME: VALUE lines")
-    return values, {key.value: key.start_mark.line + 1 for key, _ in node.value}
+        raise refused("it has no NAME: VALUE lines")
+    return values, lines
 
 
-def _no_mapping(path: Path, problem: str) -> InputError:
-    return InputError(f"vehicle file {path}", "", A_MAPPING, problem)
+def _lines(node: yaml.Node, place: Place = ()) -> Iterator[tuple[Place, int]]:
+    """The places of all values in a node, and their lines."""
+    if isinstance(node, yaml.MappingNode):
+        for key, value in node.value:
+            yield (*place, key.value), key.start_mark.line + 1
+            yield from _lines(value, (*place, key.value))
+    elif isinstance(node, yaml.SequenceNode):
+        for index, value in enumerate(node.value):
+            yield (*place, index), value.start_mark.line + 1
+            yield from _lines(value, (*place, index))
 
 
 def _where(error: yaml.YAMLError) -> str:

@@ -1,0 +1,1 @@
+"""Many runs together: cases, their outcomes, and the threads that drive them."""

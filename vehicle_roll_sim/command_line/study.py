@@ -1,0 +1,77 @@
+"""`vehicle_roll_sim study`: many runs over varied values, kept in a folder that can be resumed."""
+
+import sys
+
+from tqdm import tqdm
+
+from vehicle_roll_sim.arguments import OneLineParser, named_file
+from vehicle_roll_sim.command_line import signals
+from vehicle_roll_sim.command_line.commands import COMMANDS
+from vehicle_roll_sim.command_line.compiling import compile_model
+from vehicle_roll_sim.command_line.plausibility_option import add_strict, warn_or_refuse
+from vehicle_roll_sim.command_line.signals import PROGRAM
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.runs.summary import line
+from vehicle_roll_sim.vehicle.plausibility import plausibility
+
+
+def study_command(words: list[str], program: str) -> int:
+    """Run the command with the arguments after its name; return the exit status."""
+    arguments = _parser(program).parse_args(words)
+    signals.import_interruptibly("studies.folder")
+    from vehicle_roll_sim.studies import folder, tables
+
+    if arguments.show is not None:
+        if arguments.study is not None or arguments.out is not None:
+            raise InputError("--show", arguments.show, "nothing but the folder of a study")
+        report = folder.show_study(named_file(arguments.show, "--show"), "--show")
+        print(report.summary, line("results", arguments.show), sep="\n")
+        return 0
+    path, out = named_file(arguments.study, "STUDY.yaml"), named_file(arguments.out, "--out")
+    for field, given in (("STUDY.yaml", path), ("--out", out)):
+        if given is None:
+            raise InputError(field, None, "a study file and --out DIR, or --show DIR")
+    tables.check_format(arguments.format, "--format")
+    report = _run(folder, path, out, arguments)
+    print(report.summary, line("results", out), sep="\n")
+    return 0
+
+
+def _run(folder, path, out, arguments):
+    """Run the study with a progress bar; says what is done if it is interrupted."""
+    study = folder.study_of(folder.Source.of_file(path))
+    warn_or_refuse(plausibility(study.vehicle), arguments)
+    with signals.exit_on_signal():
+        compile_model()
+    total = None if study.search or study.rare else study.points
+    with tqdm(total=total, delay=1.0, disable=None, leave=False, unit=" runs") as bar:
+        done = 0
+
+        def progress(runs: int, kept: bool) -> None:
+            nonlocal done
+            done += runs
+            if kept and not bar.disable:
+                bar.initial += runs  # so that the rate is that of the others
+            bar.update(runs)
+
+        try:
+            return folder.run_study(study, out, arguments.format, "--out", progress)
+        except (KeyboardInterrupt, SystemExit):
+            bar.close()
+            text = f"{done} runs are done; the same command continues, --show {out} shows them"
+            print(f"{PROGRAM}: {text}", file=sys.stderr)
+            raise
+
+
+def _parser(program: str) -> OneLineParser:
+    parser = OneLineParser(prog=program, description=COMMANDS["study"])
+    parser.add_argument("study", metavar="STUDY.yaml", nargs="?", help="study file")
+    group = parser.add_argument_group("results")
+    about = "folder of the results; that of the same study, interrupted, is completed"
+    group.add_argument("--out", metavar="DIR", help=about)
+    about = "of the tables: parquet, which needs pyarrow, or csv (default parquet)"
+    group.add_argument("--format", metavar="FORMAT", default="parquet", help=about)
+    about = "write summary and figures of the runs in this folder again, without running any"
+    group.add_argument("--show", metavar="DIR", help=about)
+    add_strict(parser.add_argument_group("vehicle"))
+    return parser

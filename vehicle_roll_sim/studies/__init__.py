@@ -1,0 +1,1 @@
+"""Studies: many runs over varied values, their results, probabilities and thresholds."""

@@ -1,0 +1,133 @@
+"""The folder of a study: what it is, and the runs that are done, in chunks.
+
+A chunk is a file that is complete or absent, so a study that ended at any moment goes on from its
+last chunk.
+"""
+
+import contextlib
+import fcntl
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from vehicle_roll_sim.files.output_file import replaced_file
+from vehicle_roll_sim.files.text_file import read_text
+from vehicle_roll_sim.input_errors import InputError, NotWrittenError
+from vehicle_roll_sim.studies.study import Study
+
+IDENTITY, CHUNKS, LOCK = "study.json", "chunks", ".lock"
+PARTIAL = ".partial-*"
+LARGEST = 100_000_000
+"""Bytes of a file of the folder."""
+ELSEWHERE = "another folder, or the study as it was: results of different studies do not mix"
+
+
+class Store:
+    """The folder of a study."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+
+    @contextlib.contextmanager
+    def opened(self, study: Study, field: str) -> Iterator[None]:
+        """Create the folder, or go on with that of the same study; nobody else can at this time.
+
+        field: names the folder in messages. Raises InputError for the folder of another study.
+        """
+        with _refused(self.folder):
+            if not (self.folder / IDENTITY).exists():
+                self._check_new(field)
+            self._chunks.mkdir(parents=True, exist_ok=True)
+            with (self.folder / LOCK).open("w") as lock:
+                try:
+                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                except BlockingIOError:
+                    problem = f"{self.folder}: another process runs this study"
+                    raise InputError(field, "", "one at a time", problem) from None
+                self._check(study, field)
+                for path in (*self.folder.glob(PARTIAL), *self._chunks.glob(PARTIAL)):
+                    path.unlink()  # of a process that was killed
+                yield
+
+    def _check_new(self, field: str) -> None:
+        """Raise InputError for a folder of something else; a study may have just begun in it."""
+        if self.folder.exists():
+            names = [path.name for path in self.folder.iterdir() if not path.match(PARTIAL)]
+            if {*names} - {LOCK, CHUNKS}:
+                raise InputError(field, str(self.folder), "a new folder, or that of the same study")
+
+    @property
+    def _chunks(self) -> Path:
+        return self.folder / CHUNKS
+
+    def _check(self, study: Study, field: str) -> None:
+        path = self.folder / IDENTITY
+        if not path.exists():
+            self._write(path, study.identity)
+            return
+        before, now = self.identity(field), study.identity
+        for key in ("version", "vehicle"):
+            if before.get(key) != now[key]:
+                what = "version of the program" if key == "version" else "vehicle"
+                problem = f"{self.folder} has the results of another {what}"
+                raise InputError(field, "", ELSEWHERE, problem)
+        old, new = before.get("study", {}), now["study"]
+        for key in {**old, **new}:
+            if json.dumps(old.get(key)) != json.dumps(new.get(key)):
+                problem = f"{self.folder} has the results of a study with another value of {key}"
+                raise InputError(field, "", ELSEWHERE, problem)
+
+    def identity(self, field: str) -> dict:
+        """What the folder is of, as Study.identity; raises InputError."""
+        path = self.folder / IDENTITY
+        if not path.exists():
+            raise InputError(field, str(self.folder), "the folder of a study, with a study.json")
+        return self._read(path)
+
+    def chunk(self, number: int) -> list[list] | None:
+        """The rows of a chunk, each a list of values; None if it is not done."""
+        path = self.path(number)
+        return self._read(path)["rows"] if path.exists() else None
+
+    def keep(self, number: int, rows: list[list]) -> None:
+        """Write the rows of a chunk, so that they survive even a loss of power."""
+        self._write(self.path(number), {"rows": rows})
+
+    def path(self, number: int) -> Path:
+        """The file of a chunk."""
+        return self._chunks / f"{number:06d}.json"
+
+    def _read(self, path: Path) -> dict:
+        try:
+            content = json.loads(read_text(path, LARGEST))
+            if not isinstance(content, dict) or not content.keys() & {"rows", "study"}:
+                raise ValueError
+        except (ValueError, RecursionError) as error:
+            if isinstance(error, InputError):
+                raise
+            allowed = "as it was written: delete it, and its runs are computed again"
+            raise InputError(f"file {path}", "", allowed, "it was changed") from None
+        return content
+
+    def _write(self, path: Path, content: dict) -> None:
+        text = json.dumps(content, indent=None if "rows" in content else 1) + "\n"
+        with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        folder = os.open(path.parent, os.O_RDONLY)
+        try:
+            os.fsync(folder)
+        finally:
+            os.close(folder)
+
+
+@contextlib.contextmanager
+def _refused(folder: Path) -> Iterator[None]:
+    """Report what the operating system refuses."""
+    try:
+        yield
+    except OSError as error:
+        wanted = "a writable location"
+        raise NotWrittenError(f"folder {folder}", "", wanted, error.strerror) from None

@@ -1,0 +1,190 @@
+"""The summary of a study as Markdown: failures, probabilities, quantiles, thresholds, indices."""
+
+import collections
+from collections.abc import Iterator
+
+import numpy as np
+
+from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+from vehicle_roll_sim.studies.results import Results, magnitudes
+from vehicle_roll_sim.studies.statistics import Interval, probability, quantile, sobol_indices
+from vehicle_roll_sim.studies.study import SALTELLI, Study
+from vehicle_roll_sim.studies.tables import cell
+
+QUANTILES = (0.05, 0.5, 0.95)
+MOST_ROWS = 50
+"""Of a table of grid points or thresholds; the files have all."""
+MOST_REASONS = 5
+
+
+def summary_of(results: Results) -> str:
+    """The whole summary. Metrics are in SI units and radians."""
+    blocks = [_head(results), *_failures(results)]
+    if results.estimate:
+        blocks += _rare(results)
+    elif results.study.search:
+        blocks += _thresholds(results)
+    else:
+        blocks += [*_probabilities(results), *_quantiles(results)]
+        if results.study.design == SALTELLI and results.is_complete:
+            blocks += _indices(results)
+    return "\n\n".join(blocks) + "\n"
+
+
+def _head(results: Results) -> str:
+    study = results.study
+    said = study.said
+    lines = [
+        "# Study",
+        "",
+        f"- manoeuvre: {said['manoeuvre']}, vehicle: {said.get('vehicle', 'reference')}",
+        *(f"- fixed: {name} = {value}" for name, value in study.fixed.items()),
+        f"- design: {study.design}, factors: {', '.join(study.factors) or 'none'}",
+        f"- runs: {len(results.rows)}{'' if results.is_complete else ', more are to come'}",
+    ]
+    return "\n".join(lines)
+
+
+def _failures(results: Results) -> Iterator[str]:
+    reasons = collections.Counter(row["reason"] for row in results.rows if row["reason"])
+    if reasons:
+        rows = [(count, reason) for reason, count in reasons.most_common(MOST_REASONS)]
+        yield f"## Runs that failed: {sum(reasons.values())}"
+        yield table(("runs", "reason"), rows)
+        yield "They count neither as an event nor as a run without one."
+
+
+def _probabilities(results: Results) -> Iterator[str]:
+    """The probability of each event, or whether it happened, at each point of the grid."""
+    study = results.study
+    rows = [
+        (*levels.values(), len(group), *(_share(study, each, group) for each in study.events))
+        for levels, group in _grid_points(results)
+    ]
+    yield "## Probabilities" if study.drawn else "## Events"
+    yield "\n".join(f"- {name}: {event}" for name, event in study.events.items())
+    yield from _shortened((*study.gridded, "runs", *study.events), rows)
+    if study.drawn:
+        yield (
+            "In brackets 95 % intervals (Wilson). They suppose independent draws; Latin hypercubes "
+            "and Sobol sequences spread less."
+        )
+
+
+def _share(study: Study, name: str, rows: list[dict]) -> str:
+    """The share of runs in which an event happened, of those that did not fail."""
+    outcomes = [study.events[name].happened(row) for row in rows]
+    known = [happened for happened in outcomes if happened is not None]
+    if not known:
+        return "unknown"
+    if not study.drawn:
+        return "yes" if all(known) else "no"
+    return _with_interval(probability(sum(known), len(known)))
+
+
+def _grid_points(results: Results) -> Iterator[tuple[dict, list[dict]]]:
+    """The values of the gridded factors, and the runs with them that are drawn independently.
+
+    For Sobol indices these are the first two blocks; the others mix their values.
+    """
+    study = results.study
+    groups = collections.defaultdict(list)
+    for row in results.rows:
+        groups[tuple(row[name] for name in study.gridded)].append(row)
+    for values, rows in groups.items():
+        independent = rows[: 2 * study.settings.runs] if study.design == SALTELLI else rows
+        yield dict(zip(study.gridded, values, strict=True)), independent
+
+
+def _quantiles(results: Results) -> Iterator[str]:
+    """Quantiles of the outputs at each point of the grid."""
+    if not results.study.drawn:
+        return
+    rows = []
+    for levels, group in _grid_points(results):
+        for name in results.study.outputs:
+            values = magnitudes(group, name)
+            values = values[~np.isnan(values)]
+            if len(values):
+                found = [_with_interval(quantile(values, share)) for share in QUANTILES]
+                rows.append((*levels.values(), name, METRIC_UNITS[name], len(values), *found))
+    if rows:
+        yield "## Quantiles"
+        names = (f"{100 * share:g} %" for share in QUANTILES)
+        yield from _shortened((*results.study.gridded, "metric", "unit", "runs", *names), rows)
+        yield "Magnitudes; in brackets 95 % intervals (bootstrap)."
+
+
+def _with_interval(found: Interval) -> str:
+    return f"{cell(found.value)} ({cell(found.low)} to {cell(found.high)})"
+
+
+def _indices(results: Results) -> Iterator[str]:
+    """Sobol indices of the outputs, for grids with a single point."""
+    yield "## Sobol indices"
+    rows = []
+    for name in results.study.outputs:
+        values = magnitudes(results.rows, name)
+        if results.study.gridded or np.isnan(values).any():
+            why = "there is a grid" if results.study.gridded else "not all runs have a value"
+            yield f"None of {name}: {why}."
+            continue
+        factors = list(results.study.drawn)
+        for factor, found in zip(factors, sobol_indices(values, len(factors)), strict=True):
+            rows.append((name, factor, _with_interval(found.first), _with_interval(found.total)))
+    if rows:
+        yield table(("metric", "factor", "first order", "total"), rows)
+
+
+def _thresholds(results: Results) -> Iterator[str]:
+    search = results.study.search
+    if results.brackets is None:
+        return
+    yield f"## Lowest {search.factor} with {search.event}"
+    event = results.study.events[search.event]
+    yield f"{event}; looked for from {search.lowest:g} to {search.highest:g}."
+    rows = [
+        (*each.point.values(), cell(each.threshold), cell(each.below), len(each.happened))
+        for each in results.brackets
+    ]
+    columns = (*results.study.factors, "threshold", "none at", "runs")
+    yield from _shortened(columns, rows)
+
+
+def _rare(results: Results) -> Iterator[str]:
+    estimate, name = results.estimate, results.study.rare.event
+    low, high = estimate.interval
+    yield f"## Probability of {name} by subset simulation"
+    yield f"{results.study.events[name]}"
+    if not estimate.is_reached:
+        yield (
+            f"Not reached in {len(estimate.levels)} levels: the probability is below "
+            f"{estimate.probability:.2g}."
+        )
+        return
+    rows = [
+        ("probability", f"{estimate.probability:.3g}"),
+        ("95 % interval", f"{low:.2g} to {high:.2g}"),
+        ("coefficient of variation", f"{estimate.variation:.2f}"),
+        ("runs", estimate.runs),
+        ("independent runs for the same accuracy", f"{estimate.brute_force_runs:.2g}"),
+        ("runs that failed, counted as no event", estimate.unknown),
+    ]
+    yield table(("", ""), rows)
+
+
+def _shortened(columns: tuple, rows: list[tuple]) -> Iterator[str]:
+    yield table(columns, rows[:MOST_ROWS])
+    if len(rows) > MOST_ROWS:
+        yield f"The first {MOST_ROWS} of {len(rows)} rows."
+
+
+def table(columns: tuple, rows: list[tuple]) -> str:
+    """A table in Markdown."""
+    lines = (columns, ("---",) * len(columns), *rows)
+    return "\n".join("| " + " | ".join(map(_text, line)) + " |" for line in lines)
+
+
+def _text(value) -> str:
+    text = f"{value:g}" if isinstance(value, float) else str(value)
+    return text.replace("|", "\\|").replace("\n", " ")

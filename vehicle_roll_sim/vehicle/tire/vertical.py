@@ -1,0 +1,91 @@
+"""Vertical force and radii of a tire file: checks, and what the simulation does with them.
+
+The vertical force of the simulation is linear in tire compression. A file of 6.1 or 6.2 has
+
+    Fz = F0 (1 + PFZ1 dp) (q1 r / R0 + Q_FZ2 (r / R0)^2),  q1^2 = (Cz R0 / F0)^2 - 4 Q_FZ2,
+
+at standstill and without other forces, with r: compression, Cz: VERTICAL_STIFFNESS, which is the
+slope at the nominal load F0 and nominal pressure.
+"""
+
+import math
+
+from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.vehicle.tire.curves import pressure_change
+from vehicle_roll_sim.vehicle.tire.text import Entry
+
+NOT_SIMULATED = (
+    *("Q_FZ1", "Q_FZ2", "Q_FZ3", "Q_V2", "Q_FCX", "Q_FCY", "Q_CAM", "Q_CAM1", "Q_CAM3"),
+    *("QV2", "QFZ1", "QFZ2", "QFZ3", "QFCX1", "QFCY1", "QFCG1", "QPFZ1", "LCZ"),
+    *("VERTICAL_DAMPING", "BOTTOM_STIFF"),
+)
+"""Terms of the vertical force in which the simulation differs from the file."""
+NEUTRAL = {"LCZ": 1.0}
+"""Values with which these terms vanish, other than 0."""
+TABLES = ("DEFLECTION_LOAD_CURVE", "BOTTOMING_CURVE")
+"""Sections in which Adams files have tables of the vertical force over compression."""
+LEAST_RADIUS, MOST_RADIUS = 0.5, 1.5
+"""Of the unloaded radius: range of the effective rolling radius."""
+
+
+def check_vertical(c: dict[str, float], entries: dict[str, Entry]) -> None:
+    """Raise InputError for a vertical force or rolling radius that no tire has."""
+    size = c["UNLOADED_RADIUS"] * c["VERTICAL_STIFFNESS"]
+    most = (size / c["FNOMIN"]) ** 2 / 4
+    if "Q_FZ2" in entries and size > 0.0 and c["Q_FZ2"] > most:
+        allowed = f"at most {most:g}, with which the vertical force has no linear part"
+        raise InputError(entries["Q_FZ2"].where, c["Q_FZ2"], allowed)
+    factor = 1.0 + c["PFZ1"] * pressure_change(c)
+    if factor <= 0.0:
+        allowed = f"a stiffness above 0 at INFLPRES, at which it is {factor:.3g} of the nominal one"
+        raise InputError(entries["PFZ1"].where, c["PFZ1"], allowed)
+    if size > 0.0:
+        _check_radius(c, entries, c["VERTICAL_STIFFNESS"] * factor)
+
+
+def _check_radius(c: dict[str, float], entries: dict[str, Entry], stiffness: float) -> None:
+    """The effective rolling radius at nominal load must be near the unloaded one."""
+    depth = c["DREFF"] * math.atan(c["BREFF"]) + c["FREFF"]
+    depth *= c["FNOMIN"] / stiffness / c["UNLOADED_RADIUS"]
+    least, most = LEAST_RADIUS, MOST_RADIUS
+    for name, speed, radius in (
+        ("Q_RE0", "", c["Q_RE0"]),
+        ("FREFF" if abs(c["FREFF"]) > abs(c["DREFF"]) else "DREFF", "", c["Q_RE0"] - depth),
+        ("Q_V1", " at LONGVL", c["Q_RE0"] + c["Q_V1"] - depth),
+    ):
+        if name in entries and not least <= radius <= (math.inf if speed else most):
+            problem = f"{entries[name].text} makes the rolling radius{speed} {radius:.3g} times "
+            problem += "the unloaded radius"
+            allowed = f"a value with which it is {least} to {most} times that radius"
+            raise InputError(entries[name].where, c[name], allowed, problem)
+
+
+def compression(c: dict[str, float], load: float, change: float) -> float:
+    """Compression of the tire (m) at a load (N) by the terms of the file, at standstill.
+
+    change: relative change of pressure. Without VERTICAL_STIFFNESS or radius, nan.
+    """
+    nominal, radius = c["FNOMIN"], c["UNLOADED_RADIUS"]
+    slope = c["VERTICAL_STIFFNESS"] * radius / nominal
+    if not slope > 0.0:
+        return math.nan
+    relative = load / nominal / (1.0 + c["PFZ1"] * change)
+    linear = math.sqrt(slope * slope - 4.0 * c["Q_FZ2"])
+    root = math.sqrt(max(linear * linear + 4.0 * c["Q_FZ2"] * relative, 0.0))
+    return 2.0 * relative / (linear + root) * radius
+
+
+def vertical_notes(entries: dict[str, Entry], sections: list[str]) -> list[str]:
+    """A note on the terms and tables of the vertical force that are not simulated."""
+    given = [name for name in NOT_SIMULATED if name in entries and _acts(entries[name])]
+    given += [f"[{name}]" for name in TABLES if name in sections]
+    if not given:
+        return []
+    return [f"vertical force: linear in tire compression; not simulated: {', '.join(given)}"]
+
+
+def _acts(entry: Entry) -> bool:
+    try:
+        return entry.number() != NEUTRAL.get(entry.key, 0.0)
+    except InputError:
+        return True
