@@ -29,6 +29,16 @@ def simulator(domain):
     rclpy.shutdown(context=context)
 
 
+def answers_of(node: Simulator):
+    """The values of parameters by name, as the service answers: nothing if one is not there."""
+
+    def ask(names) -> list:
+        there = all(node.has_parameter(name) for name in names)
+        return [parameter.value for parameter in node.get_parameters(names)] if there else []
+
+    return ask
+
+
 def test_a_roll_centre_is_the_parameter_that_was_given_alone(simulator):
     """So that a dump of the parameters can be loaded."""
     node = simulator(f"{HEIGHT}:=0.2")
@@ -45,13 +55,19 @@ def test_a_roll_centre_is_the_parameter_that_was_given_alone(simulator):
 def test_another_node_reads_the_same_vehicle(simulator):
     node = simulator(f"{HEIGHT}:=0.2", "vehicle.cg_height:=0.7")
 
-    def ask(names) -> list:
-        """As the service answers: nothing where one of the names is not there."""
-        there = all(node.has_parameter(name) for name in names)
-        return [parameter.value for parameter in node.get_parameters(names)] if there else []
-
-    vehicle, _ = simulated_vehicle(ask)
+    vehicle, _ = simulated_vehicle(answers_of(node))
     assert vehicle.given == node.session.simulation.vehicle.given
+    assert vehicle.record().tobytes() == node.session.simulation.vehicle.record().tobytes()
+
+
+def test_another_node_knows_of_the_payload(simulator, tmp_path):
+    (tmp_path / "reference.tir").write_text((PRESETS / "reference.tir").read_text())
+    load = "payload:\n  - {mass: 200, behind_front_axle: 1.5, height: 1.2}\n"
+    (tmp_path / "loaded.yaml").write_text((PRESETS / "reference.yaml").read_text() + load)
+    node = simulator(f"vehicle_file:={tmp_path / 'loaded.yaml'}", "vehicle.front_track:=1.45")
+
+    vehicle, _ = simulated_vehicle(answers_of(node))
+    assert vehicle.sprung_mass == 1440.0 + 200.0
     assert vehicle.record().tobytes() == node.session.simulation.vehicle.record().tobytes()
 
 
@@ -65,11 +81,7 @@ def test_tables_over_wheel_travel_are_numbers_in_a_row(simulator):
     assert vehicle.front_camber_change == ((-0.1, 0.02), (0.0, 0.0), (0.1, -0.03))
     assert (vehicle.rear_toe_change, vehicle.rear_anti_roll_bar_stiffness) == (0.1, 2e4)
 
-    def ask(names) -> list:
-        there = all(node.has_parameter(name) for name in names)
-        return [parameter.value for parameter in node.get_parameters(names)] if there else []
-
-    assert simulated_vehicle(ask)[0].given == vehicle.given
+    assert simulated_vehicle(answers_of(node))[0].given == vehicle.given
     with pytest.raises(InputError, match=rf"^{camber}: \[0.0, 1.0, 0.0\].*pairs"):
         simulator(f"{camber}:=[0.0, 1.0, 0.0]")
 
@@ -90,11 +102,7 @@ def test_each_axle_may_have_its_tire_and_another_node_reads_the_same(simulator, 
     vehicle = node.session.simulation.vehicle
     assert vehicle.tires()["PCX1"].tolist() == [1.685, 1.5]
 
-    def ask(names) -> list:
-        there = all(node.has_parameter(name) for name in names)
-        return [parameter.value for parameter in node.get_parameters(names)] if there else []
-
-    same, options = simulated_vehicle(ask)
+    same, options = simulated_vehicle(answers_of(node))
     assert same.tires().tobytes() == vehicle.tires().tobytes()
     assert same.record().tobytes() == vehicle.record().tobytes()
     assert options == node.session.simulation.options
