@@ -30,7 +30,7 @@ COLUMNS = {
     "ten_thousand_s": "10 000 runs in (s)",
     "memory_mib": "memory (MiB)",
 }
-RUNS, QUICK = 1000, 60
+RUNS, QUICK = 400, 60
 """Runs of a batch; of the slower kinds a tenth."""
 HANDWHEEL = 20.0
 """deg, close to the handwheel angle at 0.3 g of these vehicles."""
