@@ -9,6 +9,8 @@ import pytest
 from vehicle_roll_sim import Condition, InputError, Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.manoeuvres.command_file import command_table
+from vehicle_roll_sim.model.compiled.jit import CACHE
+from vehicle_roll_sim.model.integration.drive import drive
 from vehicle_roll_sim.runs import compiled_run as module
 from vehicle_roll_sim.runs.compiled_run import compiled_run
 from vehicle_roll_sim.runs.run import run
@@ -54,10 +56,10 @@ def everything(simulation, driver, history) -> list:
 def both_ways(simulation, manoeuvre, **settings):
     """What is known after either kind of run of a manoeuvre."""
     found = []
-    for drive in (run, compiled_run):
+    for driven in (run, compiled_run):
         simulation.reset(manoeuvre.speed)
         driver = manoeuvre.driver()
-        history = drive(simulation, driver, manoeuvre.duration, **settings)
+        history = driven(simulation, driver, manoeuvre.duration, **settings)
         found.append(everything(simulation, driver, history))
     return found
 
@@ -124,23 +126,26 @@ def test_a_run_that_rolls_over_or_diverges_ends_alike():
     assert simulation.condition is Condition.DIVERGED
 
 
-def test_a_run_goes_on_from_the_present_state():
-    simulation, manoeuvre = Simulation(preset()), STANDARD["step_steer"]
-    found = []
-    for drive in (run, compiled_run):
+@pytest.mark.parametrize("name", ["step_steer", "nhtsa_fishhook"])
+def test_a_run_goes_on_from_the_present_state(name):
+    """Even from the middle of a command period: the driver is asked at once."""
+    simulation, found = Simulation(preset()), []
+    manoeuvre = ready(name, simulation)
+    for driven in (run, compiled_run):
         simulation.reset(manoeuvre.speed)
-        histories = [drive(simulation, manoeuvre, duration) for duration in (0.995, 0.503, 0.01)]
-        found.append([everything(simulation, manoeuvre, each) for each in histories])
+        driver = manoeuvre.driver()
+        histories = [driven(simulation, driver, duration) for duration in (1.095, 0.503, 0.01)]
+        found.append([everything(simulation, driver, each) for each in histories])
     assert found[0] == found[1]
 
 
 def test_a_driver_that_is_refused_is_refused_alike():
     simulation = Simulation(preset(), step=0.003)
-    for drive in (run, compiled_run):
+    for driven in (run, compiled_run):
         with pytest.raises(InputError, match=r"command period: 0\.01 is not allowed"):
-            drive(simulation, ready("nhtsa_fishhook", simulation).driver(), 3.0, sample=0.03)
+            driven(simulation, ready("nhtsa_fishhook", simulation).driver(), 3.0, sample=0.03)
         with pytest.raises(InputError, match=r"brake_torque: -1\.0 is not allowed"):
-            drive(simulation, braking_backwards, 0.03, sample=0.03)
+            driven(simulation, braking_backwards, 0.03, sample=0.03)
 
 
 def braking_backwards(times: np.ndarray) -> np.ndarray:
@@ -153,8 +158,18 @@ def test_a_programme_may_return_one_command_for_all_times():
     simulation = Simulation(preset())
     constant = lambda times: STANDARD["step_steer"](np.array([1.05]))  # noqa: E731
     found = []
-    for drive in (run, compiled_run):
+    for driven in (run, compiled_run):
         simulation.reset(15.0)
-        found.append(everything(simulation, None, drive(simulation, constant, 0.2)))
+        found.append(everything(simulation, None, driven(simulation, constant, 0.2)))
     assert found[0] == found[1]
     assert not math.isnan(simulation.state.roll)
+
+
+@pytest.mark.skipif(CACHE is None, reason="only compiled code is cached")
+def test_the_loop_is_compiled_once_and_beforehand():
+    """In one form, for a fishhook as for a table, which comes from the cache."""
+    simulation = Simulation(preset())
+    compiled_run(simulation, ready("nhtsa_fishhook", simulation).driver(), 0.02)
+    compiled_run(simulation, TABLE, 0.02)
+    assert len(drive.signatures) == 1
+    assert not drive.stats.cache_misses

@@ -78,7 +78,10 @@ class OpenLoop(Manoeuvre):
 
     @abc.abstractmethod
     def drive(self, times: np.ndarray, commands: np.ndarray) -> None:
-        """Add the manoeuvre to `commands`: COMMAND records (n,), straight ahead, at `times` (s)."""
+        """Add the manoeuvre to `commands`: COMMAND records (n,), straight ahead, at `times` (s).
+
+        Those at one time must not depend on the other times, which may be those of a whole run.
+        """
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """The manoeuvre as a Programme: COMMAND records (n,) at `times` (n,) (s)."""

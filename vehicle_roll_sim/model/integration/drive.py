@@ -43,11 +43,11 @@ def drive(address, parts, commands, held, clock, watch, places, rows, driven):
     while now < end and condition == Condition.RUNNING:
         until = min(following(now, sample), end)
         if period > 0:
-            if now % period == 0:
+            if now == begin or now % period == 0:
                 if has_dropped(state[at.ROLL_RATE], now / NANOSECONDS, watch):
                     clock[NOW] = now
                     return count, condition, culprit, True
-                hold(commands[(now - begin) // period], state[at.U], held[0])
+                hold(commands[now // period - begin // period], state[at.U], held[0])
             until = min(until, following(now, period))
             given = held[0:1]
         else:
