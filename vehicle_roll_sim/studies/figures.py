@@ -119,7 +119,7 @@ def _map(axis_labels: list[str], groups: dict, label: str, is_event: bool) -> Dr
     figure.colorbar(mesh, ax=axes, label=label)
     axes.set(xlabel=axis_labels[0], ylabel=axis_labels[1])
     if np.isnan(field).any():
-        add_title(figure, "grey: no value")
+        add_title(figure, "grey: it never happened, or is unknown")
     return figure
 
 
