@@ -9,6 +9,7 @@ import pytest
 from vehicle_roll_sim import Condition, InputError, Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.manoeuvres.command_file import command_table
+from vehicle_roll_sim.manoeuvres.nhtsa import FishhookDriver
 from vehicle_roll_sim.model.compiled.jit import CACHE
 from vehicle_roll_sim.model.integration.drive import drive
 from vehicle_roll_sim.runs import compiled_run as module
@@ -73,6 +74,31 @@ def ready(name: str, simulation: Simulation, **values):
 def test_a_manoeuvre_has_the_same_bits(name):
     simulation = Simulation(preset().with_values(SLOW))
     one, other = both_ways(simulation, ready(name, simulation))
+    assert one == other
+
+
+class InWind(FishhookDriver):
+    """A fishhook in a side wind that changes from period to period."""
+
+    def commands(self, times: np.ndarray) -> np.ndarray:
+        commands = super().commands(times)
+        commands["wind"][:, 1] = 20.0 * np.sin(times)
+        return commands
+
+
+def test_wind_has_the_same_bits():
+    vehicle = preset().with_values(SLOW | {"side_force_area": 3.0})
+    simulation = Simulation(vehicle)
+    fishhook, found = ready("nhtsa_fishhook", simulation, duration=1.0), []
+    for driven, drive_in in ((run, InWind), (compiled_run, InWind), (run, FishhookDriver)):
+        simulation.reset(fishhook.speed)
+        driver = drive_in(fishhook)
+        history = driven(simulation, driver, fishhook.duration)
+        found.append((everything(simulation, driver, history), history.wind.tobytes()))
+    assert found[0] == found[1]
+    assert found[0][0][0] != found[2][0][0]  # the wind acts
+    gust = command_table({"time": [0.0, 0.2, 0.5], "wind_y": [0.0, 20.0, 5.0]})
+    one, other = both_ways(simulation, gust.for_vehicle(vehicle, simulation.options))
     assert one == other
 
 

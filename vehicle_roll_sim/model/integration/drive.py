@@ -83,6 +83,8 @@ def hold(asked, speed, held):
         held.wheel_torque[i] = driving + torque if i >= LR else driving
         held.brake_torque[i] = asked.brake_torque[i]
         held.normal_force[i] = asked.normal_force[i]
+    for i in range(len(held.wind)):
+        held.wind[i] = asked.wind[i]
 
 
 @kernel
