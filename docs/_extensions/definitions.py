@@ -106,7 +106,7 @@ def usual_combinations() -> tuple[tuple[str, str], ...]:
             f"{_between(together.LOAD_OF_TIRE)} times LFZO FNOMIN of its file",
         ),
         (
-            "radius of a tire whose file gives the rolling radius",
+            "tire radius, if the tire file gives the effective rolling radius",
             f"{_between(together.RADIUS_OF_TIRE)} times UNLOADED_RADIUS",
         ),
     )

@@ -81,7 +81,7 @@ class Batch:
         return (self[i] for i in range(self._length))
 
     def run(self, *, workers: int | None = None, histories: bool = False) -> "BatchResult":
-        """Drive all runs; the numbers are those of single runs, to the last bit.
+        """Drive all runs; the results are bit for bit those of single runs.
 
         workers: number of threads, by default one for each processor that the process may use.
         histories: whether to keep the rows of all runs, about 0.5 MB each for 10 s; without them
@@ -97,9 +97,9 @@ class BatchResult:
     batch: the batch. columns, units: names of the metrics, and their units by name; the metrics are
     those of `RunResult.metrics`, nan for a run that failed. failures: for each run "", or one line
     that says why it failed. conditions: for each run RUNNING if it was completed, else why it
-    stopped; None if it was refused. final_states: STATE records, shape (runs,), such as
-    `final_states["u"]`; nan for a run that was refused. histories: the History of each run, None if
-    it was refused; an empty list if they were not asked for.
+    stopped; None if it was refused or failed. final_states: STATE records, shape (runs,), such as
+    `final_states["u"]`; nan for a run without a condition. histories: the History of each run, None
+    without a condition; an empty list if they were not asked for.
     """
 
     columns = tuple(METRIC_UNITS)

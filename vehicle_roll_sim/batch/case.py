@@ -1,4 +1,4 @@
-"""A case is one run to be made; an outcome is what came of it."""
+"""A case is one run to be made; an outcome is its result."""
 
 import dataclasses
 
@@ -74,11 +74,11 @@ class Case:
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """What came of a case.
+    """The result of a case.
 
     metrics: as `RunResult.metrics`, by name, in SI units and radians; times (s) are nan for never.
     Empty if the run failed. failure: one line, "refused: ..." if the run was not begun,
-    "diverged at ..." if it was broken off, or "failed: ..." if a driver of the user's own raised an
+    "diverged at ..." if it was broken off, or "failed: ..." if the user's own driver raised an
     exception; "" otherwise. condition: RUNNING if the run was completed, else why it stopped; None
     if it was refused or failed. final_state: STATE record at the end, such as `final_state.u`; nan
     without a condition, and where the model does not have a state. history: rows of the run if they

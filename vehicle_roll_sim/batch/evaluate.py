@@ -1,4 +1,4 @@
-"""Evaluation of cases, on all processors: what fails is an outcome and never stops the others."""
+"""Evaluation of cases on all processors; a failure is an outcome and never stops the others."""
 
 import collections
 import os

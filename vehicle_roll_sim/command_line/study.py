@@ -38,7 +38,7 @@ def study_command(words: list[str], program: str) -> int:
 
 
 def _run(folder, path, out, arguments):
-    """Run the study with a progress bar; says what is done if it is interrupted."""
+    """Run the study with a progress bar; if it is interrupted, report how far it got."""
     study = folder.study_of(folder.Source.of_file(path))
     warn_or_refuse(plausibility(study.vehicle), arguments)
     with signals.exit_on_signal():
@@ -67,11 +67,11 @@ def _parser(program: str) -> OneLineParser:
     parser = OneLineParser(prog=program, description=COMMANDS["study"])
     parser.add_argument("study", metavar="STUDY.yaml", nargs="?", help="study file")
     group = parser.add_argument_group("results")
-    about = "folder of the results; that of the same study, interrupted, is completed"
+    about = "folder for the results; an interrupted study is resumed in its folder"
     group.add_argument("--out", metavar="DIR", help=about)
-    about = "of the tables: parquet, which needs pyarrow, or csv (default parquet)"
+    about = "file format of the tables: parquet, which needs pyarrow, or csv (default parquet)"
     group.add_argument("--format", metavar="FORMAT", default="parquet", help=about)
-    about = "write summary and figures of the runs in this folder again, without running any"
+    about = "show the results in this folder: write summary and figures again, without any runs"
     group.add_argument("--show", metavar="DIR", help=about)
     add_strict(parser.add_argument_group("vehicle"))
     return parser

@@ -153,7 +153,7 @@ class Options:
                 source = " (from payload or data of the whole vehicle)" if of_payload else ""
                 takes_it = "a model with 14 degrees of freedom takes it"
                 if name in ASIDE:
-                    takes_it = "its two halves are alike, model 2 takes it"
+                    takes_it = "it is symmetric; model 2 takes it"
                 allowed = f"0 in model {self.model}; {takes_it}"
                 raise InputError(name, value, allowed, f"{value:.6g}{source} is not allowed")
 

@@ -1,4 +1,4 @@
-"""Whether design, draws, correlations and searches of a study go together."""
+"""Whether the design, draws, correlations and search of a study fit together."""
 
 import dataclasses
 import math
@@ -18,7 +18,7 @@ Declared = Callable[[Place, str], Parameter]
 
 
 def design_of(source: Source, factors: Mapping[str, Factor]) -> str:
-    """The design: the one that is named, which fits the factors."""
+    """The design by its name, checked against the factors; raises InputError."""
     is_drawn = any(isinstance(each, Distribution) for each in factors.values())
     design = source.values.get("design", None if is_drawn else GRID)
     if design is None and "rare" in source.values:
@@ -38,7 +38,7 @@ def design_of(source: Source, factors: Mapping[str, Factor]) -> str:
 
 
 def checked(source: Source, study: Study, declared: Declared) -> Study:
-    """The study with its correlation; raises InputError for what does not go together.
+    """The study with its correlation; raises InputError for parts that do not fit together.
 
     declared: the declaration of a quantity by its place and name.
     """
@@ -81,9 +81,9 @@ def _check_search(
 ) -> None:
     search, where = study.search, source.where("search", "factor")
     if study.rare:
-        raise source.refused(("search",), "", "without rare", "there is also rare")
+        raise source.refused(("search",), "", "either search or rare", "both are given")
     if study.design == SALTELLI:
-        raise source.refused(("design",), SALTELLI, "another one, for a search")
+        raise source.refused(("design",), SALTELLI, "any other design for a search")
     quantity = declared(("search", "factor"), search.factor)
     if quantity.kind is not float and not quantity.is_curve:
         raise InputError(where, search.factor, "a quantity that is a number")
@@ -106,7 +106,7 @@ def _check_rare(source: Source, study: Study) -> None:
         raise source.refused(("factors",), "", "only factors with a distribution, for rare")
     for name in ("runs", "design"):
         if name in source.values:
-            raise source.refused((name,), source.values[name], "not together with rare")
+            raise source.refused((name,), source.values[name], "no value together with rare")
 
 
 def _correlation(source: Source, study: Study) -> np.ndarray:

@@ -100,7 +100,7 @@ def _grouped(factors: list[str], points: list[dict], values: np.ndarray) -> dict
 
 
 def _centre(group: list[float], is_event: bool) -> float:
-    """The mean of an event, the median of anything else; nan without values."""
+    """The mean for an event, the median for anything else; nan without values."""
     if not group:
         return np.nan
     return float(np.mean(group) if is_event else np.median(group))
@@ -119,7 +119,7 @@ def _map(axis_labels: list[str], groups: dict, label: str, is_event: bool) -> Dr
     figure.colorbar(mesh, ax=axes, label=label)
     axes.set(xlabel=axis_labels[0], ylabel=axis_labels[1])
     if np.isnan(field).any():
-        add_title(figure, "grey: it never happened, or is unknown")
+        add_title(figure, "grey: never or unknown")
     return figure
 
 

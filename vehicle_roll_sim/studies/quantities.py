@@ -26,7 +26,7 @@ def quantity(name: str, manoeuvre: Manoeuvre, field: str) -> Parameter:
     if section not in SECTIONS:
         raise unknown_name(section, SECTIONS, field)
     if not dot:
-        raise InputError(field, name, f"the name of a value as well, such as {_example(section)}")
+        raise InputError(field, name, f"a section and a name in it, such as {_example(section)}")
     if section == PAYLOAD:
         number, _, key = key.partition(".")
         if not number.isdecimal() or not number.isascii() or not int(number):
@@ -92,7 +92,7 @@ def _with_payload(vehicle: Vehicle, values: Mapping[str, float]) -> Vehicle:
 
 
 def _with_tires(vehicle: Vehicle, parts: Mapping[str, Mapping[str, float]]) -> Vehicle:
-    """A value for one axle goes before one for both."""
+    """A value for one axle takes precedence over one for both."""
     if not any(parts[section] for section in TIRES):
         return vehicle
     tires = dict(vehicle.axle_tires)

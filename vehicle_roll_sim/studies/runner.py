@@ -71,7 +71,7 @@ class Runner:
         """Rows of the folder; raises InputError if they are not the runs of these points."""
         inputs = [row[1 : len(self.study.inputs) + 1] for row in rows]
         if inputs != [list(point.values()) for point in points]:
-            allowed = "as it was written: delete it, and its runs are computed again"
+            allowed = "the file as it was written; if you delete it, its runs are computed again"
             path = self.store.path(self._chunk)
             raise InputError(f"file {path}", "", allowed, "it has other runs")
         return rows

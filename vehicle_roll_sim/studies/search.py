@@ -48,11 +48,11 @@ def brackets(
     points: Sequence[dict],
     run: Callable[[list[dict]], list[dict]],
 ) -> list[Bracket]:
-    """Look through the range in equal steps, then bisect the first step in which the event appears.
+    """Scan the range in equal steps, then bisect the first step in which the event appears.
 
     points: values of the other factors. run: makes runs at points with a value of the factor, all
-    points together in each round. As in any bisection, that the event no longer happens at some
-    higher value goes unnoticed, and so does an event within a single step.
+    points together in each round. As with any bracketing, an event that occurs only inside one
+    step, or that ceases at higher values, goes unnoticed.
     """
     found = [Bracket(point, {}) for point in points]
     first = np.linspace(search.lowest, search.highest, search.steps + 1)

@@ -35,7 +35,7 @@ def quantile(values: np.ndarray, share: float) -> Interval:
 
 
 class SobolIndices(NamedTuple):
-    """Shares of the variance that a factor has, alone and together with others."""
+    """Shares of the variance due to a factor, alone and including its interactions."""
 
     first: Interval
     total: Interval

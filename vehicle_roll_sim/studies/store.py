@@ -1,7 +1,7 @@
-"""The folder of a study: what it is, and the runs that are done, in chunks.
+"""The folder of a study: its definition, and the completed runs, in chunks.
 
-A chunk is a file that is complete or absent, so a study that ended at any moment goes on from its
-last chunk.
+The file of a chunk is complete or absent, so a study that was stopped at any moment resumes after
+its last chunk.
 """
 
 import contextlib
@@ -20,7 +20,7 @@ IDENTITY, CHUNKS, LOCK = "study.json", "chunks", ".lock"
 PARTIAL = ".partial-*"
 LARGEST = 100_000_000
 """Bytes of a file of the folder."""
-ELSEWHERE = "another folder, or the study as it was: results of different studies do not mix"
+ELSEWHERE = "another folder, or the unchanged study: results of different studies are not mixed"
 
 
 class Store:
@@ -31,7 +31,7 @@ class Store:
 
     @contextlib.contextmanager
     def opened(self, study: Study, field: str) -> Iterator[None]:
-        """Create the folder, or go on with that of the same study; nobody else can at this time.
+        """Create the folder, or resume the study in it; other processes are locked out meanwhile.
 
         field: names the folder in messages. Raises InputError for the folder of another study.
         """
@@ -44,7 +44,7 @@ class Store:
                     fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
                 except BlockingIOError:
                     problem = f"{self.folder}: another process runs this study"
-                    raise InputError(field, "", "one at a time", problem) from None
+                    raise InputError(field, "", "one process at a time", problem) from None
                 self._check(study, field)
                 for path in (*self.folder.glob(PARTIAL), *self._chunks.glob(PARTIAL)):
                     path.unlink()  # of a process that was killed
@@ -79,7 +79,7 @@ class Store:
                 raise InputError(field, "", ELSEWHERE, problem)
 
     def identity(self, field: str) -> dict:
-        """What the folder is of, as Study.identity; raises InputError."""
+        """The study whose folder it is, as Study.identity; raises InputError."""
         path = self.folder / IDENTITY
         if not path.exists():
             raise InputError(field, str(self.folder), "the folder of a study, with a study.json")
@@ -106,7 +106,7 @@ class Store:
         except (ValueError, RecursionError) as error:
             if isinstance(error, InputError):
                 raise
-            allowed = "as it was written: delete it, and its runs are computed again"
+            allowed = "the file as it was written; if you delete it, its runs are computed again"
             raise InputError(f"file {path}", "", allowed, "it was changed") from None
         return content
 

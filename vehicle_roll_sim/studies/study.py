@@ -1,4 +1,4 @@
-"""A study: what is run, what is varied, what counts as an event, what is searched for."""
+"""A study: the runs, the varied quantities, the events and the search."""
 
 import dataclasses
 import hashlib
@@ -27,7 +27,7 @@ GRID, LATIN_HYPERCUBE, SOBOL, RANDOM, SALTELLI = DESIGNS = (
 )
 MOST_RUNS = 1_000_000
 NEVER = tuple(name for name in METRIC_UNITS if name.endswith("_time") and name != "end_time")
-"""Metrics that are nan if what they are the time of did not happen."""
+"""Times of occurrences, nan for those that did not take place."""
 A_WHOLE_NUMBER = "a whole number"
 
 
@@ -67,11 +67,15 @@ class Settings:
 
 @dataclasses.dataclass(frozen=True)
 class Event:
-    """Something that happens in a run or not: a time is not nan, or a magnitude is past a bound."""
+    """What may happen in a run: a time is not nan, or a magnitude is beyond a bound."""
 
     metric: str = parameter("metric of the runs", choices=tuple(METRIC_UNITS))
-    above: float | None = parameter("magnitude from which on it has happened", default=None)
-    below: float | None = parameter("magnitude down from which it has happened", default=None)
+    above: float | None = parameter(
+        "the event happens if the magnitude is at least this", default=None
+    )
+    below: float | None = parameter(
+        "the event happens if the magnitude is at most this", default=None
+    )
 
     def __post_init__(self):
         bounds = {name: getattr(self, name) for name in ("above", "below")}
@@ -123,7 +127,7 @@ class Search:
     highest: float = parameter("highest value of the factor")
     resolution: float = parameter("width of the interval at which the search stops", "", 0.0)
     steps: float = parameter(
-        "number of equal steps in which the range is looked through first", "", 1, 1000, default=8
+        "number of equal steps of the initial scan of the range", "", 1, 1000, default=8
     )
 
     def __post_init__(self):
@@ -142,7 +146,9 @@ class Rare:
 
     event: str = parameter("name of the event, one with a bound")
     level_runs: float = parameter("runs of a level", "", 20, 100_000, default=1000)
-    most_levels: float = parameter("number of levels at which it gives up", "", 1, 30, default=10)
+    most_levels: float = parameter(
+        "number of levels after which the estimate is given up", "", 1, 30, default=10
+    )
 
     def __post_init__(self):
         keep_validated(self)

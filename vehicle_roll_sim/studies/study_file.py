@@ -108,7 +108,9 @@ class _Reader:
         masses = len(self.vehicle.payload)
         if self.checks_vehicle and section == PAYLOAD and int(rest.partition(".")[0]) > masses:
             problem = f"the vehicle has {masses} masses of payload"
-            raise self.source.refused(place, name, "the number of one of them, from 1", problem)
+            raise self.source.refused(
+                place, name, "the number of one of them, counted from 1", problem
+            )
         return found
 
     def fixed(self) -> dict:
@@ -118,7 +120,9 @@ class _Reader:
         if "model" in source.values:
             if MODEL in values:
                 problem = f"{MODEL} together with model"
-                raise source.refused(("fixed", MODEL), values[MODEL], "only one of both", problem)
+                raise source.refused(
+                    ("fixed", MODEL), values[MODEL], "only one of the two", problem
+                )
             declared = self.quantity(("model",), MODEL)
             fixed[MODEL] = declared.validate(str(source.values["model"]), source.where("model"))
         for name, value in values.items():

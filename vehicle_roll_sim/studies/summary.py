@@ -51,7 +51,7 @@ def _failures(results: Results) -> Iterator[str]:
         rows = [(count, reason) for reason, count in reasons.most_common(MOST_REASONS)]
         yield f"## Runs that failed: {sum(reasons.values())}"
         yield table(("runs", "reason"), rows)
-        yield "They count neither as an event nor as a run without one."
+        yield "They are left out of probabilities and quantiles."
 
 
 def _probabilities(results: Results) -> Iterator[str]:
@@ -66,8 +66,8 @@ def _probabilities(results: Results) -> Iterator[str]:
     yield from _shortened((*study.gridded, "runs", *study.events), rows)
     if study.drawn:
         yield (
-            "In brackets 95 % intervals (Wilson). They suppose independent draws; Latin hypercubes "
-            "and Sobol sequences spread less."
+            "95 % Wilson intervals in brackets. They assume independent draws; estimates from "
+            "Latin hypercubes and Sobol sequences usually scatter less."
         )
 
 
@@ -112,7 +112,7 @@ def _quantiles(results: Results) -> Iterator[str]:
         yield "## Quantiles"
         names = (f"{100 * share:g} %" for share in QUANTILES)
         yield from _shortened((*results.study.gridded, "metric", "unit", "runs", *names), rows)
-        yield "Magnitudes; in brackets 95 % intervals (bootstrap)."
+        yield "Magnitudes, with 95 % bootstrap intervals in brackets."
 
 
 def _with_interval(found: Interval) -> str:
@@ -126,8 +126,8 @@ def _indices(results: Results) -> Iterator[str]:
     for name in results.study.outputs:
         values = magnitudes(results.rows, name)
         if results.study.gridded or np.isnan(values).any():
-            why = "there is a grid" if results.study.gridded else "not all runs have a value"
-            yield f"None of {name}: {why}."
+            why = "the design has a grid" if results.study.gridded else "not all runs have a value"
+            yield f"No indices of {name}: {why}."
             continue
         factors = list(results.study.drawn)
         for factor, found in zip(factors, sobol_indices(values, len(factors)), strict=True):
@@ -142,12 +142,12 @@ def _thresholds(results: Results) -> Iterator[str]:
         return
     yield f"## Lowest {search.factor} with {search.event}"
     event = results.study.events[search.event]
-    yield f"{event}; looked for from {search.lowest:g} to {search.highest:g}."
+    yield f"{event}; searched from {search.lowest:g} to {search.highest:g}."
     rows = [
         (*each.point.values(), cell(each.threshold), cell(each.below), len(each.happened))
         for each in results.brackets
     ]
-    columns = (*results.study.factors, "threshold", "none at", "runs")
+    columns = (*results.study.factors, "threshold", "no event at", "runs")
     yield from _shortened(columns, rows)
 
 
@@ -168,7 +168,7 @@ def _rare(results: Results) -> Iterator[str]:
         ("coefficient of variation", f"{estimate.variation:.2f}"),
         ("runs", estimate.runs),
         ("independent runs for the same accuracy", f"{estimate.brute_force_runs:.2g}"),
-        ("runs that failed, counted as no event", estimate.unknown),
+        ("failed runs, counted as non-events", estimate.unknown),
     ]
     yield table(("", ""), rows)
 

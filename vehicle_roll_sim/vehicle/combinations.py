@@ -79,5 +79,5 @@ def _radius(vehicle: Vehicle, axle: str, tire: Tire) -> Iterator[str]:
     if tire.record()["rolls_on_own_radius"] and not least <= radius / own <= most:
         name = f"{axle}_tire_radius"
         name = name if name in vehicle.given else "tire_radius"
-        found = f"{radius:g} m, but the {axle} wheels roll on that of the tire file, "
+        found = f"{radius:g} m, but slip of the {axle} wheels uses that of the tire file, "
         yield f"{name}: {found}UNLOADED_RADIUS {own:g} m: typically {least:g} to {most:g} of it"

@@ -33,7 +33,7 @@ def check_vertical(c: dict[str, float], entries: dict[str, Entry]) -> None:
     size = c["UNLOADED_RADIUS"] * c["VERTICAL_STIFFNESS"]
     most = (size / c["FNOMIN"]) ** 2 / 4
     if "Q_FZ2" in entries and size > 0.0 and c["Q_FZ2"] > most:
-        allowed = f"at most {most:g}, with which the vertical force has no linear part"
+        allowed = f"at most {most:g}, at which the linear part of the vertical force vanishes"
         raise InputError(entries["Q_FZ2"].where, c["Q_FZ2"], allowed)
     factor = 1.0 + c["PFZ1"] * pressure_change(c)
     if factor <= 0.0:
