@@ -70,8 +70,12 @@ class Event:
     """Something that happens in a run or not: a time is not nan, or a magnitude is past a bound."""
 
     metric: str = parameter("metric of the runs", choices=tuple(METRIC_UNITS))
-    above: float | None = parameter("magnitude from which on it has happened", default=None)
-    below: float | None = parameter("magnitude down from which it has happened", default=None)
+    above: float | None = parameter(
+        "magnitude from which on it has happened", "", 0.0, default=None
+    )
+    below: float | None = parameter(
+        "magnitude down from which it has happened", "", 0.0, default=None
+    )
 
     def __post_init__(self):
         bounds = {name: getattr(self, name) for name in ("above", "below")}
