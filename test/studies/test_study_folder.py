@@ -188,6 +188,8 @@ def test_two_processes_do_not_run_the_same_study_at_a_time(study, tmp_path, by_f
         (lambda text: text[:40], "it was changed"),
         (lambda text: "[" * 5000, "it was changed"),
         (lambda text: text.replace("0.5", "0.55"), "it has other runs"),
+        (lambda text: '{"rows": 3}', "it has other runs"),
+        (lambda text: text.replace("]", ", 1]", 1), "it has other runs"),
     ],
 )
 def test_a_chunk_that_was_changed_is_refused(study, tmp_path, by_formula, spoil, problem):

@@ -11,6 +11,8 @@ from vehicle_roll_sim.declaration import InputError, keep_validated, parameter, 
 from vehicle_roll_sim.studies.source import whole
 
 MOST_VALUES = 10_000
+LEAST_SHARE = 1e-6
+"""Of a normal distribution that its bounds must leave: draws from less are inaccurate."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -32,6 +34,11 @@ class Grid:
         keep_validated(self)
         _check_order(self, "lowest", "highest")
         whole(self.count, "count", "a whole number")
+        with np.errstate(all="ignore"):
+            values = self.values
+        if len(set(values)) < len(values) or not np.isfinite(values).all():
+            allowed = f"values that can be told apart and are finite, from {self.lowest:g}"
+            raise InputError("highest", self.highest, allowed)
 
     @property
     def values(self) -> tuple[float, ...]:
@@ -52,6 +59,15 @@ class Distribution(abc.ABC):
         given = {name: getattr(self, name) for name in parameters_of(self)}
         keep_validated(self, {name: value for name, value in given.items() if value is not None})
         self.check()
+        try:
+            with np.errstate(all="ignore"):
+                low, high = self.at(np.array([0.01, 0.99]))
+        except OverflowError:
+            low = high = math.inf
+        if not (low < high and math.isfinite(high - low)):
+            name, value = [each for each in given.items() if each[1] is not None][-1]
+            problem = f"draws lie between {low:g} and {high:g}"
+            raise InputError(name, value, "parameters whose draws are finite and differ", problem)
 
     @abc.abstractmethod
     def check(self) -> None:
@@ -93,13 +109,23 @@ class Normal(Distribution):
         _check_positive(self, "sd")
         if None not in (self.lowest, self.highest):
             _check_order(self, "lowest", "highest")
+        below, above = self._shares()
+        if above - below < LEAST_SHARE:
+            name = "highest" if self.lowest is None else "lowest"
+            allowed = f"bounds with a probability of at least {LEAST_SHARE:g} between them"
+            raise InputError(name, getattr(self, name), allowed)
+
+    def _shares(self) -> tuple[float, float]:
+        """The probabilities of values below the bounds."""
+        low = -math.inf if self.lowest is None else self.lowest
+        high = math.inf if self.highest is None else self.highest
+        with np.errstate(all="ignore"):
+            below, above = (stats.norm.cdf(bound, self.mean, self.sd) for bound in (low, high))
+        return float(below), float(above)
 
     def at(self, shares: np.ndarray) -> np.ndarray:
         bounds = (-math.inf if self.lowest is None else self.lowest, self.highest)
-        below, above = (
-            stats.norm.cdf(math.inf if bound is None else bound, self.mean, self.sd)
-            for bound in bounds
-        )
+        below, above = self._shares()
         values = stats.norm.ppf(below + shares * (above - below), self.mean, self.sd)
         return np.clip(values, bounds[0], math.inf if self.highest is None else self.highest)
 

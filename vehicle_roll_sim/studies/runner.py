@@ -69,8 +69,17 @@ class Runner:
 
     def _checked(self, rows: list[list], points: Sequence[dict]) -> list[list]:
         """Rows of the folder; raises InputError if they are not the runs of these points."""
-        inputs = [row[1 : len(self.study.inputs) + 1] for row in rows]
-        if inputs != [list(point.values()) for point in points]:
+        first, metrics = len(self.rows), len(RESULTS) - 2
+        expected = [[first + i, *point.values()] for i, point in enumerate(points)]
+        width = 1 + len(self.study.inputs)
+        is_intact = isinstance(rows, list) and all(
+            isinstance(row, list)
+            and len(row) == len(self.columns)
+            and all(isinstance(text, str) for text in row[width:-metrics])
+            and all(isinstance(value, float | int | None) for value in row[-metrics:])
+            for row in rows
+        )
+        if not is_intact or [row[:width] for row in rows] != expected:
             allowed = "the file as it was written; if you delete it, its runs are computed again"
             path = self.store.path(self._chunk)
             raise InputError(f"file {path}", "", allowed, "it has other runs")

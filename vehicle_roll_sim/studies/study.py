@@ -71,10 +71,10 @@ class Event:
 
     metric: str = parameter("metric of the runs", choices=tuple(METRIC_UNITS))
     above: float | None = parameter(
-        "the event happens if the magnitude is at least this", default=None
+        "the event happens if the magnitude is at least this", "", 0.0, default=None
     )
     below: float | None = parameter(
-        "the event happens if the magnitude is at most this", default=None
+        "the event happens if the magnitude is at most this", "", 0.0, default=None
     )
 
     def __post_init__(self):

@@ -78,7 +78,7 @@ def _manoeuvre(source: Source) -> Manoeuvre:
 def _vehicle(source: Source) -> Vehicle:
     """The vehicle that is named: a file beside the study file, or a shipped one."""
     name = source.values.get("vehicle")
-    if name is None or isinstance(name, Vehicle):
+    if "vehicle" not in source.values or isinstance(name, Vehicle):
         return name or preset()
     if not isinstance(name, str) or not name:
         allowed = "the name of a vehicle file, or one of " + ", ".join(SHIPPED)
@@ -196,6 +196,8 @@ def _events(source: Source) -> dict[str, Event]:
         if not name.isidentifier() or not name.isascii():
             allowed = "a name of letters, digits and underscores"
             raise source.refused(("events", name), name, allowed)
+        if name in METRIC_UNITS:  # their figures would have the same name
+            raise source.refused(("events", name), name, "a name that is not that of a metric")
         if isinstance(values, Mapping) and values.get("metric") not in (None, *METRIC_UNITS):
             where = source.where("events", name, "metric")
             raise unknown_name(str(values["metric"]), METRIC_UNITS, where)
