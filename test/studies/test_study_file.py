@@ -57,6 +57,11 @@ def test_a_study_file_says_what_is_fixed_varied_and_drawn(tmp_path):
     [
         ("manoeuvre: nhtsa_fishhook", "", "manoeuvre: missing: one of step_steer"),
         ("nhtsa_fishhook", "fishook", "line 1: manoeuvre: 'fishook' is unknown"),
+        (
+            "  manoeuvre.speed:",
+            "  tire.LMUY: [1]\n  manoeuvre.speed:",
+            "line 8: factors: front_tire.LMUY: front_tire.LMUY together with tire.LMUY: either all",
+        ),
         ("suv", "suw", "line 2: vehicle: "),
         ("vehicle: suv", "vehicle:", "line 2: vehicle: missing"),
         ("lowest: 0.5}", "lowest: 2}", "lowest: 2.0 is not allowed: bounds with a probability"),

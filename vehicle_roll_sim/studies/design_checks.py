@@ -11,6 +11,7 @@ from vehicle_roll_sim.files.yaml_file import Place
 from vehicle_roll_sim.studies.factors import Distribution, Factor
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study import DESIGNS, GRID, MOST_RUNS, RANDOM, SALTELLI, SOBOL, Study
+from vehicle_roll_sim.vehicle.suspension_parameters import AXLES
 
 RANDOM_DESIGNS = tuple(name for name in DESIGNS if name != GRID)
 SMALLEST_EIGENVALUE = 1e-9
@@ -43,6 +44,7 @@ def checked(source: Source, study: Study, declared: Declared) -> Study:
     declared: the declaration of a quantity by its place and name.
     """
     _check_draws(source, study)
+    _check_tires(source, study)
     if study.search:
         _check_search(source, study, declared)
     if study.rare:
@@ -74,6 +76,19 @@ def _check_draws(source: Source, study: Study) -> None:
         near = f"{2 ** int(math.log2(runs))} or {2 ** (int(math.log2(runs)) + 1)}"
         allowed = f"a power of 2 with design {study.design}, such as {near}"
         raise source.refused(("runs",), runs, allowed)
+
+
+def _check_tires(source: Source, study: Study) -> None:
+    """A coefficient is given for all tires or for those of one axle."""
+    places = {name: ("factors", name) for name in study.factors}
+    places |= {name: ("fixed", name) for name in study.fixed}
+    if study.search:
+        places[study.search.factor] = ("search", "factor")
+    for name in places:
+        axle, _, key = name.partition("_tire.")
+        if axle in AXLES and key and f"tire.{key}" in places:
+            problem = f"{name} together with tire.{key}"
+            raise source.refused(places[name], name, "either all tires or one axle", problem)
 
 
 def _check_search(

@@ -92,7 +92,6 @@ def _with_payload(vehicle: Vehicle, values: Mapping[str, float]) -> Vehicle:
 
 
 def _with_tires(vehicle: Vehicle, parts: Mapping[str, Mapping[str, float]]) -> Vehicle:
-    """A value for one axle takes precedence over one for both."""
     if not any(parts[section] for section in TIRES):
         return vehicle
     tires = dict(vehicle.axle_tires)
