@@ -1,43 +1,21 @@
 """The options that define the simulation: vehicle, model, road and integration."""
 
 import argparse
-import dataclasses
 import math
 
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
 from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.plausibility_option import add_strict, warn_or_refuse
-from vehicle_roll_sim.declaration import InputError, Table, parameter, parameters_of, unknown_name
+from vehicle_roll_sim.declaration import InputError, Table, parameters_of, unknown_name
+from vehicle_roll_sim.simulation.integration import Integration
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import (
-    DEFAULT_ROLLOVER_DEGREES,
-    DEFAULT_STEP,
-    LONGEST_STEP,
-    SHORTEST_STEP,
-    Simulation,
-)
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
 from vehicle_roll_sim.vehicle.shipped import vehicle_named
 from vehicle_roll_sim.vehicle.vehicle_file import NO_NUMBERS, TIRES, no_parameter, on_tires, preset
-
-
-@dataclasses.dataclass(frozen=True)
-class Integration:
-    """The integration step, and the roll angle at which the run stops."""
-
-    step: float = parameter(
-        "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
-    )
-    stop_roll: float = parameter(
-        "roll angle that counts as a rollover and ends the run",
-        "deg",
-        1.0,
-        90.0,
-        default=DEFAULT_ROLLOVER_DEGREES,
-    )
 
 
 def add_simulation_options(parser: argparse.ArgumentParser) -> None:

@@ -11,12 +11,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, keep_validated, parameter, parameters_of
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
-from vehicle_roll_sim.simulation.simulation import (
-    DEFAULT_ROLLOVER_DEGREES,
-    DEFAULT_STEP,
-    LONGEST_STEP,
-    SHORTEST_STEP,
-)
+from vehicle_roll_sim.simulation.integration import Integration
 from vehicle_roll_sim.studies.factors import Distribution, Factor, Levels
 from vehicle_roll_sim.studies.source import whole
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -32,7 +27,7 @@ A_WHOLE_NUMBER = "a whole number"
 
 
 @dataclasses.dataclass(frozen=True)
-class Settings:
+class Settings(Integration):
     """Numbers of a study as a whole. Raises InputError."""
 
     runs: float | None = parameter(
@@ -45,16 +40,6 @@ class Settings:
     seed: float | None = parameter("seed of the draws", "", 0, 2**32 - 1, default=None)
     chunk: float = parameter(
         "number of runs that are evaluated, and kept, together", "", 1, 10_000, default=64
-    )
-    step: float = parameter(
-        "integration step", "s", SHORTEST_STEP, LONGEST_STEP, default=DEFAULT_STEP
-    )
-    stop_roll: float = parameter(
-        "roll angle that counts as a rollover and ends the run",
-        "deg",
-        1.0,
-        90.0,
-        default=DEFAULT_ROLLOVER_DEGREES,
     )
 
     def __post_init__(self):
