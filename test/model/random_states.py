@@ -40,7 +40,7 @@ def inertia_tensor(vehicle: Vehicle) -> np.ndarray:
     return np.array([[x, -xy, -xz], [-xy, y, -yz], [-xz, -yz, z]])
 
 
-@functools.lru_cache(maxsize=16)  # an audit asks for the same ones several times
+@functools.lru_cache(16, typed=True)  # 0 is not 0j; an audit asks for one several times
 def attitude(roll, pitch, yaw) -> np.ndarray:
     """Rz(yaw) Ry(pitch) Rx(roll), also of complex angles: body to ground. Read only."""
     (sr, sp, sy), (cr, cp, cy) = np.sin([roll, pitch, yaw]), np.cos([roll, pitch, yaw])
