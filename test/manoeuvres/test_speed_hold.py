@@ -75,5 +75,5 @@ def test_before_it_knows_its_vehicle_the_gain_is_unknown():
 
 
 def test_no_other_value_of_a_manoeuvre_may_be_missing():
-    with pytest.raises(InputError, match="^duration: missing: a number from 0 to 86400 s$"):
+    with pytest.raises(InputError, match=r"^duration: missing: a number from 0 to 86400 s$"):
         dataclasses.replace(STANDARD["step_steer"], duration=None)

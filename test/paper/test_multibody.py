@@ -52,11 +52,19 @@ def uneven() -> Vehicle:
     )
 
 
+ASIDE = {
+    "cg_offset": 0.1,
+    "roll_pitch_product": 60.0,
+    "roll_yaw_product": -80.0,
+    "pitch_yaw_product": 40.0,
+    "front_anti_roll_bar_rate": 9000.0,
+}
 VEHICLES = {
     "reference": preset("reference"),
     "uneven": uneven(),
     "with contact moments": with_moments(uneven()),
     "c.g. below the wheel centres": uneven().with_values({"cg_height": 0.2}),
+    "c.g. beside the middle": uneven().with_values(ASIDE),
 }
 
 

@@ -14,7 +14,7 @@ BODIES = """
   <worldbody>
     <body>
       <freejoint/>
-      <inertial pos="0 0 0" mass="{mass}" diaginertia="{inertia}"/>
+      <inertial pos="0 0 0" mass="{mass}" {inertia}/>
       {wheels}
     </body>
   </worldbody>
@@ -34,6 +34,11 @@ def engine_model(car: np.record) -> mujoco.MjModel:
             car.x, car.y, car.static_strut_length, car.unsprung_mass, strict=True
         )
     )
-    inertia = f"{car.roll_inertia} {car.pitch_inertia} {car.yaw_inertia}"
+    moments = f"{car.roll_inertia} {car.pitch_inertia} {car.yaw_inertia}"
+    products = [car.roll_pitch_product, car.roll_yaw_product, car.pitch_yaw_product]
+    inertia = f'diaginertia="{moments}"'
+    if any(products):
+        rest = " ".join(str(-product) for product in products)
+        inertia = f'fullinertia="{moments} {rest}"'
     text = BODIES.format(gravity=GRAVITY, mass=car.sprung_mass, inertia=inertia, wheels=wheels)
     return mujoco.MjModel.from_xml_string(text)
