@@ -70,7 +70,7 @@ def link_moment(i, vehicle, options, outputs):
     return wheel_roll_moment(i, options, outputs) + outputs.link_y[i] * arm
 
 
-@term
+@kernel
 def half_track(i, vehicle):
     """Distance of wheel i to the left of the middle of its axle (m)."""
     other = i + 1 if i % 2 == 0 else i - 1
