@@ -31,7 +31,7 @@ def drive_on(
     state, plant, outputs, events, stages = simulation.parts()
     parts = (state, plant, outputs, simulation.output_vector, events, stages)
     clock[STEP] = simulation.step_ns
-    arguments = (_address(), parts, commands, held, clock, watch, places, rows, driven)
+    arguments = (address_of_advance(), parts, commands, held, clock, watch, places, rows, driven)
     with silently():  # divergence is detected from the result
         count, condition, culprit, has_dropped = interruptible(drive, arguments)
     simulation.note_moved(int(clock[NOW]), condition, culprit)
@@ -39,7 +39,7 @@ def drive_on(
 
 
 @functools.cache
-def _address() -> int:
+def address_of_advance() -> int:
     """Address of `advance`: one for all simulations, whose arguments have the same types."""
     state, *others = Simulation(preset()).parts()
     return address_of(advance, (state, Command().records(), 0, 0, 1, *others))

@@ -30,6 +30,7 @@ from vehicle_roll_sim.model.records import (
     element_names,
 )
 from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
+from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.simulation.command import Command, Programme, records_of
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
@@ -128,8 +129,9 @@ class Simulation(Restorable):
             name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
         ]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
+        self._records = (*plant, self._limits)
         self._plant = plant.arguments(self._limits, Command().records())
-        self._identity = identity(type(self).__name__, (*plant, self._limits), self.step_ns)
+        self._identity = identity(type(self).__name__, self._records, self.step_ns)
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
@@ -258,6 +260,14 @@ class Simulation(Restorable):
         """State, plant, outputs, events and work space, in the form in which kernels take them."""
         outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
         return self.state_vector, self._plant, outputs, events, self._stages
+
+    def arrays(self) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
+        """Vehicle, tires, options and limits; and state, outputs, events and work space.
+
+        All but the work space are arrays of one record. The next step overwrites the second group.
+        """
+        vehicle, tires, *others = self._records
+        return (vehicle, as_one(tires), *others), self._memory
 
     def note_moved(self, until_ns: int, condition: int, culprit: int) -> None:
         """Note the time (ns), the condition and the culprit with which a kernel left the parts."""
