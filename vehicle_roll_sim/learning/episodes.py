@@ -9,7 +9,7 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.learning.actions import Actions, check_action_names, shares_of
 from vehicle_roll_sim.learning.commands import Drivers, periods_of
 from vehicle_roll_sim.learning.observations import USUAL, Observer, Signals
-from vehicle_roll_sim.learning.rewards import upright
+from vehicle_roll_sim.learning.rewards import upright_progress
 from vehicle_roll_sim.learning.scenario import Scenario
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
@@ -35,8 +35,8 @@ class Episodes:
     vehicle file. actions, observations: names of ACTIONS and OBSERVATIONS. factors, fixed,
     correlations, model: as in a study (docs/studies.md). period: time for which an action is held
     (s). step: integration step (s). stop_roll: roll angle that counts as a rollover (deg). limits:
-    values of CommandLimits that 1 stands for, by name. reward: in place of `upright`. workers:
-    number of threads.
+    values of CommandLimits that 1 stands for, by name. reward: a function with the arguments of
+    `upright_progress`. workers: number of threads.
 
     Raises InputError. Attributes: `actions` and `observer`, which know spaces and names;
     `has_ended`, `rolled_over`, of each place, shape (count,).
@@ -58,7 +58,7 @@ class Episodes:
         step: float = STEP,
         stop_roll: float | None = None,
         limits: Mapping[str, float] | None = None,
-        reward: Reward = upright,
+        reward: Reward = upright_progress,
         workers: int | None = None,
     ):
         self.actions = Actions(actions, {} if limits is None else limits)

@@ -114,9 +114,8 @@ class VehicleRollVectorEnv(VectorEnv):
         resetting = self._episodes.has_ended.copy()
         if self._mode is not AutoresetMode.NEXT_STEP and resetting.any():
             allowed = f"only after a reset with {MASK}"
-            raise InputError(
-                "step", "", allowed, f"episodes {np.flatnonzero(resetting)} have ended"
-            )
+            problem = f"the episodes {np.flatnonzero(resetting).tolist()} have ended"
+            raise InputError("step", "", allowed, problem)
         rewards = self._episodes.step(actions, ~resetting)
         ended = self._episodes.has_ended & ~resetting
         terminated = self._episodes.rolled_over.copy()
