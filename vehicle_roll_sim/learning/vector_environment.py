@@ -26,6 +26,8 @@ class VehicleRollVectorEnv(VectorEnv):
     `Episodes`. Raises InputError for what is not allowed.
     """
 
+    _episodes: Episodes | None = None
+
     def __init__(
         self,
         num_envs: int = 1,
@@ -139,5 +141,6 @@ class VehicleRollVectorEnv(VectorEnv):
         return self._add_info(infos, {"final_obs": observation.copy(), "final_info": final}, i)
 
     def close_extras(self, **_) -> None:
-        """End the threads."""
-        self._episodes.close()
+        """End the threads, if there are any yet."""
+        if self._episodes is not None:
+            self._episodes.close()
