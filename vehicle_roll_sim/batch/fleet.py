@@ -8,23 +8,12 @@ import numpy as np
 from vehicle_roll_sim.batch.evaluate import checked_workers
 from vehicle_roll_sim.model.compiled.jit import interruptible, kernel_argument, silently
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
-from vehicle_roll_sim.model.integration.events import EVENTS, LIMITS, Condition
+from vehicle_roll_sim.model.integration.events import EVENTS, Condition
 from vehicle_roll_sim.model.integration.integrator import STAGE_VECTORS
 from vehicle_roll_sim.model.integration.step_each import CONDITION, NOW, PROGRESS_SIZE, step_each
-from vehicle_roll_sim.model.records import (
-    COMMAND,
-    OPTIONS,
-    OUTPUTS,
-    STATE,
-    STATE_SIZE,
-    VEHICLE,
-)
-from vehicle_roll_sim.model.tire.coefficients import TIRES
-from vehicle_roll_sim.simulation.driving import address_of_advance
+from vehicle_roll_sim.model.records import OUTPUTS, STATE, STATE_SIZE
+from vehicle_roll_sim.simulation.advance_address import PLANT, address_of_advance
 from vehicle_roll_sim.simulation.simulation import Simulation
-
-PLANT = (VEHICLE, TIRES, OPTIONS, LIMITS, COMMAND)
-"""The records of a plant: the last is the zero command."""
 
 
 class Fleet:
