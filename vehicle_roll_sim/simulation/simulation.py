@@ -194,17 +194,20 @@ class Simulation(Restorable):
         Raises InputError for an invalid speed, and for a step that is unstable at this speed.
         """
         speed = _within("speed", speed, self._slowest, MAXIMUM_SPEED, "m/s")
-        self._check_start(speed)
-        self._start(self._equilibrium(speed))
+        start = self._equilibrium(speed)
+        self._check_start(speed, start)
+        self._start(start)
 
     def _equilibrium(self, speed: float) -> np.ndarray:
         return self._without_absent(equilibrium(self._vehicle, self._tires, speed))
 
-    def _check_start(self, speed: float) -> None:
-        """Raise InputError if a run cannot start at this speed (m/s) with the integration step."""
+    def _check_start(self, speed: float, start: np.ndarray) -> None:
+        """Raise InputError if a run cannot start with the integration step.
+
+        start: a STATE record, shape (1,), the equilibrium at this speed (m/s).
+        """
         if self._checks_step and speed != self._checked_speed:
-            start = self._equilibrium(speed).view(np.float64)
-            self._modes.check_start(start, self.step_ns / NANOSECONDS)
+            self._modes.check_start(start.view(np.float64), self.step_ns / NANOSECONDS)
         self._checked_speed = speed
 
     def _start(self, state: np.ndarray) -> None:
@@ -224,7 +227,7 @@ class Simulation(Restorable):
         """
         steps = whole_steps(duration, self.step_ns, "duration")
         if self._checked_speed is None:
-            self._check_start(DEFAULT_SPEED)
+            self._check_start(DEFAULT_SPEED, self._equilibrium(DEFAULT_SPEED))
         if self.condition is Condition.RUNNING:
             records = records_of(command, lambda: self.stage_times(steps), self.feels_wind)
             self._advance(records, steps)
