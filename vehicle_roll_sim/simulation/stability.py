@@ -75,7 +75,7 @@ class Modes:
         rates, culprits = np.empty(states.shape), np.empty(len(states), np.int64)
         about = (kernel_argument(records), plant, outputs, events, self._stages)
         with silently():
-            rates_of(address_of_advance(), states.copy(), *about, rates, culprits)
+            rates_of(address_of_advance(), states, *about, rates, culprits)
         bad = np.flatnonzero(culprits >= 0)
         rates[bad, culprits[bad]] = math.nan
         return rates[:, self._places]

@@ -38,7 +38,7 @@ class TravelCurve:
 
     def __init__(self, given: float | tuple, is_change: bool = True):
         is_line = isinstance(given, float)
-        points = np.array([(0.0, 0.0), (1.0, given)] if is_line else given)
+        points = np.array([(0.0, 0.0), (1.0, given)] if is_line else given, float)
         self.key = (points.tobytes(), is_change, is_line)
         knots, self._ends = _knots_and_ends(*self.key[:2])
         self.knots = knots[:0] if is_line else knots
