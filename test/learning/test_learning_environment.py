@@ -124,6 +124,9 @@ def test_a_rollover_terminates_and_the_end_of_the_manoeuvre_truncates():
     assert -102.0 < found[-1][2] < -98.0
     with pytest.raises(ResetNeeded):
         env.step(env.action_space.sample())
+    fixed = {**FISHHOOK, "options.steady_state_slip": True}
+    *_, last = played(environment(actions=("brake",), fixed=fixed), 0.1)
+    assert (last[1]["condition"], *last[3:]) == ("TOO_SLOW", False, True)
     slow = played(env, **{"manoeuvre.speed": 5.0})
     assert len(slow) == 401
     assert slow[-1][3:] == (False, True)

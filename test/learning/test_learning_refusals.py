@@ -35,6 +35,8 @@ REFUSED = {
     "limits.brake_limit: 1.0 is not allowed: a limit of one of the actions": {
         "limits": {"brake_limit": 1.0}
     },
+    "limits: 3 is not allowed: values by name": {"limits": 3},
+    "limits.name: 'brake' is unknown": {"limits": {"brake": 1.0}},
     "reward: 1.0 is not allowed: a function": {"reward": 1.0},
 }
 

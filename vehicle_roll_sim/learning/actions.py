@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, validated
-from vehicle_roll_sim.learning.names import names_of
+from vehicle_roll_sim.learning.names import mapping_of, names_of
 from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, SPEED, WIND, Channel, channels
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
@@ -34,6 +34,7 @@ class Actions:
     """
 
     def __init__(self, names: Sequence[str], limits: Mapping[str, float]):
+        limits = mapping_of("limits", limits, "{'brake_torque_limit': 3000.0}")
         self.names = names_of("actions", names, ACTIONS)
         self.limits = CommandLimits(**validated(CommandLimits, limits, "limits."))
         for name in limits:

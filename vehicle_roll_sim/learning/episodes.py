@@ -1,4 +1,4 @@
-"""Episodes that run side by side: what both environments do, without a word of gymnasium."""
+"""Episodes that run side by side: what both environments do, whatever library asks for it."""
 
 from collections.abc import Callable, Mapping, Sequence
 

@@ -1,6 +1,6 @@
-"""Choices by name."""
+"""Arguments that are names, or values by name."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from vehicle_roll_sim.declaration import InputError, unknown_name
 
@@ -15,3 +15,10 @@ def names_of(field: str, names: Sequence[str], known: Iterable[str]) -> tuple[st
         if list(names).count(name) > 1:
             raise InputError(field, name, "each name once", f"{name} is given twice")
     return tuple(names)
+
+
+def mapping_of(field: str, given, example: str) -> dict:
+    """A copy of values by name; raises InputError naming `field`. example: such values."""
+    if not isinstance(given, Mapping):
+        raise InputError(field, given, f"values by name, such as {example}")
+    return dict(given)

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import InputError, unknown_name
-from vehicle_roll_sim.learning.names import names_of
+from vehicle_roll_sim.declaration import unknown_name
+from vehicle_roll_sim.learning.names import mapping_of, names_of
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
@@ -23,6 +23,7 @@ MANOEUVRE = "manoeuvre."
 SPEED, AMPLITUDE = f"{MANOEUVRE}speed", f"{MANOEUVRE}amplitude"
 STRAIGHT = "j_turn"
 """Straight ahead, if it has no amplitude."""
+EXAMPLE = "{'manoeuvre.speed': 20.0}"
 PREFIX = "study: "
 KEPT = 16
 """Simulations that are kept for further episodes."""
@@ -55,7 +56,7 @@ class Scenario:
 
     def __init__(self, manoeuvres: str | Sequence[str] | None, **given):
         given = {name: value for name, value in given.items() if value is not None}
-        fixed = _mapping("fixed", given.pop("fixed", {}))
+        fixed = mapping_of("fixed", given.pop("fixed", {}), EXAMPLE)
         if manoeuvres is None:
             manoeuvres, fixed = STRAIGHT, {AMPLITUDE: 0.0, **fixed}
         names = [manoeuvres] if isinstance(manoeuvres, str) else manoeuvres
@@ -79,7 +80,7 @@ class Scenario:
         if study.drawn:
             scores = generator.standard_normal((1, len(study.drawn)))
             drawn |= drawn_at(study, scores)[0]
-        for name, value in _mapping("options", chosen).items():
+        for name, value in mapping_of("options", chosen, EXAMPLE).items():
             if name not in drawn:
                 raise unknown_name(str(name), drawn, "options")
             declared = quantity(name, study.manoeuvre, name)
@@ -108,16 +109,10 @@ class Scenario:
 
 def _study(manoeuvre: str, fixed: dict, given: Mapping) -> Study:
     """The study of all that is fixed and drawn with one manoeuvre; raises InputError."""
-    factors, fixed = _mapping("factors", given.get("factors", {})), dict(fixed)
+    factors, fixed = mapping_of("factors", given.get("factors", {}), EXAMPLE), dict(fixed)
     if not factors:  # a study has one
         factors = {SPEED: [fixed.pop(SPEED, STANDARD[manoeuvre].speed)]}
     kinds = [isinstance(each, Mapping) and "distribution" in each for each in factors.values()]
     about_draws = {"design": RANDOM, "runs": 1, "seed": 0} if any(kinds) else {}
     values = {**given, "manoeuvre": manoeuvre, "fixed": fixed, "factors": factors, **about_draws}
     return study_of(_Given(values))
-
-
-def _mapping(field: str, given) -> dict:
-    if not isinstance(given, Mapping):
-        raise InputError(field, given, "values by name, such as {'manoeuvre.speed': 20.0}")
-    return dict(given)

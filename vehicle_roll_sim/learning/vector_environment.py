@@ -10,6 +10,8 @@ from gymnasium.vector.utils import batch_space
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.learning.episodes import Episodes
+from vehicle_roll_sim.learning.names import mapping_of
+from vehicle_roll_sim.learning.scenario import EXAMPLE
 from vehicle_roll_sim.learning.spaces import action_space, observation_space
 
 MASK = "reset_mask"
@@ -73,7 +75,7 @@ class VehicleRollVectorEnv(VectorEnv):
         observations, shape (n, m), and the infos.
         """
         seeds = self._seeds(seed)
-        chosen = dict(options or {})
+        chosen = mapping_of("options", options or {}, EXAMPLE)
         mask = self._mask(chosen.pop(MASK, None))
         if not mask.all() and None in self._generators:
             raise InputError(MASK, mask, "not in the first reset, which is of all environments")
