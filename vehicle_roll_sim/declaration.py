@@ -92,7 +92,7 @@ class Parameter:
         return value
 
     def _validate_number(self, value, field: str) -> float:
-        number = number_of(value, field, self.allowed)
+        number = value if type(value) is float else number_of(value, field, self.allowed)
         if not self.minimum <= number <= self.maximum or math.isinf(number):
             raise InputError(field, value, self.allowed)
         return number

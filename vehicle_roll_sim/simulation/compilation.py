@@ -75,8 +75,10 @@ def fill_cache(folder: str) -> None:
 
 
 def call_every_kernel() -> None:
-    """Call all kernels that the package calls from Python, so that none is left to be compiled."""
-    compile_loop(Simulation(preset()))
+    """Call all kernels that nodes, runs and batches call, so that none is left to be compiled."""
+    simulation = Simulation(preset())
+    simulation.reset()
+    compile_loop(simulation)
     evaluate(preset().tire, 1.0, 0.0, 0.0)
     tire = jit.kernel_argument(preset().tire.record())[0]
     loaded_radius(1.0, free_spin(1.0, 1.0, tire), 0.0, 0.0, 0.0, tire)
