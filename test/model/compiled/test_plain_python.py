@@ -20,7 +20,7 @@ HERE = Path(__file__).parents[1]
 ROOT = Path(vehicle_roll_sim.__file__).parent.parent
 TO_ROLLOVER = 1000
 """Steps of 4 ms: more than it takes, the run stops by itself."""
-A_FEW = 325
+A_FEW = 100
 """Steps of 4 ms: well into the turn."""
 A_SWERVE = 20
 """Steps of 4 ms: into it, for each variant. Every kernel has its turn, which coverage needs."""
