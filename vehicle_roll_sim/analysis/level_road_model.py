@@ -4,8 +4,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
-from vehicle_roll_sim.model.integration.derivatives import derivatives
-from vehicle_roll_sim.model.kinematic.contact import note_tire_compression
+from vehicle_roll_sim.model.integration.derivatives import smooth_derivatives
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
@@ -15,7 +14,6 @@ from vehicle_roll_sim.model.records import (
     WHEELS,
     element_names,
 )
-from vehicle_roll_sim.model.wheel import note_turning
 from vehicle_roll_sim.simulation.options import MODELS, Options
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -84,7 +82,7 @@ class LevelRoadModel:
         self.vehicle, self.options = vehicle, options.for_vehicle(vehicle)
         plant = Plant.of(with_linear_dampers(vehicle), self.options)
         self.record, self.tires = plant.vehicle, plant.tires
-        self._plant = plant.parts()
+        self._plant = plant.arguments()
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))
@@ -108,9 +106,7 @@ class LevelRoadModel:
             command[name] = value if COMMAND[name].shape else value[0]
         outputs = kernel_argument(self._outputs)[0]
         with silently():
-            note_turning(state, outputs)
-            derivatives(state, kernel_argument(command)[0], *self._plant, outputs, rates)
-            note_tire_compression(state, self._plant[-1], outputs)
+            smooth_derivatives(state, kernel_argument(command), self._plant, outputs, rates)
         return rates
 
     def on_flat_road(self, state: np.ndarray) -> np.ndarray:

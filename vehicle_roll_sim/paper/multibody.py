@@ -58,9 +58,9 @@ BODY, FIRST_WHEEL = 1, 2
 def _roll_on_tires(spins, tires, outputs):
     """Slip, forces and moments of the wheels that spin at `spins` (rad/s), without lag.
 
-    tires: an array with one TIRES record, outputs: one with an OUTPUTS record that has loads, loaded
-    radii, inclinations and velocities. Calls with arrays take a tenth of the time of calls with
-    records.
+    tires: an array of one TIRES record. outputs: an array of one OUTPUTS record with normal loads,
+    loaded radii, inclinations and velocities. It takes 20 us to pass a record to compiled code, and
+    far less to pass an array.
     """
     both, seen = tires[0], outputs[0]
     terms_of_loads(both, seen)
