@@ -21,7 +21,7 @@ EXACT = Options(no_roll_centre=True, euler_terms=True)
 STEP, END = 1e-3, 6.0
 """s"""
 WHILE_ROLLING = 3.0
-"""s: the end where it need not stop."""
+"""s: the end of runs in which it need not stop."""
 NEARLY_OVER, NOT_OVER_WITH_MOMENTS = 18.0, 14.0
 """m/s"""
 SHARE = 1e-6
