@@ -5,8 +5,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.frames import heading_of, yawed_to_ground
-from vehicle_roll_sim.model.integration.derivatives import derivatives
-from vehicle_roll_sim.model.kinematic.contact import note_tire_compression
+from vehicle_roll_sim.model.integration.derivatives import smooth_derivatives
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
@@ -17,7 +16,6 @@ from vehicle_roll_sim.model.records import (
     YAW,
     element_names,
 )
-from vehicle_roll_sim.model.wheel import note_turning
 from vehicle_roll_sim.simulation.options import MODELS, Options
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.vehicle.air_parameters import has_air_forces
@@ -92,7 +90,7 @@ class LevelRoadModel:
         self.vehicle, self.options = vehicle, options.for_vehicle(vehicle)
         plant = Plant.of(with_linear_dampers(vehicle), self.options)
         self.record, self.tires = plant.vehicle, plant.tires
-        self._plant = plant.parts()
+        self._plant = plant.arguments()
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))
@@ -120,9 +118,7 @@ class LevelRoadModel:
             command["wind"] = yawed_to_ground(heading_of(state[YAW]), *wind)
         outputs = kernel_argument(self._outputs)[0]
         with silently():
-            note_turning(state, outputs)
-            derivatives(state, kernel_argument(command)[0], *self._plant, outputs, rates)
-            note_tire_compression(state, self._plant[-1], outputs)
+            smooth_derivatives(state, kernel_argument(command), self._plant, outputs, rates)
         return rates
 
     def on_flat_road(self, state: np.ndarray) -> np.ndarray:
