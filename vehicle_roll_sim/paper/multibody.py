@@ -216,10 +216,10 @@ class Multibody(Simulation):
         ug, vg = velocities[:, 0], velocities[:, 1]
         outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
         outputs["loaded_radius"], outputs["side"] = radius, self._side
+        outputs["inclination"] = self._inclinations(s, c)
         terms_of_loads(self._seen_tires, seen)
         rolling_radii(spins, self._seen_tires, seen)
         outputs["tread"] = outputs["rolling_radius"] * spins
-        outputs["inclination"] = self._inclinations(s, c)
         steady_state_slip(seen)
         forces_at_slips(self._seen_tires, seen)
         along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
