@@ -17,7 +17,7 @@ from vehicle_roll_sim.vehicle.tire.curves import pressure_change
 from vehicle_roll_sim.vehicle.tire.text import Entry
 
 NOT_SIMULATED = (
-    *("Q_FZ1", "Q_FZ3", "Q_V2", "Q_FCX", "Q_FCY", "Q_CAM", "Q_CAM1", "Q_CAM3"),
+    *("Q_FZ1", "Q_FZ3", "Q_V2", "Q_FCX", "Q_FCY", "Q_CAM", "Q_CAM1", "Q_CAM2", "Q_CAM3"),
     *("QV2", "QFZ1", "QFZ2", "QFZ3", "QFCX1", "QFCY1", "QFCG1", "QPFZ1", "LCZ"),
     *("VERTICAL_DAMPING", "BOTTOM_STIFF"),
 )
