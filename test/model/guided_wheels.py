@@ -177,8 +177,8 @@ def energy(vehicle: Vehicle, road: Road, state, command):
     total = vehicle.sprung_mass * (velocity @ velocity / 2 - gravity @ body)
     total += rates @ inertia_tensor(vehicle) @ rates / 2
     total += vehicle.wheel_inertia * (state["wheel_speed"] ** 2).sum() / 2
-    compression = state["suspension_compression"]
-    apart = compression - compression[OTHER]
+    travel = state["suspension_compression"] - vehicle.static_suspension_compression
+    apart = travel - travel[OTHER]  # bars are without load at rest
     total += vehicle.bar_rate @ apart**2 / 4
     for i, each in enumerate(wheels(vehicle, state, command)):
         mass = vehicle.per_wheel("unsprung_mass")[i]

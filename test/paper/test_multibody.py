@@ -52,6 +52,13 @@ def uneven() -> Vehicle:
     )
 
 
+ASIDE = {
+    "cg_offset": 0.1,
+    "roll_pitch_product": 60.0,
+    "roll_yaw_product": -80.0,
+    "pitch_yaw_product": 40.0,
+    "front_anti_roll_bar_rate": 9000.0,
+}
 VEHICLES = {
     "reference": preset("reference"),
     "uneven": uneven(),
@@ -60,6 +67,7 @@ VEHICLES = {
         {"front_tire_progression": 4.0, "rear_tire_progression": 9.0}
     ),
     "c.g. below the wheel centres": uneven().with_values({"cg_height": 0.2}),
+    "c.g. beside the middle": uneven().with_values(ASIDE),
 }
 
 

@@ -2,6 +2,7 @@
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.suspension.links import half_track
 
 
 @kernel
@@ -58,7 +59,7 @@ def roll_stiffness(vehicle, options):
     """Total roll stiffness of both axles (N m/rad): sum of c^2 / 2 times the corner stiffness."""
     stiffness = 0.0
     for i in range(WHEEL_COUNT):
-        stiffness += vehicle.y[i] ** 2 * corner_stiffness(i, vehicle, options)
+        stiffness += half_track(i, vehicle) ** 2 * corner_stiffness(i, vehicle, options)
     return stiffness
 
 
