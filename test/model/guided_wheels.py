@@ -9,6 +9,7 @@ import dataclasses
 
 import numpy as np
 from random_states import attitude, inertia_tensor, wheel_positions
+from tire_springs import tire_energies
 
 from vehicle_roll_sim import Vehicle
 from vehicle_roll_sim.simulation.road import Road
@@ -184,7 +185,7 @@ def energy(vehicle: Vehicle, road: Road, state, command):
         total += spring_energy(vehicle, i, each.travel)
         total += mass * (each.velocity @ each.velocity / 2 - gravity @ each.centre)
         if each.deflection.real > 0.0:
-            total += vehicle.per_wheel("tire_stiffness")[i] * each.deflection**2 / 2
+            total += tire_energies(vehicle, each.deflection)[i]
     return total
 
 

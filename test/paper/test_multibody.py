@@ -63,6 +63,9 @@ VEHICLES = {
     "reference": preset("reference"),
     "uneven": uneven(),
     "with contact moments": with_moments(uneven()),
+    "progressive tires": uneven().with_values(
+        {"front_tire_progression": 4.0, "rear_tire_progression": 9.0}
+    ),
     "c.g. below the wheel centres": uneven().with_values({"cg_height": 0.2}),
     "c.g. beside the middle": uneven().with_values(ASIDE),
 }

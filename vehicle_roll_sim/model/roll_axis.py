@@ -24,11 +24,12 @@ def roll_axis_depth(vehicle):
 def strut_share(i, vehicle, options):
     """Share of the strut in the travel of corner i relative to the ground; the rest is the tire's.
 
-    kt / (ks + kt): strut and tire in series, in roll. 1 for rigid tires.
+    kt / (ks + kt): strut and tire in series, in roll, with the stiffness of the tire at rest. 1 for
+    rigid tires.
     """
     if options.rigid_tires:
         return 1.0
-    tire_stiffness = vehicle.tire_stiffness[i]
+    tire_stiffness = vehicle.tire_stiffness_at_rest[i]
     return tire_stiffness / (stiffness_in_roll(i, vehicle) + tire_stiffness)
 
 

@@ -207,7 +207,9 @@ class Multibody(Simulation):
         """Apply the contact forces to the bodies; returns the spin accelerations (rad/s^2)."""
         car, data, rotation, frame_2 = self._car, self._data, self._rotation, self._frame_2()
         compression = car.tire_radius - self._wheel_centres[:, 2]
-        self.outputs["support"] = support = car.tire_stiffness * compression
+        support = car.tire_stiffness * compression
+        support *= 1.0 + car.tire_progression * np.maximum(compression, 0.0)
+        self.outputs["support"] = support
         self.outputs["normal_force"] = np.maximum(support, 0.0)
         radius = car.tire_radius - np.maximum(compression, 0.0) / rotation[2, 2]  # (15, 16)
         for i, point in enumerate(self._wheel_centres - radius[:, None] * rotation[:, 2]):

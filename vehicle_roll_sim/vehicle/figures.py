@@ -96,10 +96,11 @@ def figures_of(vehicle: Vehicle) -> VehicleFigures:
 
 def _axle(vehicle: Vehicle, axle: str) -> AxleFigures:
     sides = slice(AXLES[axle], AXLES[axle] + 2)
-    names = ("spring_stiffness", "tire_stiffness", "damping", "unsprung_mass", "track")
-    spring, tire, damping, unsprung, track = (
+    names = ("spring_stiffness", "damping", "unsprung_mass", "track")
+    spring, damping, unsprung, track = (
         float(vehicle.per_wheel(name)[AXLES[axle]]) for name in names
     )
+    tire = float(np.mean(vehicle.tire_stiffness_at_rest[sides]))
     sprung = vehicle.sprung_mass * float(np.mean(vehicle.axle_load_share[sides]))
     ride_rate = spring * tire / (spring + tire)
     springs, tires = (stiffness * track**2 / 2 for stiffness in (spring, tire))
