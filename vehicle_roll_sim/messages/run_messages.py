@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vehicle_roll_sim.messages.sets import COMMAND_LABELS
+from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS
 from vehicle_roll_sim.messages.topics import ROLL_CENTRE, STATE_SET
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
@@ -23,8 +23,12 @@ COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS)
 NOT_OF_EVERY_MODEL = (ROLL_CENTRE,)
 """Topics from which columns are added to it, if there are any messages on them."""
 
-COMMAND_SIZES = (len(COMMAND_LABELS), len(COMMAND_LABELS) + len(WIND))
-"""Numbers of values of an `applied_command`, without wind and with it."""
+COMMAND_SIZES = tuple(
+    len(COMMAND_LABELS) + wind + demand
+    for wind in (0, len(WIND))
+    for demand in (0, len(DEMAND_LABELS))
+)
+"""Numbers of values of an `applied_command`, with and without wind and what was demanded."""
 NEEDED = {"x", "y", "yaw", "u", "v", "yaw_rate", "roll", "roll_rate"}
 """States that every model publishes."""
 
@@ -59,8 +63,8 @@ class RunMessages:
         sets = self._complete_sets()
         given, end = [command.data for _, command, *_ in sets.values()], len(COMMAND_LABELS)
         commands = np.array([values[end - len(COMMANDS) : end] for values in given])
-        has_wind = all(len(values) > end for values in given)
-        wind = np.array([values[end:] for values in given]) if has_wind else None
+        winds = [wind_in(values) for values in given]
+        wind = np.array(winds) if all(map(len, winds)) else None
         rows = [_row(road, *parts) for parts in sets.values()]
         return History(rows, commands, self._roll_centres(sets), wind)
 
@@ -90,6 +94,19 @@ class RunMessages:
             if None not in parts and parts[0].data[0] == state["time"]:
                 found[k] = (state, *parts)
         return found
+
+
+def wind_in(values: np.ndarray) -> np.ndarray:
+    """The wind among the values of an `applied_command`, shape (2,), or none, shape (0,)."""
+    further = values[len(COMMAND_LABELS) :]
+    return further[: len(further) % len(DEMAND_LABELS)]
+
+
+def demand_in(values: np.ndarray) -> np.ndarray:
+    """The values after the time that were demanded: of actuators, or applied as they were."""
+    further = values[len(COMMAND_LABELS) :]
+    has_actuators = len(further) >= len(DEMAND_LABELS)
+    return (further if has_actuators else values[: len(COMMAND_LABELS)])[-len(DEMAND_LABELS) :]
 
 
 def _has_sent_after(start: int, kept: list[tuple[int, object]]) -> bool:
