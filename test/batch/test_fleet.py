@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from actuated import actuated
 
 from vehicle_roll_sim import Command, Condition, InputError, Options, Simulation, preset
 from vehicle_roll_sim.batch.fleet import Fleet
@@ -24,6 +25,10 @@ def fleet_of(simulations: list[Simulation], workers: int) -> Fleet:
 def test_a_fleet_gives_the_bits_of_simulations_with_their_own_models_and_commands(workers):
     options = [Options(model=name) for name in MODELS] + [Options(steady_state_slip=True)]
     simulations = [Simulation(preset("suv"), each, step=STEP) for each in options]
+    late = {"rear_steering_actuator_dead_time": 0.02, "brake_torque_actuator_dead_time": 0.0}
+    for longest in (0.01, 0.1):
+        delayed = actuated(**late | {"steering_actuator_dead_time": longest})
+        simulations.append(Simulation(delayed, step=STEP))
     simulations.append(Simulation(preset("van"), step=STEP, rollover_angle=0.03))
     for each in simulations:
         each.reset(22.0)

@@ -1,7 +1,8 @@
-"""Actuators against closed forms, alone and together; off, or without effect, they change no bit."""
+"""Actuators against closed forms, alone and together; without effect they change no bit."""
 
 import numpy as np
 import pytest
+from actuated import ACTUATORS
 
 from vehicle_roll_sim import Command, InputError, Simulation, preset
 from vehicle_roll_sim.model.actuators import CHANNELS
@@ -196,21 +197,9 @@ def test_the_torque_of_a_speed_hold_passes_through_as_found_at_each_step():
     assert min(other.acting(hold).wheel_torque[2:]) > 0.0
 
 
-ALL = {
-    "steering_actuator_frequency": 6.0,
-    "steering_actuator_damping": 0.6,
-    "steering_actuator_rate_limit": 0.5,
-    "rear_steering_actuator_dead_time": 0.013,
-    "wheel_torque_actuator_time_constant": 0.1,
-    "brake_torque_actuator_time_constant": 0.05,
-    "brake_torque_actuator_dead_time": 0.03,
-    "normal_force_actuator_resolution": 2.0,
-}
-
-
 @pytest.mark.parametrize("command", [SWERVE, sine], ids=["held", "of time"])
 def test_it_does_not_matter_how_many_steps_are_made_at_once(command):
-    whole, parts = with_actuators(**ALL), with_actuators(**ALL)
+    whole, parts = with_actuators(**ACTUATORS), with_actuators(**ACTUATORS)
     whole.step(command, 0.2)
     for steps in (1, 7, 12, 1, 100, 79):
         parts.step(command, steps * STEP)
@@ -218,21 +207,21 @@ def test_it_does_not_matter_how_many_steps_are_made_at_once(command):
 
 
 def test_a_snapshot_in_the_middle_of_a_transition_goes_on_to_the_bit():
-    simulation = with_actuators(**ALL)
+    simulation = with_actuators(**ACTUATORS)
     simulation.step(SWERVE, 0.02)
     kept = simulation.snapshot()
     simulation.step(Command(), 0.1)
-    other = with_actuators(**ALL)
+    other = with_actuators(**ACTUATORS)
     other.restore(kept)
     other.step(Command(), 0.1)
     assert everything(other) == everything(simulation)
-    unlike = with_actuators(**ALL | {"wheel_torque_actuator_time_constant": 0.11})
+    unlike = with_actuators(**ACTUATORS | {"wheel_torque_actuator_time_constant": 0.11})
     with pytest.raises(InputError, match="taken from a different simulation"):
         unlike.restore(kept)
 
 
 def test_a_reset_puts_actuators_at_rest():
-    simulation, fresh = with_actuators(**ALL), with_actuators(**ALL)
+    simulation, fresh = with_actuators(**ACTUATORS), with_actuators(**ACTUATORS)
     simulation.step(SWERVE, 0.1)
     simulation.reset(20.0)
     assert simulation.acting(SWERVE) == Command()
