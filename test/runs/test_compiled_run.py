@@ -170,10 +170,11 @@ def test_a_run_that_rolls_over_or_diverges_ends_alike():
     assert simulation.condition is Condition.DIVERGED
 
 
+@pytest.mark.parametrize("vehicle", [preset(), actuated()], ids=["plain", "with actuators"])
 @pytest.mark.parametrize("name", ["step_steer", "nhtsa_fishhook"])
-def test_a_run_goes_on_from_the_present_state(name):
+def test_a_run_goes_on_from_the_present_state(name, vehicle):
     """Even from the middle of a command period: the driver is asked at once."""
-    simulation, found = Simulation(preset()), []
+    simulation, found = Simulation(vehicle), []
     manoeuvre = ready(name, simulation)
     for driven in (run, compiled_run):
         simulation.reset(manoeuvre.speed)

@@ -101,6 +101,8 @@ class _Loop:
         self.rows = np.empty((most, len(COLUMNS) + len(ROLL_CENTRES)))
         self.rows[0] = np.concatenate((row_of(simulation), roll_centres_of(simulation)))
         self.driven, self.held = np.zeros(most, COMMAND), np.zeros(1, COMMAND)
+        if simulation.has_actuators:
+            self.driven[0] = simulation.actuation.records()[0]
         self.count = 1
 
     def drive(self) -> None:

@@ -59,8 +59,7 @@ def run(
     steps_at = [] if period else in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
     rows, held = [row_of(simulation)], None
     centres = [roll_centres_of(simulation)]
-    acts = simulation.has_actuators
-    driven = [Command().records() if period or acts else None]
+    driven = [_driven(simulation, Command() if period else None)]
     if observer:
         observer.on_set()
     while simulation.time_ns < end and simulation.condition is Condition.RUNNING:
@@ -89,7 +88,7 @@ def run(
         records = records_by_time(history, driver)
     else:
         records = np.concatenate(driven)
-        if acts:
+        if simulation.has_actuators:
             add_hold(records, history)
     add_commands(history, records, simulation.feels_wind)
     return history
