@@ -29,7 +29,7 @@ _DECLARED = {
     ),
     "dead_time": (
         "dead time of {what}, a multiple of the integration step; by default 0",
-        {"unit": "s", "minimum": 0.0, "maximum": 10.0},
+        {"unit": "s", "minimum": 0.0, "maximum": 2.0},
     ),
 }
 _OF_UNIT = {
