@@ -12,7 +12,7 @@ from vehicle_roll_sim import study
 from vehicle_roll_sim.batch.case import Outcome
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
-from vehicle_roll_sim.studies import runner
+from vehicle_roll_sim.studies import chunks
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study_file import study_of
 
@@ -39,14 +39,14 @@ def interrupted_in_the_second_chunk(monkeypatch):
     """Runs have no metrics but `end_time`; Ctrl-C comes while the second chunk is computed."""
     calls = []
 
-    def evaluate(cases):
+    def evaluate(cases, workers):
         calls.append(len(cases))
         if len(calls) == 2:
             raise KeyboardInterrupt
         metrics = dict.fromkeys(METRIC_UNITS, math.nan) | {"end_time": 0.2, "peak_roll": 0.1}
         return [Outcome(metrics, "", Condition.RUNNING, np.zeros(40)) for _ in cases]
 
-    monkeypatch.setattr(runner, "evaluate", evaluate)
+    monkeypatch.setattr(chunks, "evaluate", evaluate)
     return calls
 
 

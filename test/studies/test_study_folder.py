@@ -14,7 +14,7 @@ from patience import PATIENCE
 from scipy import stats
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.studies import runner, store
+from vehicle_roll_sim.studies import chunks, store
 from vehicle_roll_sim.studies.folder import run_study, show_study
 
 KILLS = 10
@@ -65,7 +65,7 @@ def run_until_killed(study, folder, moments: int) -> None:
 
         return call
 
-    runner.evaluate = counted(formula)
+    chunks.evaluate = counted(formula)
     store.os.fsync = counted(os.fsync)
     store.os.close = counted(os.close)
     run_study(study, folder, "csv")
@@ -100,9 +100,9 @@ def test_no_run_is_computed_twice(study, tmp_path, by_formula, changes):
         run_study(given, tmp_path, "csv", progress=stop)
     done = sum(by_formula)
     report = run_study(given, tmp_path, "csv")
-    assert 0 < done < sum(by_formula) == len(report.results.rows)
+    assert 0 < done < sum(by_formula) == len(report.results.runs)
     run_study(given, tmp_path, "csv")
-    assert sum(by_formula) == len(report.results.rows)
+    assert sum(by_formula) == len(report.results.runs)
 
 
 def test_a_failed_run_is_a_row_with_its_reason(study, tmp_path, by_formula):

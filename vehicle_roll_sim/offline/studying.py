@@ -15,7 +15,7 @@ from vehicle_roll_sim.studies.search import Bracket
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study_file import study_of
 from vehicle_roll_sim.studies.subset_simulation import Estimate
-from vehicle_roll_sim.studies.tables import PARQUET, check_format
+from vehicle_roll_sim.studies.tables import PARQUET, check_format, columns_of
 
 
 @dataclasses.dataclass(frozen=True)
@@ -32,15 +32,14 @@ class StudyResult:
     thresholds: list[Bracket] | None
     estimate: Estimate | None
     files: list[Path]
-    rows: list[dict] = dataclasses.field(repr=False)
+    values: dict[str, np.ndarray | list] = dataclasses.field(repr=False)
 
     def __getitem__(self, name: str) -> np.ndarray:
         known(name, self.columns)
-        values = [row[name] for row in self.rows]
-        return np.array([np.nan if value is None else value for value in values])
+        return np.array(self.values[name])
 
     def __len__(self) -> int:
-        return len(self.rows)
+        return len(self.values["run"])
 
     def to_numpy(self) -> np.ndarray:
         """The runs as a structured array, shape (runs,); unknown metrics are nan."""
@@ -78,6 +77,16 @@ def study(
 
 def _result(report: Report) -> StudyResult:
     found = report.results
+    kinds = columns_of(found)
+    values = {
+        name: np.empty(len(found.runs)) if kind is float else [] for name, kind in kinds.items()
+    }
+    for i, row in enumerate(found.runs):
+        for name, column in values.items():
+            if isinstance(column, list):
+                column.append(row[name])
+            else:
+                column[i] = np.nan if row[name] is None else row[name]
     return StudyResult(
-        found.columns, report.summary, found.brackets, found.estimate, report.files, found.rows
+        tuple(kinds), report.summary, found.brackets, found.estimate, report.files, values
     )
