@@ -12,7 +12,7 @@ from vehicle_roll_sim import study
 from vehicle_roll_sim.batch.case import Outcome
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
-from vehicle_roll_sim.studies import chunks
+from vehicle_roll_sim.studies import chunks, cluster
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study_file import study_of
 
@@ -108,6 +108,32 @@ def test_without_pyarrow_it_says_what_to_install(command, file, monkeypatch):
     result = command("study", file, "--out", "turns")
     assert result.status == 2
     assert "no Python package pyarrow: pip install pyarrow, or csv" in result.err
+
+
+@pytest.mark.parametrize(
+    ("address", "problem"),
+    [
+        ("127.0.0.1:9", "--dask: '127.0.0.1:9': no answer within 0.2 s: the address of a running"),
+        ("cluster", "--dask: 'cluster': missing port number in address"),
+        ("http://here:80", "--dask: 'http://here:80': unknown address scheme 'http'"),
+    ],
+)
+def test_without_a_dask_scheduler_it_is_refused_in_one_line(
+    command, file, folder, monkeypatch, address, problem
+):
+    pytest.importorskip("distributed", reason="distributed is not installed")
+    monkeypatch.setattr(cluster, "PATIENCE", 0.2)
+    result = command("study", file, "--out", "turns", "--format", "csv", "--dask", address)
+    assert (result.status, result.err.count("\n")) == (2, 1)
+    assert problem in result.err
+    assert not (folder / "turns").exists()
+
+
+def test_without_dask_it_says_what_to_install(command, file, monkeypatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    result = command("study", file, "--out", "turns", "--format", "csv", "--dask", "here:8786")
+    assert result.status == 2
+    assert "--dask: no Python package distributed: pip install distributed, or" in result.err
 
 
 def test_the_examples_are_studies_and_those_of_the_page(folder):

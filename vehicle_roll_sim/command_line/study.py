@@ -18,7 +18,7 @@ from vehicle_roll_sim.vehicle.plausibility import plausibility
 def study_command(words: list[str], program: str) -> int:
     """Run the command with the arguments after its name; return the exit status."""
     arguments = _parser(program).parse_args(words)
-    signals.import_interruptibly("studies.folder")
+    signals.import_interruptibly("studies.folder", "studies.cluster")
     from vehicle_roll_sim.studies import folder, tables
 
     if arguments.show is not None:
@@ -39,9 +39,13 @@ def study_command(words: list[str], program: str) -> int:
 
 def _run(folder, path, out, arguments):
     """Run the study with a progress bar; if it is interrupted, report how far it got."""
+    from vehicle_roll_sim.studies import cluster
+
     study = folder.study_of(folder.Source.of_file(path))
     warn_or_refuse(plausibility(study.vehicle), arguments)
     with signals.exit_on_signal():
+        if arguments.dask is not None:
+            cluster.check_distributed("--dask")
         compile_model()
     total = None if study.search or study.rare else study.points
     with tqdm(total=total, delay=1.0, disable=None, leave=False, unit=" runs") as bar:
@@ -55,7 +59,8 @@ def _run(folder, path, out, arguments):
             bar.update(runs)
 
         try:
-            return folder.run_study(study, out, arguments.format, "--out", progress)
+            with cluster.computing(arguments.dask, "--dask") as compute:
+                return folder.run_study(study, out, arguments.format, "--out", progress, compute)
         except (KeyboardInterrupt, SystemExit):
             bar.close()
             text = f"{done} runs are done; the same command continues, --show {out} shows them"
@@ -73,5 +78,7 @@ def _parser(program: str) -> OneLineParser:
     group.add_argument("--format", metavar="FORMAT", default="parquet", help=about)
     about = "show the results in this folder: write summary and figures again, without any runs"
     group.add_argument("--show", metavar="DIR", help=about)
+    about = "make the runs on the workers of the Dask scheduler at this address, such as HOST:8786"
+    group.add_argument("--dask", metavar="ADDRESS", help=about)
     add_strict(parser.add_argument_group("vehicle"))
     return parser

@@ -10,6 +10,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+from vehicle_roll_sim.studies.cluster import computing
 from vehicle_roll_sim.studies.folder import Report, run_study
 from vehicle_roll_sim.studies.search import Bracket
 from vehicle_roll_sim.studies.source import Source
@@ -56,13 +57,15 @@ def study(
     *,
     format: str = PARQUET,
     progress: Callable[[int, bool], object] = lambda runs, kept: None,
+    dask: str | None = None,
 ) -> StudyResult:
     """Run a study, or complete an interrupted one, like `vehicle_roll_sim study`.
 
     given: a study file, or a mapping of the same keys, in which `vehicle` may also be a Vehicle.
     out: folder of the results. format: of the tables, parquet or csv. progress: called after each
-    chunk with its number of runs, and whether they were in the folder already. Returns a
-    StudyResult. Raises InputError.
+    chunk with its number of runs, and whether they were in the folder already. dask: address of a
+    Dask scheduler, whose workers compute the runs. Returns a StudyResult. Raises InputError, and
+    ConnectionError if the scheduler is lost.
     """
     if isinstance(given, Mapping):
         source = Source(given)
@@ -72,7 +75,8 @@ def study(
         raise InputError("given", given, "a study file, or a mapping of its keys")
     checked, folder = study_of(source), path_of(out, "out")
     check_format(format, "format")
-    return _result(run_study(checked, folder, format, "out", progress))
+    with computing(dask, "dask") as compute:
+        return _result(run_study(checked, folder, format, "out", progress, compute))
 
 
 def _result(report: Report) -> StudyResult:

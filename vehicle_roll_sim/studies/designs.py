@@ -58,7 +58,9 @@ def draws_of(study: Study) -> dict[str, np.ndarray]:
         shares = qmc.LatinHypercube(dimension, seed=generator).random(runs)
     else:
         shares = generator.random((runs, dimension))
-    return drawn_at(study, stats.norm.ppf(np.clip(shares, SMALLEST_SHARE, 1 - SMALLEST_SHARE)))
+    for column in np.clip(shares, SMALLEST_SHARE, 1 - SMALLEST_SHARE, out=shares).T:
+        column[:] = stats.norm.ppf(column)  # takes several times the memory of its argument
+    return drawn_at(study, shares)
 
 
 def saltelli(shares: np.ndarray) -> np.ndarray:
@@ -82,5 +84,5 @@ def drawn_at(study: Study, scores: np.ndarray) -> dict[str, np.ndarray]:
     of its score (a Gaussian copula).
     """
     together = scores @ np.linalg.cholesky(study.correlation).T
-    shares = stats.norm.cdf(together)
-    return {name: each.at(shares[:, i]) for i, (name, each) in enumerate(study.drawn.items())}
+    pairs = zip(study.drawn.items(), together.T, strict=True)
+    return {name: each.at(stats.norm.cdf(column)) for (name, each), column in pairs}

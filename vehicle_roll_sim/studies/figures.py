@@ -1,7 +1,6 @@
 """Figures of a study: maps over two factors, curves over one, histograms and scatter."""
 
 import collections
-import itertools
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -94,10 +93,9 @@ def _of_values(
 
 
 def _grouped(factors: list[Sequence], values: np.ndarray) -> dict[tuple, list[float]]:
-    """The values by those of the factors, without nan."""
+    """The values by those of the factors, without nan; nothing without factors."""
     groups = collections.defaultdict(list)
-    keys = zip(*factors, strict=True) if factors else itertools.repeat(())
-    for key, value in zip(keys, values, strict=False):
+    for key, value in zip(zip(*factors, strict=True), values, strict=bool(factors)):
         group = groups[key]
         if not np.isnan(value):
             group.append(value)

@@ -36,7 +36,7 @@ def quantiles(values: np.ndarray, shares: Sequence[float]) -> list[Interval]:
 
 
 def _resamples(size: int) -> Iterator[np.ndarray]:
-    """Indices of RESAMPLES samples with replacement, one sample at a time: all together are large."""
+    """Indices of RESAMPLES samples with replacement, one at a time: all together are large."""
     generator = np.random.default_rng(SEED)
     return (generator.integers(size, size=size) for _ in range(RESAMPLES))
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.text_file import read_text
-from vehicle_roll_sim.input_errors import InputError, NotWrittenError
+from vehicle_roll_sim.input_errors import InputError
 from vehicle_roll_sim.studies.study import Study
 
 IDENTITY, CHUNKS, LOCK = "study.json", "chunks", ".lock"
@@ -35,11 +35,12 @@ class Store:
 
         field: names the folder in messages. Raises InputError for the folder of another study.
         """
-        with _refused(self.folder):
-            if not (self.folder / IDENTITY).exists():
-                self._check_new(field)
-            self._chunks.mkdir(parents=True, exist_ok=True)
-            with (self.folder / LOCK).open("w") as lock:
+        with contextlib.ExitStack() as stack:
+            with _refused(self.folder, field):
+                if not (self.folder / IDENTITY).exists():
+                    self._check_new(field)
+                self._chunks.mkdir(parents=True, exist_ok=True)
+                lock = stack.enter_context((self.folder / LOCK).open("w"))
                 try:
                     fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
                 except BlockingIOError:
@@ -48,7 +49,7 @@ class Store:
                 self._check(study, field)
                 for path in (*self.folder.glob(PARTIAL), *self._chunks.glob(PARTIAL)):
                     path.unlink()  # of a process that was killed
-                yield
+            yield
 
     def _check_new(self, field: str) -> None:
         """Raise InputError for a folder of something else; a study may have just begun in it."""
@@ -124,10 +125,10 @@ class Store:
 
 
 @contextlib.contextmanager
-def _refused(folder: Path) -> Iterator[None]:
-    """Report what the operating system refuses."""
+def _refused(folder: Path, field: str) -> Iterator[None]:
+    """Convert an OSError in the context to an InputError naming `field`."""
     try:
         yield
     except OSError as error:
-        wanted = "a writable location"
-        raise NotWrittenError(f"folder {folder}", "", wanted, error.strerror) from None
+        wanted = "a folder that is writable or can be created"
+        raise InputError(field, str(folder), wanted, f"{folder}: {error.strerror}") from None
