@@ -27,6 +27,14 @@ factors:
 chunk: 3
 """
 
+STEEP = """\
+manoeuvre: step_steer
+factors: {road.bank: {distribution: normal, mean: 5, sd: 0.1}}
+design: random
+runs: 3
+seed: 1
+"""
+
 
 @pytest.fixture
 def file(folder):
@@ -86,7 +94,9 @@ def test_ctrl_c_says_what_is_done_and_the_same_command_continues(
         (["study", "turn.yaml"], "--out: missing"),
         (["study", "tern.yaml", "--out", "x"], "file tern.yaml: No such file or directory"),
         (["study", "turn.yaml", "--out", "x", "--format", "xls"], "--format: 'xls' is not allowed"),
-        (["study", "turn.yaml", "--out", "turn.yaml"], "folder turn.yaml: "),
+        (["study", "turn.yaml", "--out", "turn.yaml"], "--out: turn.yaml: Not a directory"),
+        (["study", "turn.yaml", "--out", "/proc/x", "--format", "csv"], "--out: /proc/x: "),
+        (["study", "--show", "x", "--format", "csv"], "nothing but the folder of a study"),
         (["study", "--show", "nowhere"], "--show: 'nowhere' is not allowed: the folder of a study"),
         (["study", "--show", "x", "--out", "y"], "nothing but the folder of a study"),
         (
@@ -97,9 +107,19 @@ def test_ctrl_c_says_what_is_done_and_the_same_command_continues(
 )
 def test_what_cannot_be_run_is_refused_in_one_line(command, file, words, problem):
     result = command(*words)
-    assert result.status in (1, 2)
+    assert result.status == 2
     assert result.err.count("\n") == 1
     assert problem in result.err
+
+
+def test_a_study_whose_runs_are_all_refused_is_an_error(command, folder):
+    (folder / "turn.yaml").write_text(STEEP)
+    result = command("study", "turn.yaml", "--out", "turns", "--format", "csv")
+    assert result.status == 2
+    assert "study file turn.yaml: all 3 runs were refused: values that are not refused: bank: " in (
+        result.err
+    )
+    assert (folder / "turns" / "runs.csv").exists()
 
 
 def test_without_pyarrow_it_says_what_to_install(command, file, monkeypatch):

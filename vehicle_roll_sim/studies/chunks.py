@@ -45,6 +45,11 @@ def results_at(
     return [results[index] for index in range(len(points))]
 
 
+def unknown_metrics(model: str) -> tuple[str, ...]:
+    """The metrics that a model does not have."""
+    return UNKNOWN_WITHOUT_HEIGHTS if "eight_dof" in MODELS[model] else ()
+
+
 def _results(case: Case, outcome: Outcome) -> list[str | float | None]:
     """How a run ended, why it failed, and its metrics."""
     if outcome.condition is None:
@@ -53,6 +58,6 @@ def _results(case: Case, outcome: Outcome) -> list[str | float | None]:
         ending = COMPLETE
     else:
         ending = outcome.condition.name.lower()
-    unknown = UNKNOWN_WITHOUT_HEIGHTS if "eight_dof" in MODELS[case.options.model] else ()
+    unknown = unknown_metrics(case.options.model)
     metrics = (None if name in unknown else outcome.metrics.get(name) for name in METRIC_UNITS)
     return [ending, outcome.failure, *metrics]

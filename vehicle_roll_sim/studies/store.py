@@ -18,6 +18,8 @@ from vehicle_roll_sim.studies.study import Study
 
 IDENTITY, CHUNKS, LOCK = "study.json", "chunks", ".lock"
 PARTIAL = ".partial-*"
+TEXTS = ("version", "vehicle")
+"""What the definition of a study has beside its values."""
 LARGEST = 100_000_000
 """Bytes of a file of the folder."""
 ELSEWHERE = "another folder, or the unchanged study: results of different studies are not mixed"
@@ -68,7 +70,7 @@ class Store:
             self._write(path, study.identity)
             return
         before, now = self.identity(field), study.identity
-        for key in ("version", "vehicle"):
+        for key in TEXTS:
             if before.get(key) != now[key]:
                 what = "version of the program" if key == "version" else "vehicle"
                 problem = f"{self.folder} has the results of another {what}"
@@ -102,12 +104,15 @@ class Store:
     def _read(self, path: Path) -> dict:
         try:
             content = json.loads(read_text(path, LARGEST))
-            if not isinstance(content, dict) or not content.keys() & {"rows", "study"}:
+            if not isinstance(content, dict) or not ("rows" in content or _is_identity(content)):
                 raise ValueError
         except (ValueError, RecursionError) as error:
             if isinstance(error, InputError):
                 raise
-            allowed = "the file as it was written; if you delete it, its runs are computed again"
+            other = "if you delete it, its runs are computed again"
+            if path.name == IDENTITY:
+                other = "otherwise begin the study in another folder"
+            allowed = f"the file as it was written; {other}"
             raise InputError(f"file {path}", "", allowed, "it was changed") from None
         return content
 
@@ -122,6 +127,11 @@ class Store:
             os.fsync(folder)
         finally:
             os.close(folder)
+
+
+def _is_identity(content: dict) -> bool:
+    study = content.get("study")
+    return isinstance(study, dict) and all(isinstance(content.get(n), str) for n in TEXTS)
 
 
 @contextlib.contextmanager

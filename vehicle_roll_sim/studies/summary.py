@@ -157,8 +157,9 @@ def _rare(results: Results) -> Iterator[str]:
     yield f"{results.study.events[name]}"
     if not estimate.is_reached:
         yield (
-            f"Not reached in {len(estimate.levels)} levels: the probability is below "
-            f"{estimate.probability:.2g}."
+            f"Not reached in {len(estimate.levels)} levels: it is less likely than the last of "
+            f"them, whose probability is {estimate.probability:.2g} (95 % interval {low:.2g} to "
+            f"{high:.2g})."
         )
         return
     rows = [
