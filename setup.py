@@ -48,6 +48,7 @@ setup(
         "control": ["control>=0.10"],
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
+        "cluster": ["distributed>=2026.8"],
         "validation": ["mujoco>=3.2"],
         "test": [
             "pytest>=7.4",

@@ -12,6 +12,7 @@ from vehicle_roll_sim.batch.evaluate import outcome_of
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.model.compiled.jit import COMPILED
 from vehicle_roll_sim.model.variants import MODELS
+from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 from vehicle_roll_sim.version import __version__
 
@@ -23,7 +24,11 @@ TEST_RUN = dataclasses.replace(STANDARD["j_turn"], duration=3.0)
 
 @functools.cache
 def fingerprint() -> dict[str, str]:
-    """What two processes must have in common to give the same bytes, by its name."""
+    """What two processes must have in common to give the same bytes, by its name.
+
+    Compiles the model if it is not, so that processes of one machine do it once.
+    """
+    compile_model()
     versions = {name: importlib.metadata.version(name) for name in LIBRARIES[:2]}
     return {
         PROGRAM: f"{__version__}, sources {_sources()}",
