@@ -135,6 +135,7 @@ def test_without_pyarrow_it_says_what_to_install(command, file, monkeypatch):
     [
         ("127.0.0.1:9", "--dask: '127.0.0.1:9': no answer within 0.2 s: the address of a running"),
         ("cluster", "--dask: 'cluster': missing port number in address"),
+        ("tls://here:80", "--dask: 'tls://here:80': TLS expects"),
         ("http://here:80", "--dask: 'http://here:80': unknown address scheme 'http'"),
     ],
 )

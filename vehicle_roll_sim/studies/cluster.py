@@ -19,6 +19,7 @@ from vehicle_roll_sim.input_errors import shown
 from vehicle_roll_sim.studies.chunks import Chunk, Compute, one_by_one, results_at
 from vehicle_roll_sim.studies.fingerprint import fingerprint
 from vehicle_roll_sim.studies.study import Study
+from vehicle_roll_sim.vehicle.plausibility import unwarned
 
 PATIENCE = 10.0
 """s to wait for an answer of the scheduler."""
@@ -107,7 +108,7 @@ def _check_scheduler(full: str, address: str, field: str) -> None:
     except TimeoutError:
         problem = f"{shown(address)}: no answer within {PATIENCE:g} s"
         raise InputError(field, address, WANTED, problem) from None
-    except (OSError, ValueError, RuntimeError) as error:
+    except (OSError, ValueError, TypeError, RuntimeError, ImportError) as error:  # as Dask has them
         raise InputError(field, address, WANTED, f"{shown(address)}: {error}") from None
 
 
@@ -196,4 +197,5 @@ def on_worker(expected: dict[str, str], packed: bytes) -> list[list] | tuple[str
     for name, value in expected.items():
         if found.get(name) != value:
             return name, value, str(found.get(name)), get_worker().address
-    return results_at(*pickle.loads(packed), workers=1)
+    with unwarned():  # values are drawn, not typed
+        return results_at(*pickle.loads(packed), workers=1)
