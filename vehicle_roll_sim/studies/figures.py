@@ -19,6 +19,8 @@ WIDTH, HEIGHT = 6.4, 4.2
 MOST_OUTPUTS = 6
 MOST_FACTORS = 9
 """Panels of a scatter figure."""
+MOST_DOTS = 20_000
+"""Runs of a scatter figure; of more, a random part is drawn, always the same."""
 OUTER = (0.05, 0.95)
 """Quantiles of the band about a curve."""
 
@@ -163,9 +165,16 @@ def _scatter(across: dict[str, Sequence], values: np.ndarray, label: str) -> Dra
     columns = min(len(across), 3)
     rows = -(-len(across) // columns)
     figure = new_figure(3.0 * columns + 1.0, 2.6 * rows)
+    shown = np.arange(len(values))
+    if len(values) > MOST_DOTS:
+        generator = np.random.default_rng(0)
+        shown = generator.choice(len(values), MOST_DOTS, replace=False)
+        add_title(figure, f"{MOST_DOTS} of {len(values)} runs")
     panels = figure.subplots(rows, columns, sharey=True, squeeze=False)
     for axes, (name, places) in zip(panels.flat, across.items(), strict=False):
-        axes.plot(places, values, ".", color=COLOURS[2], markersize=3, alpha=0.6)
+        axes.plot(
+            np.take(places, shown), values[shown], ".", color=COLOURS[2], markersize=3, alpha=0.6
+        )
         axes.set_xlabel(name)
         axes.grid(alpha=0.3)
     for axes in panels.flat[len(across) :]:
