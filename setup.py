@@ -49,6 +49,7 @@ setup(
         "gym": ["gymnasium>=1.1"],
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
+        "cluster": ["distributed>=2026.8"],
         "validation": ["mujoco>=3.2"],
         "test": [
             "pytest>=7.4",

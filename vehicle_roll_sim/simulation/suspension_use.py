@@ -66,9 +66,7 @@ def steers_each_wheel(vehicle: Vehicle, options: Options) -> bool:
     return has_any(vehicle, names) or bool(vehicle.ackermann_percentage)
 
 
-def use_details(
-    record: np.ndarray, tires: np.ndarray, vehicle: Vehicle, options: Options
-) -> None:
+def use_details(record: np.ndarray, tires: np.ndarray, vehicle: Vehicle, options: Options) -> None:
     """Check the details of a vehicle, and set what depends on the model in its VEHICLE record.
 
     tires: TIRE records of front and rear axle.
