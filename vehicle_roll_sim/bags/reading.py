@@ -22,7 +22,7 @@ from vehicle_roll_sim.messages.run_messages import (
 )
 from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.runs.history import History
-from vehicle_roll_sim.simulation.description import described
+from vehicle_roll_sim.simulation.description import Described, described
 from vehicle_roll_sim.simulation.road import Road
 
 A_BAG = "a complete bag of a simulator: metadata.yaml and the file that it names"
@@ -70,18 +70,18 @@ def recorded_runs(path: Path, namespace: str | None = None) -> list[RecordedRun]
     return runs
 
 
-def last_history(path: Path, namespace: str | None = None) -> History:
-    """The samples of the last run in a bag, assuming a level road if the bag has no description.
+def last_run(path: Path, namespace: str | None = None) -> tuple[History, Described | None]:
+    """The samples of the last run in a bag, and what it was; a level road if it is not described.
 
     Raises the InputErrors of `recorded_runs` and `described`, and one if no set is complete.
     """
     run = recorded_runs(path, namespace)[-1]
-    road = described(run.description).simulation.road if run.description else Road()
-    history = run.kept.history(road)
+    told = described(run.description) if run.description else None
+    history = run.kept.history(told.simulation.road if told else Road())
     if not len(history.rows):
         wanted = ", ".join(topic.name for topic in COLLECTED)
         raise InputError("BAG", str(path), f"complete sets of {wanted}", f"{path}: no complete set")
-    return history
+    return history, told
 
 
 def _runs(path: Path, namespace: str | None) -> Iterator[RecordedRun]:
