@@ -75,17 +75,20 @@ def part_settings(arguments: argparse.Namespace) -> dict[str, float]:
     return settings
 
 
-def run_from(path: Path, namespace: str | None, field: str) -> tuple[History, Described | None]:
+def run_from(
+    path: Path, namespace: str | None, field: str, with_forces: bool = False
+) -> tuple[History, Described | None]:
     """The samples of a recorded run, and its simulation if a bag describes it.
 
-    Raises InputError naming `field` or the file if `path` is neither a CSV nor a bag.
+    with_forces: with the horizontal tire forces, which `last_run` leaves out of bags. Raises
+    InputError naming `field` or the file if `path` is neither a CSV nor a bag.
     """
     if path.is_dir():
         need_library(field)
         with signals.exit_on_signal():
             from vehicle_roll_sim.bags.reading import last_run  # its library is optional
 
-        return last_run(path, namespace)
+        return last_run(path, namespace, with_forces)
     return History.read_csv(path), None
 
 

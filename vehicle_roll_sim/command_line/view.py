@@ -72,7 +72,7 @@ def view_command(words: list[str], program: str) -> int:
     settings, picture = part_settings(arguments), declared_values(arguments, PictureSettings)
     output = _output(arguments, files, picture)
     labels = labels_of(arguments.label, files)
-    read = [run_from(file, arguments.namespace, "RUN") for file in files]
+    read = [run_from(file, arguments.namespace, "RUN", with_forces=True) for file in files]
     chosen = _chosen(arguments, [told is None for _, told in read])
     runs, notes, cones = [], [], []
     for file, label, (history, told) in zip(files, labels, read, strict=True):

@@ -22,6 +22,9 @@ COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS)
 """The topics from which a history is built."""
 NOT_OF_EVERY_MODEL = (ROLL_CENTRE,)
 """Topics from which columns are added to it, if there are any messages on them."""
+TIRE_FORCES = tuple(topic for topic in STATE_SET if topic.name.startswith("tire_forces/"))
+"""Topics that fill the columns of horizontal tire forces, lf to rr, where they are kept."""
+HORIZONTAL = ("longitudinal", "lateral")
 
 COMMAND_SIZES = (len(COMMAND_LABELS), len(COMMAND_LABELS) + len(WIND))
 """Numbers of values of an `applied_command`, without wind and with it."""
@@ -41,7 +44,7 @@ class RunMessages:
     def __init__(self):
         self.states: list[tuple[int, dict[str, float]]] = []
         self._others = {topic.name: [] for topic in COLLECTED if topic.name != STATE}
-        self._added = {topic.name: [] for topic in NOT_OF_EVERY_MODEL}
+        self._added = {topic.name: [] for topic in (*NOT_OF_EVERY_MODEL, *TIRE_FORCES)}
 
     def keep(self, name: str, sent: int, message) -> None:
         """Add a message of a topic other than `state`. sent: when it was sent (ns)."""
@@ -62,7 +65,22 @@ class RunMessages:
         has_wind = all(len(values) > end for values in given)
         wind = np.array([values[end:] for values in given]) if has_wind else None
         rows = [_row(road, *parts) for parts in sets.values()]
+        self._add_forces(rows, sets)
         return History(rows, commands, self._roll_centres(sets), wind)
+
+    def _add_forces(self, rows: list[np.ndarray], places: Iterable[int]) -> None:
+        """Fill the horizontal tire forces of the rows, which belong to the states at some places.
+
+        nan where there is no message.
+        """
+        sent = np.array([sent for sent, _ in self.states])
+        for wheel, topic in zip(WHEELS, TIRE_FORCES, strict=True):
+            found = _shared_out(self._added[topic.name], sent)
+            ahead, left = (COLUMNS.index(f"{name}_force_{wheel}") for name in HORIZONTAL)
+            for row, place in zip(rows, places, strict=True):
+                if place in found:
+                    force = found[place].wrench.force
+                    row[ahead], row[left] = force.x, force.y
 
     def _roll_centres(self, places: Iterable[int]) -> np.ndarray | None:
         """The values of ROLL_CENTRES for the states at some places, shape (n, 4); None if unknown.
