@@ -6,6 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE
 from viewed_runs import viewed
 
 from vehicle_roll_sim.viewer.browser import browser as found_browser
@@ -29,6 +30,19 @@ class OpenPage:
     def __call__(self, script: str, *arguments):
         """The value of a JavaScript expression."""
         return self.driver.execute_script(f"return ({script})", *arguments)
+
+    def wait_for(self, condition: str) -> None:
+        """Wait until a condition holds, also on a page that is opened anew."""
+        from selenium.webdriver.support.wait import WebDriverWait
+
+        WebDriverWait(self.driver, PATIENCE).until(lambda _: self(condition))
+
+    def drag(self, element, right: int, down: int) -> None:
+        """Press the pointer in the middle of an element and move it (pixels)."""
+        from selenium.webdriver import ActionChains
+
+        actions = ActionChains(self.driver).move_to_element(element).click_and_hold()
+        actions.move_by_offset(right, down).release().perform()
 
     @property
     def state(self) -> dict:

@@ -249,3 +249,28 @@ def test_a_model_without_heave_keeps_its_wheels_on_the_ground(opened):
     at_rest = record.tire_radius - record.static_tire_compression
     np.testing.assert_allclose(heights, at_rest, rtol=0, atol=ROUNDING)
     assert page.complaints == []
+
+
+def test_of_many_runs_the_reader_chooses_those_to_show(opened):
+    runs = [viewed(fishhook(SLOW if k % 2 else FAST), f"run {k}") for k in range(5)]
+    page = opened(*runs, shown=[2])
+    boxes = "[...document.querySelectorAll('#choice input')]"
+    ticked = f"{boxes}.map((each) => each.checked)"
+    assert page(ticked) == [False, False, True, False, False]
+    assert page("document.querySelector('#choice label').textContent") == " run 0 (rollover)"
+    page(f"(document.getElementById('choice').open = true, {boxes}[4].click())")
+    page.wait_for("document.querySelectorAll('#legend button').length === 2")
+    assert page(ticked) == [False, False, True, False, True]
+    legend = "[...document.querySelectorAll('#legend button')].map((each) => each.innerText.trim())"
+    assert page(legend) == ["run 2", "run 4"]
+    assert page.complaints == []
+
+
+def test_dragging_frees_the_camera(page):
+    page("window.viewer.use('top')")
+    canvas = page.driver.find_element("id", "picture")
+    page.driver.execute_script("arguments[0].scrollIntoView()", canvas)
+    page.drag(canvas, 40, -30)
+    pressed = "document.querySelector('[data-camera][aria-pressed=true]').textContent"
+    assert page(pressed) == "free"
+    page("window.viewer.use('chase')")

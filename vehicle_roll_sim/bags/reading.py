@@ -79,7 +79,7 @@ def last_run(
 ) -> tuple[History, Described | None]:
     """The samples of the last run in a bag, and what it was; a level road if it is not described.
 
-    with_forces: read the horizontal tire forces too, which takes twice the time. Raises
+    with_forces: read the horizontal tire forces too, which takes a quarter longer. Raises
     the InputErrors of `recorded_runs` and `described`, and one if no set is complete.
     """
     run = recorded_runs(path, namespace, TIRE_FORCES if with_forces else ())[-1]

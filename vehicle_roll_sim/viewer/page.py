@@ -14,13 +14,16 @@ import numpy as np
 
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.version import __version__
+from vehicle_roll_sim.viewer.decimation import MOST_ROWS
 from vehicle_roll_sim.viewer.recording import ViewedRun, panels_of, recording
 
 MOST_RUNS = 4
 """As many as the page has colours."""
+ROWS_OF_MANY = 600
+"""As MOST_ROWS, of each run of a page that has more than MOST_RUNS."""
 SCRIPTS = (
     *("recording.js", "body.js", "vehicle.js", "ground.js", "scene.js"),
-    *("plots.js", "playback.js", "readings.js", "main.js"),
+    *("plots.js", "playback.js", "readings.js", "choice.js", "main.js"),
 )
 """In the order in which they use one another."""
 PLACE = re.compile(r"\{\{(\w+)\}\}")
@@ -28,17 +31,25 @@ THINNED = "Long runs are thinned: peaks, lift-offs and events are kept."
 
 
 def page(
-    runs: Sequence[ViewedRun], title: str, cones: Iterable = (), notes: Iterable[str] = ()
+    runs: Sequence[ViewedRun],
+    title: str,
+    cones: Iterable = (),
+    notes: Iterable[str] = (),
+    shown: Sequence[int] = (0,),
 ) -> str:
     """The HTML text of a page that shows at most MOST_RUNS runs over one another.
 
-    cones: points (n, 2) on the ground (m). notes: sentences at the foot of the page.
+    cones: points (n, 2) on the ground (m). notes: sentences at the foot of the page. Of more
+    than MOST_RUNS, the reader chooses which to show; shown: places of those shown at first.
     """
     panels, signals = panels_of(runs)
-    told = [recording(run, signals) for run in runs]
+    has_many = len(runs) > MOST_RUNS
+    told = [recording(run, signals, ROWS_OF_MANY if has_many else MOST_ROWS) for run in runs]
     thinned = [THINNED] if any(each["is_thinned"] for each in told) else []
     data = {
         "runs": told,
+        "shown": list(shown if has_many else range(len(runs))),
+        "most": MOST_RUNS,
         "panels": panels,
         "cones": np.reshape(list(cones), (-1, 2)).tolist(),
         "notes": [*notes, *thinned],

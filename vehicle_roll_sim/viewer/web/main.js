@@ -2,7 +2,8 @@
 
 function main() {
   const told = JSON.parse(document.getElementById("data").textContent), $ = (id) => document.getElementById(id);
-  const recordings = told.runs.map((each, k) => new Recording(each, k));
+  const chosen = chosenRuns(told);
+  const recordings = chosen.map((run, k) => new Recording(told.runs[run], k));
   const range = [Math.min(...recordings.map((r) => r.begin)), Math.max(...recordings.map((r) => r.end))];
   if (range[1] === range[0]) range[1] += 1e-3;
   $("notes").textContent = told.notes.join(" ");
@@ -43,11 +44,12 @@ function main() {
 
   try {
     picture = new Picture($("picture"), recordings, told.cones);
-    picture.onFree = () => { picture.view = "free"; use("free"); };
+    picture.onFree = () => use("free");
   } catch (error) {
     $("no-picture").hidden = false;
     $("picture").hidden = $("cameras").hidden = true;
   }
+  offerRuns($("choice"), told, chosen);
   const follow = legend($("legend"), recordings, choose);
   eventMarks(recordings, range, (time) => { playback.play(false); playback.seek(time); });
   bindControls(playback, () => followed, { use, paint });

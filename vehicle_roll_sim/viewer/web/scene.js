@@ -28,7 +28,7 @@ class Picture {
     this.controls = new THREE.OrbitControls(this.camera, canvas);
     this.controls.maxPolarAngle = 0.495 * Math.PI;
     this.controls.addEventListener("change", () => this.draw());
-    this.controls.addEventListener("start", () => this.onFree());
+    this.controls.addEventListener("start", () => this.free());
     this.onFree = () => {};
     this.time = 0;
     this.choose(0);
@@ -83,8 +83,20 @@ class Picture {
 
   /** Choose a camera by name. */
   use(name) {
-    this.view = name;
+    if (name === "free") this.free();
+    else this.view = name;
     this.show(this.time);
+  }
+
+  /** Leave the camera where it is, upright, for the pointer to move it. */
+  free() {
+    if (this.view === "top") {
+      const heading = new THREE.Vector3(1, 0, 0).applyAxisAngle(Z, this.vehicle.chassis.rotation.z);
+      this.camera.position.addScaledVector(heading, -0.1);
+    }
+    this.view = "free";
+    this.camera.up.copy(Z);
+    this.onFree();
   }
 
   show(time) {

@@ -74,6 +74,7 @@ class VehicleModel {
     this.chassis.rotation.set(roll, known(at("pitch"), 0), yaw);
     this.level.position.set(x, y, told.height);
     this.level.rotation.z = yaw;
+    this.centreOfGravity.visible = !this.isGhost;
     this.centreOfGravity.position.copy(this.chassis.position);
     this.poseWheels(time, known);
     this.group.updateMatrixWorld(true);
