@@ -115,6 +115,23 @@ def test_a_press_on_a_plot_goes_to_that_time_and_its_values_are_those_of_the_run
     assert float(value) == pytest.approx(roll, abs=0.006)  # two decimals
 
 
+def test_the_plots_show_a_part_of_the_time_about_the_cursor_and_follow_it(page):
+    page.at(1.5)
+    zoom = "document.querySelector('[data-zoom=\"{}\"]').click()"
+    page(zoom.format(4))
+    canvas = page.driver.find_elements("css selector", ".panel canvas")[1]
+    page.driver.execute_script("arguments[0].scrollIntoView()", canvas)
+    quarter = fishhook().history["time"][-1] / 4
+    try:
+        canvas.click()
+        assert abs(page.state["time"] - 1.5) < 0.1 * quarter
+        page.at(0.2)  # outside: the plots turn to it
+        canvas.click()
+        assert 0.2 - 0.1 * quarter < page.state["time"] < 0.2 + quarter
+    finally:
+        page(zoom.format(0))
+
+
 def test_everything_has_a_name_for_a_screen_reader(page):
     assert page(UNNAMED) == 0
     label = page("document.querySelectorAll('.panel canvas')[1].getAttribute('aria-label')")

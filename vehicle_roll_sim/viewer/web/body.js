@@ -83,10 +83,10 @@ function details(body) {
 }
 
 /** The body of a vehicle about its c.g.; opacity below 1 for a ghost. */
-function bodyOf(told, colour, opacity) {
+function bodyOf(told, opacity) {
   const seen = { transparent: opacity < 1, opacity };
-  const paint = new THREE.MeshLambertMaterial({ color: colour, ...seen });
-  const glass = new THREE.MeshLambertMaterial({ color: 0x1d2733, ...seen });
+  const paint = new THREE.MeshLambertMaterial(seen);
+  const glass = new THREE.MeshLambertMaterial(seen);
   const group = new THREE.Group();
   group.add(new THREE.Mesh(lowerBody(told.body, told.wheels), paint));
   const { body, wheels } = told;
@@ -98,7 +98,7 @@ function bodyOf(told, colour, opacity) {
   if (opacity === 1) group.add(details(body));
   group.traverse((each) => { each.castShadow = opacity === 1; });
   group.position.y = body.aside;
-  group.userData.paint = paint;
+  Object.assign(group.userData, { paint, glass });
   return group;
 }
 

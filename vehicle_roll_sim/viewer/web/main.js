@@ -52,7 +52,7 @@ function main() {
   offerRuns($("choice"), told, chosen);
   const follow = legend($("legend"), recordings, choose);
   eventMarks(recordings, range, (time) => { playback.play(false); playback.seek(time); });
-  bindControls(playback, () => followed, { use, paint });
+  bindControls(playback, () => followed, { use, paint, zoom: (factor) => plots.zoom(factor) });
   paint(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
   use("chase");
   follow(0);
@@ -75,7 +75,7 @@ function main() {
 }
 
 /** Buttons, keys and the time line. */
-function bindControls(playback, followed, { use, paint }) {
+function bindControls(playback, followed, { use, paint, zoom }) {
   const $ = (id) => document.getElementById(id), [begin, end] = playback.range;
   const theme = () => paint(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
   const change = (direction) => { playback.change(direction); $("speed").value = playback.speed; };
@@ -92,6 +92,8 @@ function bindControls(playback, followed, { use, paint }) {
   $("speed").addEventListener("change", (event) => { playback.speed = Number(event.target.value); });
   document.querySelectorAll("[data-camera]").forEach((each) =>
     each.addEventListener("click", () => use(each.dataset.camera)));
+  document.querySelectorAll("[data-zoom]").forEach((each) =>
+    each.addEventListener("click", () => zoom(Number(each.dataset.zoom))));
   playback.onPlay = (isPlaying) => {
     $("play").classList.toggle("playing", isPlaying);
     $("play").setAttribute("aria-label", isPlaying ? "Pause" : "Play");
@@ -101,7 +103,7 @@ function bindControls(playback, followed, { use, paint }) {
     " ": () => playback.play(), ArrowLeft: (event) => step(-1, event.shiftKey),
     ArrowRight: (event) => step(1, event.shiftKey), Home: () => playback.seek(begin),
     End: () => playback.seek(end), n: () => playback.stop(1), p: () => playback.stop(-1),
-    "+": () => change(1), "-": () => change(-1), t: theme,
+    "+": () => change(1), "-": () => change(-1), t: theme, i: () => zoom(4), o: () => zoom(0.25),
     1: () => use("chase"), 2: () => use("rear"), 3: () => use("top"), 4: () => use("free"),
   };
   document.addEventListener("keydown", (event) => {

@@ -2,6 +2,8 @@
 
 /** Height of a plot (CSS pixels) and space for the axis labels. */
 const PLOT = { height: 112, left: 46, right: 8, top: 6, bottom: 16 };
+/** s: the shortest time that the plots show. */
+const SHORTEST = 0.1;
 const DASHES = [[], [6, 3], [6, 3, 2, 3], [2, 3]];
 
 /** About `count` round values between two limits. */
@@ -63,8 +65,9 @@ class Panel {
     let low = Infinity, high = -Infinity;
     for (const { run, column } of this.curves) {
       for (const value of run.columns[column]) {
-        if (value < low) low = value;
-        if (value > high) high = value;
+        if (!Number.isFinite(value)) continue;
+        low = Math.min(low, value);
+        high = Math.max(high, value);
       }
     }
     if (low > high) return [0, 1];
@@ -104,7 +107,8 @@ class Panel {
     for (const curve of this.curves) this.drawCurve(pen, colour, curve);
     pen.restore();
     for (const line of [this.cursor, this.hover]) {
-      line.style.top = `${this.canvas.offsetTop + PLOT.top}px`;
+      const below = this.figure.clientHeight - this.canvas.offsetTop - PLOT.height;
+      line.style.bottom = `${below + PLOT.bottom}px`;
       line.style.height = `${PLOT.height - PLOT.top - PLOT.bottom}px`;
     }
   }
@@ -181,16 +185,18 @@ class Panel {
     this.values.replaceChildren(...this.curves.map(({ run, column, name }) => {
       const value = document.createElement("b");
       value.className = `run-${run.index}`;
-      value.textContent = (name ? `${name} ` : "") + shown(run.at(column, hovered ?? time), this.told.digits);
+      value.textContent = (name ? `${name} ` : "") + brief(run.at(column, hovered ?? time), this.told.digits);
       return value;
     }));
   }
 }
 
-/** All panels; `onSeek` is called with the time at which one was pressed. */
+/** All panels; `onSeek` is called with the time at which one was pressed. whole: of all runs (s). */
 class Plots {
-  constructor(parent, panels, recordings, range, onSeek) {
-    this.panels = panels.map((told, k) => new Panel(told, k, recordings, range));
+  constructor(parent, panels, recordings, whole, onSeek) {
+    this.whole = whole;
+    this.range = [...whole];
+    this.panels = panels.map((told, k) => new Panel(told, k, recordings, this.range));
     this.hovered = null;
     parent.append(...this.panels.map((each) => each.figure));
     for (const panel of this.panels) {
@@ -210,8 +216,27 @@ class Plots {
     this.show(this.time);
   }
 
+  /** Show a shorter or, with a factor below 1, a longer time about the cursor; 0: all of it. */
+  zoom(factor) {
+    const [begin, end] = this.range, whole = this.whole[1] - this.whole[0];
+    const span = factor ? Math.min(Math.max((end - begin) / factor, SHORTEST), whole) : whole;
+    this.turnTo(this.time - span / 2, span);
+    this.draw();
+  }
+
+  /** Let the plots begin at a time, or as near to it as the runs allow. */
+  turnTo(begin, span) {
+    this.range[0] = Math.max(Math.min(begin, this.whole[1] - span), this.whole[0]);
+    this.range[1] = this.range[0] + span;
+  }
+
   show(time) {
+    const [begin, end] = this.range, isOutside = time < begin || time > end;
     this.time = time;
+    if (isOutside) {
+      this.turnTo(time - 0.1 * (end - begin), end - begin);
+      this.draw();
+    }
     for (const panel of this.panels) panel.mark(time, this.hovered);
   }
 

@@ -82,6 +82,12 @@ function tabulated(places, values, at) {
   return values[k] + (inside - k) * (values[k + 1] - values[k]);
 }
 
+/** A number as text with at most as many decimals and about four digits. */
+function brief(value, digits) {
+  const whole = Math.floor(Math.log10(Math.max(Math.abs(value), 1))) + 1;
+  return shown(value, Math.max(0, Math.min(digits, 4 - whole)));
+}
+
 /** A number as text, "–" if there is none. */
 function shown(value, digits) {
   return Number.isFinite(value) ? value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1") : "–";

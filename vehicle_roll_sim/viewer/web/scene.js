@@ -68,7 +68,7 @@ class Picture {
     this.scene.fog.color.set(colour("--sky"));
     this.ground.paint(colour);
     this.paths.forEach((path, k) => path.paint(colour(`--run-${k}`)));
-    this.vehicles.forEach((each, k) => each.paint(colour(`--run-${k}`)));
+    this.vehicles.forEach((each, k) => each.paint(colour(`--run-${k}`), colour("--glass")));
     this.draw();
   }
 

@@ -30,7 +30,7 @@ class VehicleModel {
     this.level.position.z = told.height;
     for (const each of [this.chassis, this.level]) each.rotation.order = "ZYX";
     this.group.add(this.chassis, this.level);
-    this.body = bodyOf(told, 0xffffff, opacity);
+    this.body = bodyOf(told, opacity);
     this.chassis.add(this.body);
     this.hubs = told.wheels.map((wheel) => this.hub(wheel, opacity));
     this.arrows = COLOURS_OF_WHEELS.map(arrowOf);
@@ -59,8 +59,10 @@ class VehicleModel {
     return ball;
   }
 
-  paint(colour) {
+  /** Take the colours of body and windows. */
+  paint(colour, glass) {
     this.body.userData.paint.color.set(colour);
+    this.body.userData.glass.color.set(glass);
   }
 
   /** Place everything as it was at a time (s); hidden where the run has no position. */
