@@ -132,6 +132,11 @@ def test_the_page_of_a_run_replaces_no_other_result(refused):
     refused(("run", *TURN, "--view", "a.html", "--csv", "a.html"), "--view", "different")
 
 
+def test_a_picture_is_of_a_time_that_the_runs_have(refused, recorded, monkeypatch):
+    monkeypatch.setattr(browser, "browser", lambda: "/bin/false")
+    refused(("view", "run.csv", "--png", "1.6"), "--png", "1.6", "0 to 1.5 s")
+
+
 def test_without_a_browser_no_picture_is_taken(refused, recorded, monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     refused(("view", "run.csv", "--png", "1"), "--png", "chromium", "install Chromium")

@@ -87,6 +87,8 @@ def view_command(words: list[str], program: str) -> int:
         runs.append(ViewedRun(part, events_of(history, angle), label, scene))
         if arguments.manoeuvre and not len(cones):
             cones = _cones(arguments.manoeuvre, vehicle, options)
+    if "png" in picture:
+        _check_time(picture["png"], runs)
     title = arguments.title if arguments.title is not None else ", ".join(labels)
     write_page(output, runs, title, cones, notes)
     print(line("page", output))
@@ -155,7 +157,7 @@ def _note(label: str, vehicle: str | None) -> str:
 def _warn_of_another_vehicle(path: Path, history: History, vehicle: Vehicle) -> None:
     """Print a warning if a run begins at rest, at another height than that of the vehicle."""
     time, height = history["time"][0], float(history["z"][0])
-    if time == 0.0 and np.abs(height - vehicle.cg_height) > AT_REST:
+    if time == 0.0 and abs(height - vehicle.cg_height) > AT_REST:
         print(
             f"{PROGRAM}: warning: {path}: begins with the sprung c.g. at {height:g} m, but the "
             f"vehicle drawn has it at {vehicle.cg_height:g} m: give --vehicle or --set",
@@ -166,6 +168,14 @@ def _warn_of_another_vehicle(path: Path, history: History, vehicle: Vehicle) -> 
 def _cones(name: str, vehicle: Vehicle, options: Options) -> np.ndarray:
     """The cones of a manoeuvre with its default settings, (n, 2) (m)."""
     return manoeuvre_named(name).for_vehicle(vehicle, options).cones
+
+
+def _check_time(time: float, runs: list[ViewedRun]) -> None:
+    """Raise InputError if no run has that time (s)."""
+    begin = min(float(run.history["time"][0]) for run in runs)
+    end = max(float(run.history["time"][-1]) for run in runs)
+    if not begin <= time <= end:
+        raise InputError("--png", time, f"a time of the runs, {begin:g} to {end:g} s")
 
 
 def _shot(picture: dict) -> dict:

@@ -23,7 +23,7 @@ ROWS_OF_MANY = 600
 """As MOST_ROWS, of each run of a page that has more than MOST_RUNS."""
 SCRIPTS = (
     *("recording.js", "body.js", "vehicle.js", "ground.js", "scene.js"),
-    *("plots.js", "playback.js", "readings.js", "choice.js", "main.js"),
+    *("plots.js", "playback.js", "readings.js", "choice.js", "controls.js", "main.js"),
 )
 """In the order in which they use one another."""
 PLACE = re.compile(r"\{\{(\w+)\}\}")

@@ -3,11 +3,13 @@
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 /** s: of the arrow keys with shift. */
 const LONG_STEP = 0.1;
+/** s: length of the time line for a run of one sample. */
+const SHORTEST_RUN = 1e-3;
 
 class Playback {
   /** range: first and last time (s). stops: times of events. onTime: called with each new time. */
-  constructor(recordings, range, stops, onTime) {
-    Object.assign(this, { recordings, range, onTime });
+  constructor(range, stops, onTime) {
+    Object.assign(this, { range, onTime });
     this.stops = [...new Set(stops)].sort((a, b) => a - b);
     this.speed = 1;
     this.time = range[0];

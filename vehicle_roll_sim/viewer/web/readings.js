@@ -74,7 +74,7 @@ function legend(parent, recordings, onChoose) {
 
 /** Marks of the events on the time line, and the list of them. */
 function eventMarks(recordings, range, onSeek) {
-  const line = document.getElementById("marks"), list = document.getElementById("event-list");
+  const line = $("marks"), list = $("event-list");
   for (const run of recordings) {
     for (const { time, name, isSevere } of run.events) {
       const who = recordings.length > 1 ? `${run.label}: ` : "";
@@ -90,7 +90,7 @@ function eventMarks(recordings, range, onSeek) {
       list.append(entry);
     }
   }
-  document.getElementById("events").hidden = !list.children.length;
+  $("events").hidden = !list.children.length;
 }
 
 /** What a screen reader is told of a time. */

@@ -101,7 +101,8 @@ class Picture {
 
   show(time) {
     this.time = time;
-    for (const each of [...this.vehicles, ...this.paths]) (each.pose ? each.pose(time) : each.show(time));
+    for (const vehicle of this.vehicles) vehicle.pose(time);
+    for (const path of this.paths) path.show(time);
     const { chassis, group } = this.vehicle;
     if (group.visible) this.look(chassis.position, chassis.rotation.z);
     this.draw();
