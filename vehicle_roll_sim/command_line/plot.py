@@ -63,5 +63,5 @@ def _parser(program: str) -> argparse.ArgumentParser:
         help="figure to write: PNG, SVG or PDF (default for a single run: its name with .png)",
     )
     group.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
-    add_names(group, "figure")
+    add_names(group, "figure", "for a single run its name")
     return parser

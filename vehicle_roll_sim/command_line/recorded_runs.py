@@ -44,12 +44,12 @@ def add_runs(parser: argparse.ArgumentParser, metavar: str) -> None:
     add_declared(parser, PartSettings, "range")
 
 
-def add_names(group: argparse._ArgumentGroup, what: str) -> None:
-    """Add the options for the title of `what` and the labels of the runs."""
+def add_names(group: argparse._ArgumentGroup, what: str, default: str) -> None:
+    """Add the options for the title of `what`, with its default in words, and for labels."""
     group.add_argument(
         "--title",
         metavar="TEXT",
-        help=f"title of the {what} (default for a single run: its name)",
+        help=f"title of the {what} (default: {default})",
     )
     group.add_argument(
         "--label",

@@ -99,7 +99,12 @@ def view_command(words: list[str], program: str) -> int:
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = OneLineParser(prog=program, description=COMMANDS["view"])
+    parser = OneLineParser(
+        prog=program,
+        description=COMMANDS["view"],
+        epilog="The options of the vehicle are for CSV files. A bag describes its vehicle, and the "
+        "roll angle at which its run was to stop.",
+    )
     add_runs(parser, "RUN")
     group = parser.add_argument_group("results")
     group.add_argument(
@@ -107,7 +112,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
         metavar="FILE",
         help="page to write, in HTML (default for a single run: its name with .html)",
     )
-    add_names(group, "page")
+    add_names(group, "page", "the labels of the runs")
     group.add_argument(
         "--manoeuvre",
         metavar="NAME",

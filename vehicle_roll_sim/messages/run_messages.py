@@ -24,6 +24,7 @@ NOT_OF_EVERY_MODEL = (ROLL_CENTRE,)
 """Topics from which columns are added to it, if there are any messages on them."""
 TIRE_FORCES = tuple(topic for topic in STATE_SET if topic.name.startswith("tire_forces/"))
 """Topics that fill the columns of horizontal tire forces, lf to rr, where they are kept."""
+OF_TIRES = {topic.name for topic in TIRE_FORCES}
 HORIZONTAL = ("longitudinal", "lateral")
 
 COMMAND_SIZES = (len(COMMAND_LABELS), len(COMMAND_LABELS) + len(WIND))
@@ -48,6 +49,8 @@ class RunMessages:
 
     def keep(self, name: str, sent: int, message) -> None:
         """Add a message of a topic other than `state`. sent: when it was sent (ns)."""
+        if name in OF_TIRES:  # not as a whole, as there are four in each set
+            message = (message.wrench.force.x, message.wrench.force.y)
         kept = self._added if name in self._added else self._others
         kept[name].append((sent, message))
 
@@ -79,8 +82,7 @@ class RunMessages:
             ahead, left = (COLUMNS.index(f"{name}_force_{wheel}") for name in HORIZONTAL)
             for row, place in zip(rows, places, strict=True):
                 if place in found:
-                    force = found[place].wrench.force
-                    row[ahead], row[left] = force.x, force.y
+                    row[ahead], row[left] = found[place]
 
     def _roll_centres(self, places: Iterable[int]) -> np.ndarray | None:
         """The values of ROLL_CENTRES for the states at some places, shape (n, 4); None if unknown.
