@@ -23,6 +23,7 @@ OPTIONS = (
     *("--headless=new", "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader"),
     *("--enable-unsafe-swiftshader", "--hide-scrollbars", "--force-device-scale-factor=1"),
     *("--no-first-run", "--disable-extensions", "--disable-background-networking"),
+    "--disable-dev-shm-usage",  # which is small in containers
 )
 """The picture does not depend on a graphics card, and nothing is fetched."""
 

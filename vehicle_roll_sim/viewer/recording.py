@@ -53,16 +53,8 @@ def _panel(label: str, wheel: int | None = None) -> dict:
 
 def recording(run: ViewedRun, signals: Sequence[Signal], most: int = MOST_ROWS) -> dict:
     """What the page gets of a run. signals: of its panels. most: as for `kept_rows`."""
-    history = run.history
-    columns = {name: history[name] for name in (*MOTION, "steering")}
-    for quantity in OF_WHEELS:
-        columns |= _of_wheels(quantity, history.wheels(quantity))
-    columns |= _of_wheels("wheel_angle", _spin_angles(history))
-    if history.commands is not None:
-        columns["rear_steering"] = history.command("rear_steering")
-    if history.roll_centres is not None:
-        columns |= dict(zip(ROLL_CENTRES, history.roll_centres.T, strict=True))
-    curves = []
+    history, curves = run.history, []
+    columns = _motion(history)
     for place, signal in enumerate(signals):
         lines = _lines(signal, history)
         names = [f"panel_{place}_{k}" for k in range(len(lines))]
@@ -86,6 +78,19 @@ def recording(run: ViewedRun, signals: Sequence[Signal], most: int = MOST_ROWS) 
         "rollover": _known(run.events.rollover_time[0]),
         "is_thinned": len(rows) < len(history.rows),
     }
+
+
+def _motion(history: History) -> dict[str, np.ndarray]:
+    """The columns from which the vehicle is drawn."""
+    columns = {name: history[name] for name in (*MOTION, "steering")}
+    for quantity in OF_WHEELS:
+        columns |= _of_wheels(quantity, history.wheels(quantity))
+    columns |= _of_wheels("wheel_angle", _spin_angles(history))
+    if history.commands is not None:
+        columns["rear_steering"] = history.command("rear_steering")
+    if history.roll_centres is not None:
+        columns |= dict(zip(ROLL_CENTRES, history.roll_centres.T, strict=True))
+    return columns
 
 
 def _of_wheels(quantity: str, values: np.ndarray) -> dict[str, np.ndarray]:

@@ -6,6 +6,8 @@ const ARCH = 0.07;
 const RISE = 0.13, BONNET = 0.5, WAIST = 0.56;
 /** Width of the roof over that of the body. */
 const TAPER = 0.82;
+/** How far base and roof of the cabin end from tail and front axle, over the length of the body. */
+const CABIN = { tail: 0.05, hatch: 0.12, scuttle: 0.07, screen: 0.25 };
 
 function profile(points) {
   const shape = new THREE.Shape();
@@ -45,12 +47,19 @@ function lowerBody(body, wheels) {
   return drawnOut(shape, width, bevel);
 }
 
+/** x of the rear and front ends of the roof (m). */
+function roofEnds({ ahead, behind }, wheels) {
+  const length = ahead + behind;
+  return [CABIN.hatch * length - behind, wheels[0].place[0] - CABIN.screen * length];
+}
+
 /** The cabin, narrower towards the roof. */
 function cabin(body, wheels) {
-  const { behind, bottom, top, width } = body, height = top - bottom;
-  const base = bottom + WAIST * height - 0.06, front = wheels[0].place[0], rear = -behind;
+  const { ahead, behind, bottom, top, width } = body, length = ahead + behind;
+  const base = bottom + WAIST * (top - bottom) - 0.06, [rear, front] = roofEnds(body, wheels);
   const shape = profile([
-    [rear + 0.2, base], [front - 0.3, base], [front - 1.05, top], [rear + 0.5, top],
+    [CABIN.tail * length - behind, base], [wheels[0].place[0] - CABIN.scuttle * length, base],
+    [front, top], [rear, top],
   ]);
   const geometry = drawnOut(shape, width - 0.1, 0.001), at = geometry.attributes.position;
   for (let k = 0; k < at.count; k++) {
@@ -88,12 +97,12 @@ function bodyOf(told, opacity) {
   const paint = new THREE.MeshLambertMaterial(seen);
   const glass = new THREE.MeshLambertMaterial(seen);
   const group = new THREE.Group();
-  group.add(new THREE.Mesh(lowerBody(told.body, told.wheels), paint));
   const { body, wheels } = told;
+  group.add(new THREE.Mesh(lowerBody(body, wheels), paint));
   group.add(new THREE.Mesh(cabin(body, wheels), glass));
-  const { behind, top, width } = body, length = wheels[0].place[0] - 1.05 + behind - 0.5;
-  const roof = new THREE.Mesh(new THREE.BoxGeometry(length, (width - 0.1) * TAPER, 0.03), paint);
-  roof.position.set((wheels[0].place[0] - 1.05 - behind + 0.5) / 2, 0, top + 0.005);
+  const [rear, front] = roofEnds(body, wheels), size = [front - rear, (body.width - 0.1) * TAPER, 0.03];
+  const roof = new THREE.Mesh(new THREE.BoxGeometry(...size), paint);
+  roof.position.set((rear + front) / 2, 0, body.top + 0.005);
   group.add(roof);
   if (opacity === 1) group.add(details(body));
   group.traverse((each) => { each.castShadow = opacity === 1; });

@@ -8,7 +8,8 @@ const CONE = { height: 0.5, radius: 0.13 };
 
 class Ground {
   constructor(scene) {
-    this.plane = new THREE.Mesh(new THREE.PlaneGeometry(1200, 1200), new THREE.MeshLambertMaterial({ depthWrite: false }));
+    const material = new THREE.MeshLambertMaterial({ depthWrite: false });
+    this.plane = new THREE.Mesh(new THREE.PlaneGeometry(1200, 1200), material);
     this.plane.receiveShadow = true;
     this.plane.renderOrder = -3;
     this.fine = this.grid(FINE);
@@ -68,16 +69,21 @@ class Path {
     }
   }
 
+  /** A band along the path: two points and two faces a sample, none where it has no place. */
   ribbon({ time, columns }) {
-    const at = [], faces = [];
-    for (let k = 0; k < time.length; k++) {
-      const next = Math.min(k + 1, time.length - 1), last = Math.max(k - 1, 0);
-      const dx = columns.x[next] - columns.x[last], dy = columns.y[next] - columns.y[last];
-      const scale = PATH_WIDTH / 2 / (Math.hypot(dx, dy) || 1), x = columns.x[k], y = columns.y[k];
-      const isKnown = Number.isFinite(x + y + dx + dy);
-      at.push(...(isKnown ? [x - dy * scale, y + dx * scale, 0, x + dy * scale, y - dx * scale, 0] : [0, 0, 0, 0, 0, 0]));
-      if (k) faces.push(...(isKnown && this.wasKnown ? [2 * k - 2, 2 * k - 1, 2 * k, 2 * k, 2 * k - 1, 2 * k + 1] : [0, 0, 0, 0, 0, 0]));
-      this.wasKnown = isKnown;
+    const { x, y } = columns, at = [], faces = [], last = time.length - 1;
+    let wasKnown = false;
+    for (let k = 0; k <= last; k++) {
+      const before = Math.max(k - 1, 0), after = Math.min(k + 1, last);
+      const dx = x[after] - x[before], dy = y[after] - y[before];
+      const isKnown = Number.isFinite(x[k] + y[k] + dx + dy);
+      const half = isKnown ? PATH_WIDTH / 2 / (Math.hypot(dx, dy) || 1) : 0;
+      for (const side of [half, -half]) {
+        at.push(...(isKnown ? [x[k] - side * dy, y[k] + side * dx, 0] : [0, 0, 0]));
+      }
+      const p = wasKnown && isKnown ? 2 * k - 2 : -1;
+      if (k) faces.push(...(p < 0 ? [0, 0, 0, 0, 0, 0] : [p, p + 1, p + 2, p + 2, p + 1, p + 3]));
+      wasKnown = isKnown;
     }
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(at, 3));

@@ -14,8 +14,8 @@ function bytesOf(text) {
 /** One run: columns over time, linear between samples. */
 class Recording {
   constructor(told, index) {
-    Object.assign(this, { label: told.label, vehicle: told.vehicle, events: told.events });
-    Object.assign(this, { curves: told.curves, index });
+    const { label, vehicle, events, curves } = told;
+    Object.assign(this, { index, label, vehicle, events, curves });
     this.time = new Float64Array(bytesOf(told.time));
     const rows = this.time.length, values = new Float32Array(bytesOf(told.values));
     this.columns = {};

@@ -12,7 +12,7 @@ class Picture {
   /** Raises an error where there is no WebGL. */
   constructor(canvas, recordings, cones) {
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
@@ -50,7 +50,7 @@ class Picture {
   /** Build the vehicles: that of the followed run solid, the others as ghosts. */
   choose(index) {
     this.followed = index;
-    for (const each of this.vehicles || []) this.scene.remove(each.group);
+    for (const each of this.vehicles || []) each.leave(this.scene);
     this.vehicles = this.recordings.map((each, k) => new VehicleModel(each, k !== index));
     this.vehicles.forEach((each) => this.scene.add(each.group));
     this.paint();

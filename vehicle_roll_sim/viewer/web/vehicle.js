@@ -65,6 +65,16 @@ class VehicleModel {
     this.body.userData.glass.color.set(glass);
   }
 
+  /** Go from the scene, and release what the graphics card keeps. */
+  leave(scene) {
+    scene.remove(this.group);
+    this.group.traverse((each) => {
+      if (!each.isMesh) return;
+      each.geometry.dispose();
+      each.material.dispose();
+    });
+  }
+
   /** Place everything as it was at a time (s); hidden where the run has no position. */
   pose(time) {
     const at = (name) => this.recording.at(name, time), told = this.recording.vehicle;
