@@ -117,3 +117,21 @@ def test_of_many_runs_the_reader_chooses_those_to_show(opened):
     legend = "[...document.querySelectorAll('#legend button')].map((each) => each.innerText.trim())"
     assert page(legend) == ["run 2", "run 4"]
     assert page.complaints == []
+
+
+def test_without_webgl_all_but_the_vehicle_is_shown_and_the_page_says_so(opened, driver):
+    source = """
+        const { prototype } = HTMLCanvasElement, plain = prototype.getContext;
+        prototype.getContext = function (kind) {
+            return kind === "2d" ? plain.call(this, kind) : null;
+        };
+    """
+    added = driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": source})
+    try:
+        page = opened(fishhook())
+    finally:
+        driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
+    assert "no WebGL" in page("document.getElementById('stage').innerText")
+    state = page.at(float(fishhook().history["time"][-1]))
+    assert (state["lamps"], state["wheels"]) == ([True] * 5, None)
+    assert page("document.querySelectorAll('.panel').length") > 8
