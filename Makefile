@@ -48,7 +48,7 @@ else
 	$(BIN)/python -m pytest $(PYTEST_OPTIONS) $(TESTS)
 endif
 
-# A minute and a half, for use while editing. Left to `make test`: nodes, signals, start-up and
+# Under a minute on two cores, for use while editing. Left to `make test`: nodes, signals, start-up,
 # compilation, bags, figures, manoeuvres of the standards, the paper, and all that is marked slow.
 test-quick: setup
 	$(BIN)/python -c $(COMPILE)

@@ -49,6 +49,7 @@ setup(
         "compiled": ["numba>=0.59"],
         "recorder": ["rosbags>=0.11.6,<0.12"],
         "control": ["control>=0.10"],
+        "gym": ["gymnasium>=1.1"],
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
         "validation": ["mujoco>=3.2"],

@@ -12,7 +12,10 @@ from benchmarks import machine, report
 from vehicle_roll_sim.arguments import OneLineParser, exit_status, named_file
 from vehicle_roll_sim.declaration import InputError, unknown_name
 
-BENCHMARKS = ("kernel", "work_precision", "batch", "node_load", "latency", "lockstep", "startup")
+BENCHMARKS = (
+    *("kernel", "work_precision", "batch", "learning"),
+    *("node_load", "latency", "lockstep", "startup"),
+)
 """Modules, each with TITLE, ABOUT, COLUMNS and measure(quick), in the order of their tables."""
 PROGRAM = "benchmarks"
 

@@ -110,6 +110,8 @@ def add_declared(
         default = getattr(declaring, parameter.name, None)
         if isinstance(default, float):
             about += f" (default {default:.6g})"
+        elif parameter.none and default is None:
+            about += f" (default: {parameter.none})"
         unit = parameter.unit.upper() or "VALUE"
         group.add_argument(option_name(parameter), metavar=unit.replace(" ", "_"), help=about)
 

@@ -43,7 +43,7 @@ class Parameter:
     kind: float, bool, str, or tuple for a list of `size` numbers or of some of the `choices`.
     alternative: name of the parameter that specifies the same quantity in another way; exactly one
     of the two is given. tunable: may be changed while a simulation runs. over: what a Curve is
-    over, and the largest magnitude of it.
+    over, and the largest magnitude of it. none: what None says as a value, if it may be one.
     """
 
     name: str
@@ -59,6 +59,7 @@ class Parameter:
     size: int
     alternative: str
     over: tuple[str, float]
+    none: str = ""
 
     @property
     def is_curve(self) -> bool:
@@ -71,6 +72,8 @@ class Parameter:
         Raises InputError naming `field`, by default the parameter's name.
         """
         field, value = field or self.name, plain(value)
+        if value is None and self.none:
+            return None
         if self.kind is float:
             return self._validate_number(value, field)
         if self.kind is tuple:
@@ -89,7 +92,7 @@ class Parameter:
         return value
 
     def _validate_number(self, value, field: str) -> float:
-        number = number_of(value, field, self.allowed)
+        number = value if type(value) is float else number_of(value, field, self.allowed)
         if not self.minimum <= number <= self.maximum or math.isinf(number):
             raise InputError(field, value, self.allowed)
         return number
@@ -168,6 +171,7 @@ def parameter(
     size: int = 0,
     alternative: str = "",
     over: tuple[str, float] = TRAVEL,
+    none: str = "",
     default=dataclasses.MISSING,
 ):
     """Declare a parameter as a dataclass field; it is required if it has no `default`.
@@ -186,6 +190,7 @@ def parameter(
         "size": size,
         "alternative": alternative,
         "over": over,
+        "none": none,
     }
     if alternative or default is None:
         return dataclasses.field(default=None, metadata=about, kw_only=True)

@@ -14,6 +14,8 @@ from definitions import definitions, usual_combinations, usual_values
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.command_line.parameters import parameter_table
 from vehicle_roll_sim.declaration import Parameter, parameters_of
+from vehicle_roll_sim.learning.actions import ACTIONS, ENDING
+from vehicle_roll_sim.learning.observations import OBSERVATIONS
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.messages import topics
@@ -189,6 +191,36 @@ def manoeuvre_table() -> str:
     return table(("name", "definition"), *rows)
 
 
+def action_table() -> str:
+    """What an agent of VehicleRoll-v0 may command."""
+    rows = (
+        (
+            f"`{name}`",
+            str(channel.size),
+            "0 … 1" if channel.smallest == 0.0 else "-1 … 1",
+            f"`{channel.limit}`",
+            with_names(topics.COMMAND_MEANINGS[name + ENDING].partition(";")[0]),
+        )
+        for name, channel in ACTIONS.items()
+    )
+    return table(("action", "numbers", "range", "1 stands for", "meaning"), *rows)
+
+
+def observation_table() -> str:
+    """What it may observe."""
+    rows = (
+        (
+            f"`{name}`",
+            str(each.size),
+            each.signal.unit or "–",
+            f"{each.bound:g}",
+            each.signal.meaning,
+        )
+        for name, each in OBSERVATIONS.items()
+    )
+    return table(("observation", "numbers", "unit", "bound", "meaning"), *rows)
+
+
 SET = (*topics.STATE_SET, topics.ROLL_CENTRE)
 TABLES: dict[str, Callable[[], str]] = {
     "commands": command_table,
@@ -206,6 +238,8 @@ TABLES: dict[str, Callable[[], str]] = {
     ),
     "launch arguments": argument_table,
     "manoeuvres": manoeuvre_table,
+    "actions": action_table,
+    "observations": observation_table,
     "plausibility": lambda: table(("quantity", "usual"), *usual_values()),
     "combinations": lambda: table(("quantity", "usual"), *usual_combinations()),
     "vehicle": lambda: parameter_table(preset()),

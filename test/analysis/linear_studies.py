@@ -40,8 +40,8 @@ def mirror(names: tuple[str, ...]) -> np.ndarray:
 
 def command_of(inputs: np.ndarray) -> Command:
     """The command that the inputs of a linear model are."""
-    torques, forces = tuple(inputs[2:6]), tuple(inputs[6:10])
-    return Command(float(inputs[0]), float(inputs[1]), torques, normal_force=forces)
+    torques, forces, wind = tuple(inputs[2:6]), tuple(inputs[6:10]), tuple(inputs[10:]) or (0, 0)
+    return Command(float(inputs[0]), float(inputs[1]), torques, normal_force=forces, wind=wind)
 
 
 def simulation_in(trim: Trim) -> Simulation:

@@ -18,7 +18,7 @@ from scipy.linalg import expm
 
 from vehicle_roll_sim import InputError, Options
 from vehicle_roll_sim.analysis import linear_model
-from vehicle_roll_sim.analysis.level_road_model import INPUT_NAMES, typical
+from vehicle_roll_sim.analysis.level_road_model import INPUT_NAMES, WIND_NAMES, typical
 from vehicle_roll_sim.analysis.linear_model import as_control_system, linearize, outputs_of
 from vehicle_roll_sim.analysis.trim import find_trim
 from vehicle_roll_sim.model.records import LF, TIRE_COMPRESSION
@@ -28,6 +28,18 @@ SAMPLE, SAMPLES = 0.05, 30
 """Sample time (s) and number of samples: by the end the roll motion has decayed."""
 SMALL_STEPS = {"steering": 1e-3, "wheel_torque_rf": 10.0, "normal_force_lr": 50.0}
 """rad, N m, N: what is left after the linear response is a hundredth of it, and not rounding."""
+
+
+AIR = {
+    "drag_area": 0.7,
+    "side_force_area": 2.0,
+    "front_lift_area": 0.2,
+    "rear_lift_area": 0.1,
+    "pressure_centre_ahead": 0.3,
+    "pressure_centre_height": 0.2,
+}
+GUST = 0.2
+"""m/s, 1.4 % of the speed, with the square of which the forces go."""
 
 
 def linear_response(model, inputs: np.ndarray) -> np.ndarray:
@@ -67,6 +79,20 @@ def test_the_response_to_a_small_step_is_that_of_the_model_but_for_its_square(ch
         assert missed[-1].max() < 0.02 * size
     growth = missed[1] / missed[0]  # relative to a response that is twice as large
     assert np.median(growth) == pytest.approx(2.0, rel=0.05)
+
+
+@pytest.mark.parametrize("name", WIND_NAMES)
+@pytest.mark.parametrize("choice", ["1", "2"])
+def test_so_is_that_to_a_gust_along_or_across_the_heading(choice, name):
+    trim = find_trim(REFERENCE.with_values(AIR), Options(model=choice), speed=SPEED)
+    model = linearize(trim)
+    assert model.input_names == (*INPUT_NAMES, *WIND_NAMES)
+    step = GUST * np.eye(len(model.input_names))[model.input_names.index(name)]
+    linear, response = linear_response(model, step), nonlinear_response(model, step)
+    largest = np.abs(response).max(axis=0)
+    moved = largest > 1e-6 * np.abs(model.trim_output).max()  # a headwind turns nothing
+    assert moved.sum() >= 4
+    assert (np.abs(linear - response).max(axis=0)[moved] < 0.02 * largest[moved]).all()
 
 
 @pytest.mark.parametrize("choice", ["1", "2", "8dof"])

@@ -183,10 +183,8 @@ ODD = ("$\\frac$", "_hidden", "a\nb", "bad\udcff", "<&-->", "")
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
 def test_any_name_can_stand_in_a_figure(history, tmp_path, suffix):
     path = tmp_path / f"figure{suffix}"
-    for names, title in ((ODD[:3], ODD[3]), (ODD[3:], ODD[0])):
-        save_figure(standard_figure([drawn(history, name) for name in names], title), path)
-        assert path.stat().st_size > 1000
-        path.unlink()
+    save_figure(standard_figure([drawn(history, name) for name in ODD], "".join(ODD)), path)
+    assert path.stat().st_size > 1000
 
 
 @pytest.mark.parametrize("name", [name for name in ODD if name.isprintable() and name])

@@ -28,7 +28,8 @@ INFORMATION = "rosbag2_bagfile_information"
 @pytest.fixture
 def killed(tmp_path) -> Path:
     """The bag of a recorder that was killed right after it had kept 0.2 s of driving."""
-    simulation, manoeuvre = Simulation(preset()), STANDARD["step_steer"]
+    simulation = Simulation(preset())
+    manoeuvre = STANDARD["step_steer"].for_vehicle(simulation.vehicle, simulation.options)
     bag = Bag(tmp_path / "alive" / "drive", "--bag")
     observer = RunBag(simulation, manoeuvre.commanded, bag, PERIOD_NS)
     bag.begin()

@@ -90,7 +90,7 @@ def test_a_speed_hold_is_recorded_as_the_torque_that_it_gives(tmp_path):
     messages = read_by_another_library(tmp_path / "bag")
     speeds = [message.data[7] for _, message in messages["/state"]]  # u
     manoeuvre = STANDARD["step_steer"]
-    wanted = [manoeuvre.speed_hold * (manoeuvre.speed - u) for u in speeds]
+    wanted = [2000.0 * (manoeuvre.speed - u) for u in speeds]
     applied = [list(message.data[3:7]) for _, message in messages["/applied_command"]]
     assert applied[1:] == [[0.0, 0.0, torque, torque] for torque in wanted[:-1]]
     assert max(wanted) > 1.0  # N m

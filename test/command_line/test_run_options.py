@@ -30,6 +30,10 @@ def weight(rows: dict) -> float:
     return sum(rows[f"normal_force_{wheel}"][0] for wheel in ("lf", "rf", "lr", "rr"))
 
 
+def step_steer():
+    return manoeuvre_named("step_steer").for_vehicle(preset(), Options())
+
+
 @pytest.fixture
 def vehicle_file(folder):
     """A vehicle of 1600 kg sprung mass, its tire beside it."""
@@ -101,7 +105,7 @@ def test_options_of_the_model_are_those_of_the_library(rows, words, options):
 
 def test_grade_and_bank_are_those_of_the_road_of_the_library(rows):
     simulation = Simulation(preset(), road=Road(grade=0.1, bank=-0.04))
-    history = run(simulation, manoeuvre_named("step_steer"), 2.0)
+    history = run(simulation, step_steer(), 2.0)
     sloping = rows(*SHORT, "--grade", "0.1", "--bank", "-0.04")
     level = rows(*SHORT)
     for name in ("u", "v", "roll"):
@@ -140,7 +144,7 @@ def test_step_is_the_step_of_the_integration(rows):
     fine, coarse = (rows(*SHORT, "--step", step)["roll"] for step in ("0.0005", "0.002"))
     difference = np.abs(fine - coarse).max()
     assert 0.0 < difference < 1e-6  # rad: fourth order, but for corners of the steering
-    history = run(Simulation(preset(), step=0.002), manoeuvre_named("step_steer"), 2.0)
+    history = run(Simulation(preset(), step=0.002), step_steer(), 2.0)
     assert coarse.tolist() == history["roll"].tolist()
 
 

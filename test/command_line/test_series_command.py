@@ -81,7 +81,7 @@ def test_what_is_wrong_is_refused_in_one_line(refused, words, named):
 
 
 def test_a_double_lane_change_takes_the_options_of_body_and_driver(command, monkeypatch):
-    for name, step in (("COARSE", 10), ("FINE", 5)):  # km/h: fewer runs
+    for name, step in (("COARSE", 20), ("FINE", 10)):  # km/h: fewer runs
         monkeypatch.setattr(f"vehicle_roll_sim.manoeuvres.series.entry_speed_search.{name}", step)
     narrow = ("--preview-time", "0.3", "--vehicle-width", "1.9", *STABLE)
     result = command("series", "iso_severe_double_lane_change", *narrow)

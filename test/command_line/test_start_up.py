@@ -6,12 +6,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE
 
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.main import main
 
-PATIENCE = 120
-"""s"""
 ROOT = Path(__file__).parents[2]
 PACKAGE = "vehicle_roll_sim"
 FIRST = "early_signals"

@@ -2,6 +2,7 @@
 
 import csv
 import itertools
+import math
 from pathlib import Path
 
 import magic_formula
@@ -98,9 +99,17 @@ def test_it_says_what_was_read(command, name, version):
     dp = 0.0 if version == "5.2" else p["INFLPRES"] / p["NOMPRES"] - 1.0
     stiffness = p["VERTICAL_STIFFNESS"] * (1 + p["PFZ1"] * dp)
     assert result.number("vertical stiffness") == pytest.approx(stiffness, rel=1e-5)  # 6 digits
-    linear = 1e3 * p["FNOMIN"] / stiffness
-    assert result.number("tire compression") == pytest.approx(linear, rel=1e-3)
-    assert ("by the formula of the file" in said["tire compression"]) == (version != "5.2")
+    load, linear = p["FNOMIN"], 1e3 * p["FNOMIN"] / stiffness
+    if version == "5.2":
+        assert "progression" not in said
+        assert result.number("tire compression") == pytest.approx(linear, rel=1e-3)
+        return
+    slope = stiffness / (1 + p["PFZ1"] * dp) * p["UNLOADED_RADIUS"] / load
+    growth = p["Q_FZ2"] / math.sqrt(slope**2 - 4 * p["Q_FZ2"]) / p["UNLOADED_RADIUS"]
+    assert result.number("progression") == pytest.approx(growth, rel=1e-3)
+    without = f"{linear:.4g} mm without progression"
+    assert said["tire compression"].endswith(without)
+    assert result.number("tire compression") > linear
 
 
 def test_a_file_with_lateral_force_only_is_shown_on_request(command, folder, refused):

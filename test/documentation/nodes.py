@@ -3,13 +3,16 @@
 import contextlib
 import importlib
 import runpy
+import signal
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from unittest import mock
 
+import forked
 import launch_files
 import launch_stand_in
+import pytest
 import rclpy
 import yaml
 from parsing import PACKAGE, arguments_of, executables
@@ -47,6 +50,20 @@ def check_run(name: str, words: list[str]) -> None:
     elif executables()[name].module.startswith(f"{PACKAGE}.examples"):
         module = importlib.import_module(f"{PACKAGE}.examples.{name}")
         _make(_controller_of(vars(module)), words)
+
+
+def run_compare(words: list[str]) -> int:
+    """`compare …` in this process, with nodes that are forked; returns its exit status."""
+    usual = {each: signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)}
+    with pytest.MonkeyPatch.context() as patched:
+        forked.fork_nodes(patched)
+        patched.delenv("MPLBACKEND", raising=False)  # nodes draw nothing
+        patched.setattr(sys, "argv", ["compare", *words])
+        try:
+            return compare.main()
+        finally:
+            for signum, handler in usual.items():
+                signal.signal(signum, handler)
 
 
 def check_script(script: str, *words: str) -> None:

@@ -176,7 +176,7 @@ class Reader:
             if line.shows:
                 self._has_run(*_printed_by(main, own))
         elif name == "compare" and line.shows and nodes:
-            self._has_run(*_run_process(name, words))
+            self._has_run(*_printed_by(nodes.run_compare, words))
         else:
             self._promise(words, ["run", "j_turn", "--command-period", "0.01"])
 
@@ -238,12 +238,6 @@ def _printed_by(function, *given) -> tuple[object, str]:
         except SystemExit as ended:  # --help, or what a script finds
             returned = ended.code
     return returned, printed.getvalue()
-
-
-def _run_process(name: str, words: list[str]) -> tuple[int, str]:
-    command = [sys.executable, "-m", f"{PACKAGE}.ros.executables", name, *words]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
-    return done.returncode, done.stdout + done.stderr * bool(done.returncode)
 
 
 def _commands_in(value) -> list[str]:

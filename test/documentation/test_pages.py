@@ -14,6 +14,14 @@ SHARED = ("config", "msg_examples", "policies")
 """Folders of share/ that the pages mention."""
 
 
+@pytest.fixture(scope="session", autouse=True)
+def fork_server():
+    """The program from which nodes are forked ends with the tests."""
+    yield
+    if nodes:
+        nodes.forked.SERVER.close()
+
+
 @pytest.fixture
 def share(tmp_path, monkeypatch):
     """The content of share/ in an installation, and launch files that can be loaded."""

@@ -176,7 +176,7 @@ def is_finite(session: Session) -> bool:
 
 
 @pytest.mark.parametrize("driven", HARMLESS)
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=15, deadline=None)
 @given(data=st.data(), speed=st.floats(0.0, 60.0))
 def test_steering_with_brakes_and_forces_or_a_speed_at_their_limits_never_diverges_in_ten_seconds(
     driven, data, speed
@@ -187,7 +187,7 @@ def test_steering_with_brakes_and_forces_or_a_speed_at_their_limits_never_diverg
 
 
 @pytest.mark.parametrize("drive", ["wheel_torque_cmd", "speed_cmd"])
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=15, deadline=None)
 @given(data=st.data(), speed=st.floats(0.0, 60.0))
 def test_with_a_drive_at_its_limit_too_all_stays_finite_for_ten_seconds(drive, data, speed):
     topics = (*HARMLESS["brakes and forces"], drive)

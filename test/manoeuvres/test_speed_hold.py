@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
-from vehicle_roll_sim.manoeuvres.base import HOLD
+from vehicle_roll_sim.manoeuvres.base import ADAPTED, hold_for
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.run import run
 
-HOLDING = [name for name, each in STANDARD.items() if each.speed_hold]
+HOLDING = [name for name, each in STANDARD.items() if each.speed_hold is ADAPTED]
+FREE = {"ramp_steer", "j_turn"}
+"""The manoeuvres that hold no speed."""
 LONG = {"slowly_increasing_steer", "steady_state_circle"}
 """They are driven once before they are complete."""
 WITHOUT_RUNS = {"steering_at_03g": 1.0, "handwheel_angle": 1.0}
@@ -33,13 +35,14 @@ def completed(name: str, vehicle, **changes):
 
 @pytest.mark.parametrize("name", sorted({*HOLDING} - LONG))
 def test_the_gain_goes_with_mass_and_tire_radius(car, name):
-    assert completed(name, preset()).speed_hold == HOLD
+    assert completed(name, preset()).speed_hold == 2000.0
     for vehicle, mass, radius in ((car, 3.74, 0.05), (preset("van"), None, None)):
         mass, radius = mass or vehicle.mass, radius or vehicle.per_wheel("tire_radius")[2]
         gain = completed(name, vehicle).speed_hold
-        assert gain / (mass * radius) == pytest.approx(HOLD / (1760.0 * 0.285))
+        assert gain / (mass * radius) == pytest.approx(2000.0 / (1760.0 * 0.285))
         assert completed(name, vehicle, speed_hold=gain).speed_hold == gain
-        assert completed(name, vehicle, speed_hold=500.0).speed_hold == 500.0
+        for chosen in (0.0, 500.0, 2000.0):
+            assert completed(name, vehicle, speed_hold=chosen).speed_hold == chosen
 
 
 def test_a_model_car_keeps_its_speed(car):
@@ -56,3 +59,21 @@ def test_a_model_car_is_told_how_to_measure_its_steering(car):
     told = r"^steering_at_03g: .* not enough samples .* prints at a lower speed or handwheel_rate$"
     with pytest.raises(InputError, match=told):
         STANDARD["nhtsa_j_turn"].for_vehicle(car, MODEL_2)
+
+
+def test_a_manoeuvre_that_holds_no_speed_can_be_given_the_adapted_gain(car):
+    assert {name for name, each in STANDARD.items() if not each.needs_vehicle} == FREE
+    for name in FREE:
+        assert completed(name, car).speed_hold == 0.0
+        assert completed(name, car, speed_hold=None).speed_hold == hold_for(car)
+
+
+def test_before_it_knows_its_vehicle_the_gain_is_unknown():
+    commands = STANDARD["step_steer"](np.array([0.0]))
+    assert np.isnan(commands["speed_hold_gain"]).all()
+    assert STANDARD["step_steer"].commanded == ("steering", "wheel_torque")
+
+
+def test_no_other_value_of_a_manoeuvre_may_be_missing():
+    with pytest.raises(InputError, match=r"^duration: missing: a number from 0 to 86400 s$"):
+        dataclasses.replace(STANDARD["step_steer"], duration=None)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from vehicle_roll_sim import InputError
+from vehicle_roll_sim import InputError, Options, preset
 from vehicle_roll_sim.manoeuvres.catalogue import PAPER, RampAndHold, manoeuvre_named
 
 TIMES = np.linspace(0.0, 12.0, 4801)
@@ -44,7 +44,7 @@ def assert_steers_only(commands: np.ndarray) -> None:
 @pytest.mark.parametrize("name", CONDITIONS)
 def test_a_standard_manoeuvre_has_the_conditions_of_the_source(name):
     begin, end, degrees, duration, speed_hold = CONDITIONS[name]
-    manoeuvre = manoeuvre_named(name)
+    manoeuvre = manoeuvre_named(name).for_vehicle(preset(), Options())
     commands = manoeuvre(TIMES)
     expected = expected_steering(begin, end, degrees)
     np.testing.assert_allclose(commands["steering"], expected, rtol=0, atol=ROUNDING)

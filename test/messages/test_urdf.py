@@ -87,8 +87,8 @@ def test_in_a_roll_a_wheel_leaves_the_ground_exactly_when_it_has_lifted(steered,
     front, rear = TURNS[steered]
     command = Command(steering=side * front, rear_steering=side * rear)
     lifted = np.zeros(4, dtype=bool)
-    for _ in range(300):
-        session.simulation.step(command, 0.01)
+    for _ in range(100):
+        session.simulation.step(command, 0.03)
         picture = Picture(session, description)
         compression = session.simulation.state.tire_compression
         clearance = np.array([picture.clearance(wheel) for wheel in WHEELS])

@@ -22,6 +22,8 @@ UNEQUAL_AXLES = {
     "rear_unsprung_mass": 67.0,
     "front_tire_stiffness": 215_000.0,
     "rear_tire_stiffness": 245_000.0,
+    "front_tire_progression": 3.0,
+    "rear_tire_progression": 5.0,
     "tire_radius": 0.312,
     "wheel_inertia": 1.3,
     "front_roll_centre_depth": 0.56,

@@ -9,6 +9,7 @@ import dataclasses
 
 import numpy as np
 from random_states import attitude, inertia_tensor, wheel_positions
+from tire_springs import tire_energies
 
 from vehicle_roll_sim import Vehicle
 from vehicle_roll_sim.simulation.road import Road
@@ -176,15 +177,15 @@ def energy(vehicle: Vehicle, road: Road, state, command):
     total = vehicle.sprung_mass * (velocity @ velocity / 2 - gravity @ body)
     total += rates @ inertia_tensor(vehicle) @ rates / 2
     total += vehicle.wheel_inertia * (state["wheel_speed"] ** 2).sum() / 2
-    compression = state["suspension_compression"]
-    apart = compression - compression[OTHER]
+    travel = state["suspension_compression"] - vehicle.static_suspension_compression
+    apart = travel - travel[OTHER]  # bars are without load at rest
     total += vehicle.bar_rate @ apart**2 / 4
     for i, each in enumerate(wheels(vehicle, state, command)):
         mass = vehicle.per_wheel("unsprung_mass")[i]
         total += spring_energy(vehicle, i, each.travel)
         total += mass * (each.velocity @ each.velocity / 2 - gravity @ each.centre)
         if each.deflection.real > 0.0:
-            total += vehicle.per_wheel("tire_stiffness")[i] * each.deflection**2 / 2
+            total += tire_energies(vehicle, each.deflection)[i]
     return total
 
 

@@ -12,6 +12,7 @@ from random_states import (
     wheel_centres,
     wheel_positions,
 )
+from tire_springs import tire_energies
 
 from vehicle_roll_sim.model.records import STATE
 from vehicle_roll_sim.simulation.road import Road
@@ -112,9 +113,8 @@ def energy(vehicle, road: Road, state) -> float:
     total -= vehicle.sprung_mass * gravity @ body
     total -= masses @ (wheel_centres(vehicle, state) @ gravity)
     springs = vehicle.per_wheel("spring_stiffness")
-    tires = vehicle.per_wheel("tire_stiffness")
     total += springs @ state["suspension_compression"] ** 2 / 2
-    return total + tires @ np.maximum(state["tire_compression"], 0.0) ** 2 / 2
+    return total + tire_energies(vehicle, np.maximum(state["tire_compression"], 0.0)).sum()
 
 
 def turning(state, outputs) -> np.ndarray:

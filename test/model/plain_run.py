@@ -10,7 +10,7 @@ if sys.argv[3:] == ["without-numba"]:
     sys.modules["numba"] = None  # importing it now fails
 
 import numpy as np
-from programmes import j_turn, ramp_and_hold, record_run
+from programmes import ramp_and_hold, record_run
 from swing_axles import on_swing_axles
 
 from vehicle_roll_sim import Options, Simulation, Vehicle, preset
@@ -57,7 +57,7 @@ SLOPE = Road(grade=0.05, bank=-0.03)
 
 def run(steps: int, options: Options = FULL):
     simulation = Simulation(preset(), options, step=STEP)
-    return record_run(simulation, j_turn(**HELD), steps * STEP)
+    return record_run(simulation, ramp_and_hold(0.1, 40.0, 10.0, **HELD), steps * STEP)
 
 
 def vehicle_for(options: Options) -> Vehicle:

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim import Condition, Options, Simulation, Tire, Vehicle
-from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel, kernel_argument
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
@@ -128,15 +128,26 @@ class Evaluation:
 
     def __init__(self, vehicle: Vehicle, options: Options = SOURCE, road: Road = LEVEL):
         plant = Plant.of(vehicle, options, road)
-        self._plant = plant.parts()
+        self._plant = plant.arguments()
         self._outputs = np.zeros(1, OUTPUTS)
         self.outputs = self._outputs[0]
 
     def rates(self, state: np.ndarray, command: np.ndarray) -> np.ndarray:
         """Time derivative, a STATE record, at one STATE record under one COMMAND record."""
         result = np.zeros(STATE_SIZE)
-        derivatives(_flat(state), command, *self._plant, kernel_argument(self._outputs)[0], result)
+        commands, outputs = np.atleast_1d(command), kernel_argument(self._outputs)
+        _evaluate(_flat(state), commands, self._plant, outputs, result)
         return result.view(STATE)[0]
+
+
+@kernel
+def _evaluate(state, commands, plant, outputs, result):
+    """`derivatives` with arrays of one record each, which compiled code takes sooner than records.
+
+    plant: vehicle, tires and options.
+    """
+    vehicle, tires, options = plant
+    derivatives(state, commands[0], vehicle[0], tires[0], options[0], outputs[0], result)
 
 
 def _flat(state: np.ndarray) -> np.ndarray:

@@ -6,6 +6,7 @@ from programmes import SOURCE, Evaluation, ramp_and_hold
 from random_states import random_command, random_state
 
 from vehicle_roll_sim import Command, Options, Simulation
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OPTIONS
 from vehicle_roll_sim.model.roll_axis import roll_stiffness
 from vehicle_roll_sim.simulation.plant import Plant
@@ -57,7 +58,7 @@ def test_the_roll_stiffness_of_roll_plane_models_counts_them(reference):
     hard = {"front_tire_stiffness": 1e8, "rear_tire_stiffness": 1e8}
     flags = np.zeros(1, OPTIONS)[0]
     stiffness = [
-        roll_stiffness(Plant.of(vehicle, SOURCE).parts()[0], flags)
+        roll_stiffness(kernel_argument(Plant.of(vehicle, SOURCE).vehicle)[0], flags)
         for vehicle in (reference.with_values(hard), reference.with_values(hard | BARS))
     ]
     assert stiffness[1] - stiffness[0] == pytest.approx(1.5**2 * 1.5 * RATE, rel=3e-3)

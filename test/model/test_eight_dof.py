@@ -1,5 +1,6 @@
 """The 8 DOF model: its equations written out as residuals, and its general properties."""
 
+import functools
 from types import SimpleNamespace
 
 import magic_formula
@@ -8,8 +9,9 @@ import pytest
 from programmes import Evaluation, j_turn, record_run
 from random_states import random_command, random_state
 from test_mirror import FORCE, OTHER_SIDE, REVERSED_STATES, SHARE_OF_PEAK, TORQUE, share_of_peak
+from tire_springs import tire_compressions, tire_slopes
 
-from vehicle_roll_sim import Command, Condition, Options, Simulation
+from vehicle_roll_sim import LF, LR, Command, Condition, Options, Simulation
 from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, SLIP_STATES
 
 MODELS = ("8dof", "8dof-rigid-tires")
@@ -39,10 +41,12 @@ def symbols(vehicle, model: str) -> SimpleNamespace:
     p.Jz = v.yaw_inertia + p.Muf * (p.a**2 + p.cf**2 / 4) + p.Mur * (p.b**2 + p.cr**2 / 4)
     p.sf = p.m * G * p.b / (2 * (p.a + p.b)) + p.Muf * G / 2
     p.sr = p.m * G * p.a / (2 * (p.a + p.b)) + p.Mur * G / 2
-    p.ktf, p.ktr, p.r0 = v.front_tire_stiffness, v.rear_tire_stiffness, v.tire_radius
-    p.huf, p.hur = p.r0 - p.sf / p.ktf, p.r0 - p.sr / p.ktr
-    share_f = p.ktf / (v.front_spring_stiffness + p.ktf)
-    share_r = p.ktr / (v.rear_spring_stiffness + p.ktr)
+    p.r0, p.compressed = v.tire_radius, functools.partial(tire_compressions, v)
+    xti = p.compressed(np.array([p.sf, p.sf, p.sr, p.sr]))
+    p.huf, p.hur = p.r0 - xti[[LF, LR]]
+    ktf, ktr = tire_slopes(v, xti)[[LF, LR]]
+    share_f = ktf / (v.front_spring_stiffness + ktf)
+    share_r = ktr / (v.rear_spring_stiffness + ktr)
     p.share = (1.0, 1.0) if model == "8dof-rigid-tires" else (share_f, share_r)
     p.kf = 0.5 * p.cf**2 * v.front_spring_stiffness * p.share[0]
     p.kr = 0.5 * p.cr**2 * v.rear_spring_stiffness * p.share[1]
@@ -69,7 +73,7 @@ def forces(p, tire, state, command, fz) -> tuple[np.ndarray, np.ndarray, np.ndar
     delta = np.repeat([command["steering"], command["rear_steering"]], 2)
     s, c = np.sin(delta), np.cos(delta)
     rolling = ug * c + vg * s
-    radius = p.r0 - fz / np.repeat([p.ktf, p.ktr], 2)
+    radius = p.r0 - p.compressed(fz)
     kappa = (radius * state["wheel_speed"] - rolling) / np.abs(rolling)
     alpha = np.arctan2(vg * c - ug * s, np.abs(rolling))
     fxt, fyt = np.where(fz > 0, magic_formula.combined(tire, kappa, alpha, fz), 0.0)

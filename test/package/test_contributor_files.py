@@ -8,6 +8,7 @@ from xml.etree import ElementTree
 
 import pytest
 import yaml
+from patience import PATIENCE
 
 PAGES = ("CONTRIBUTING.md", "SECURITY.md", ".github/PULL_REQUEST_TEMPLATE.md")
 FORMS = (".github/ISSUE_TEMPLATE/bug.yml", ".github/ISSUE_TEMPLATE/feature.yml")
@@ -105,7 +106,7 @@ def test_every_test_file_that_make_and_the_guide_name_is_there(text, root):
     """A file that was moved would otherwise be noticed by the last step of CI."""
     command = ["make", "--dry-run", "oldest", "soak", "kilted"]
     result = subprocess.run(
-        command, cwd=root, capture_output=True, text=True, timeout=60, check=True
+        command, cwd=root, capture_output=True, text=True, timeout=PATIENCE, check=True
     )
     named = [{*TEST_FILE.findall(each)} for each in (text("CONTRIBUTING.md"), result.stdout)]
     assert all(named)

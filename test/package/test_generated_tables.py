@@ -27,6 +27,7 @@ def rows_of(text: str, header: str) -> dict[int, list[str]]:
 def tables(root):
     """The module that makes the tables of topics, services and parameters."""
     pytest.importorskip("rclpy", reason="what the node declares needs ROS 2")
+    pytest.importorskip("gymnasium", reason="what its environment declares needs gymnasium")
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(root / "docs" / "_extensions")
         return importlib.import_module("tables")

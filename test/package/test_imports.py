@@ -23,6 +23,7 @@ MAY_IMPORT = {
     "messages": {*SIMULATED, "live"},
     "bags": {*SIMULATED, "live", "messages"},
     "studies": {*SIMULATED, "manoeuvres", "batch", "analysis"},
+    "learning": {*SIMULATED, "live", "manoeuvres", "batch", "analysis", "studies"},
     "offline": {*SIMULATED, "manoeuvres", "batch", "analysis", "studies", "bags"},
     "arguments": set(),
     "command_line": {
@@ -140,12 +141,13 @@ def test_the_model_is_mathematics_without_declarations_files_or_ros(sources, own
             assert outside <= MODEL_MAY_USE | set(sys.stdlib_module_names), name
 
 
-def test_only_the_part_ros_imports_anything_of_ros_and_only_bags_their_library(sources):
+def test_ros_rosbags_and_gymnasium_are_each_imported_by_one_part_only(sources):
     for name, text in sources.items():
         roots = {imported.partition(".")[0] for imported in imports_of(text)}
         of_ros = {r for r in roots if r in OF_ROS or r.endswith(("_msgs", "_srvs", "_interfaces"))}
         assert not of_ros or is_within(name, f"{PACKAGE}.ros"), (name, of_ros)
         assert "rosbags" not in roots or is_within(name, f"{PACKAGE}.bags"), name
+        assert "gymnasium" not in roots or is_within(name, f"{PACKAGE}.learning"), name
 
 
 def test_only_the_comparison_with_the_multibody_engine_imports_it(sources):

@@ -15,8 +15,7 @@ from vehicle_roll_sim.model.contact import steady_state_slip
 from vehicle_roll_sim.model.records import OUTPUTS
 from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
-from vehicle_roll_sim.paper.engine_model import BODIES, MASSLESS
-from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.paper.engine_model import MASSLESS, with_body
 
 ARM = """
       <body pos="{x} {y} {z}">
@@ -65,8 +64,7 @@ class SwingAxleEngine:
                 inertia=MASSLESS,
             )
             assert up == self.heights[i] - PIVOTS[axle][1]
-        inertia = f"{car.roll_inertia} {car.pitch_inertia} {car.yaw_inertia}"
-        return BODIES.format(gravity=GRAVITY, mass=car.sprung_mass, inertia=inertia, wheels=wheels)
+        return with_body(car, wheels)
 
     @property
     def rotation(self) -> np.ndarray:

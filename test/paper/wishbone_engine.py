@@ -12,8 +12,7 @@ from swing_axle_engine import POSE, TWIST, SwingAxleEngine
 from wishbones import Linkage
 
 from vehicle_roll_sim import Vehicle
-from vehicle_roll_sim.paper.engine_model import BODIES, MASSLESS
-from vehicle_roll_sim.vehicle.derived_values import GRAVITY
+from vehicle_roll_sim.paper.engine_model import MASSLESS, with_body
 
 LINKAGE = """
       <body pos="{x} {arm_y} {arm_z}">
@@ -55,8 +54,7 @@ class WishboneEngine(SwingAxleEngine):
                 mass=car.unsprung_mass[i],
                 massless=MASSLESS,
             )
-        inertia = f"{car.roll_inertia} {car.pitch_inertia} {car.yaw_inertia}"
-        return BODIES.format(gravity=GRAVITY, mass=car.sprung_mass, inertia=inertia, wheels=wheels)
+        return with_body(car, wheels)
 
     def rates(self, coordinates: np.ndarray, steering: float) -> np.ndarray:
         """Time derivative of the coordinates at a front road-wheel angle (rad)."""

@@ -19,6 +19,7 @@ as ever: exit status, traceback, atexit, daemon threads. What differs from a pro
 import contextlib
 import gc
 import importlib
+import inspect
 import json
 import os
 import runpy
@@ -59,6 +60,7 @@ def preload() -> None:
         check_for_type_support(message_class(topic.type))
     rclpy.get_rmw_implementation_identifier()
     call_every_kernel()
+    inspect.getmodule(sys._getframe())  # it notes where every module is, for 0.1 s; logging asks it
     for signum, handler in usual.items():  # the package has its own, from its import on
         signal.signal(signum, handler)
     gc.collect()

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 from fork_server import EXECUTABLES
 from patience import PATIENCE
@@ -163,3 +164,13 @@ def open_process(
     if not fresh and SERVER.can_start(command, env):
         return SERVER.start(command, env=env, **options)
     return subprocess.Popen(command, env=env, text=True, **options)
+
+
+def fork_nodes(monkeypatch, opened=open_process) -> None:
+    """Have `compare` and `demo`, called in this process, fork the nodes that they start.
+
+    opened: with the arguments of `open_process`.
+    """
+    forking = SimpleNamespace(**vars(subprocess) | {"Popen": opened})
+    for name in ("comparison", "demo"):
+        monkeypatch.setattr(f"vehicle_roll_sim.ros.orchestration.{name}.subprocess", forking)

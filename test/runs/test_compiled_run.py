@@ -182,7 +182,7 @@ def braking_backwards(times: np.ndarray) -> np.ndarray:
 
 def test_a_programme_may_return_one_command_for_all_times():
     simulation = Simulation(preset())
-    constant = lambda times: STANDARD["step_steer"](np.array([1.05]))  # noqa: E731
+    constant = lambda times: STANDARD["j_turn"](np.array([1.05]))  # noqa: E731
     found = []
     for driven in (run, compiled_run):
         simulation.reset(15.0)

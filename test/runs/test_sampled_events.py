@@ -23,8 +23,8 @@ ROLLOVER = math.radians(85.0)
 
 def driven(name: str, sample: float = SAMPLE, **options) -> tuple[History, np.record]:
     """The history of a manoeuvre, and the events of its simulation."""
-    manoeuvre = manoeuvre_named(name)
     simulation = Simulation(preset("reference"), Options(**options), rollover_angle=ROLLOVER)
+    manoeuvre = manoeuvre_named(name).for_vehicle(simulation.vehicle, simulation.options)
     simulation.reset(manoeuvre.speed)
     history = run(simulation, manoeuvre.driver(), manoeuvre.duration, sample=sample)
     return history, simulation.events

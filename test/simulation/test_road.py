@@ -1,5 +1,6 @@
 """The road: gravity against a plane with grade and bank, and its effect on the vehicle."""
 
+import functools
 import math
 
 import numpy as np
@@ -20,9 +21,10 @@ def total_mass(vehicle) -> float:
     return vehicle.sprung_mass + vehicle.per_wheel("unsprung_mass").sum()
 
 
-def parked(road: Road, model: str = "1", yaw: float = 0.0, **options) -> Simulation:
-    """The reference vehicle with its brakes on, after it has calmed down."""
-    simulation = Simulation(preset(), Options(model=model, **options), road=road)
+@functools.cache
+def parked(road: Road, model: str = "1", yaw: float = 0.0) -> Simulation:
+    """The reference vehicle with its brakes on, after it has calmed down; to be read only."""
+    simulation = Simulation(preset(), Options(model=model), road=road)
     simulation.reset(0.0)
     simulation.state.yaw = yaw
     simulation.step(BRAKES, 20.0)

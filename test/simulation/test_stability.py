@@ -199,3 +199,12 @@ def test_where_there_are_no_numbers_there_is_no_largest_step():
     simulation = Simulation(preset())
     simulation.state.u = math.nan
     assert math.isnan(simulation.largest_stable_step())
+
+
+def test_the_largest_step_is_found_without_a_change_of_the_state():
+    simulation = Simulation(preset("van"), Options(model="2"))
+    simulation.reset(17.0)
+    simulation.step(Command(steering=0.05), 0.05)
+    before = simulation.snapshot()
+    assert simulation.largest_stable_step(Command(steering=0.1)) > 0.001
+    assert simulation.snapshot() == before

@@ -52,9 +52,15 @@ def test_a_study_file_says_what_is_fixed_varied_and_drawn(tmp_path):
     assert (study.points, study.correlation[0, 1]) == (16 * 3 * 2, 0.6)
 
 
+def test_the_speed_hold_may_be_the_one_adapted_to_the_vehicle(tmp_path):
+    study = read(tmp_path, GOOD.replace("manoeuvre.duration: 6", "manoeuvre.speed_hold: null"))
+    assert study.fixed["manoeuvre.speed_hold"] is None
+
+
 @pytest.mark.parametrize(
     ("before", "after", "message"),
     [
+        ("manoeuvre.speed: {lowest", "manoeuvre.speed_hold: [0, null]\n  x: {lowest", "2: missing"),
         ("manoeuvre: nhtsa_fishhook", "", "manoeuvre: missing: one of step_steer"),
         ("nhtsa_fishhook", "fishook", "line 1: manoeuvre: 'fishook' is unknown"),
         (

@@ -263,3 +263,59 @@ def test_a_line_of_the_file_is_named_for_what_does_not_fit_together(vehicle_from
     text = REFERENCE_YAML + "rear_tire_pressure: 200000\n"
     with refused(tmp_path / "some.yaml", line_of(text, "rear_tire_pressure"), "version 5.2"):
         vehicle_from(text)
+
+
+@pytest.fixture
+def progressive(pressed) -> Tire:
+    """That tire with a vertical force that is progressive."""
+    return pressed.with_coefficients(Q_FZ2=12.0)
+
+
+def test_tires_whose_stiffness_is_that_of_the_file_carry_the_load_by_its_formula(progressive):
+    vehicle = without(preset(), *TURNED_OFF, tire=progressive)
+    c, change = progressive.coefficients, (2.3e5 - 2.2e5) / 2.2e5
+    slope = c["VERTICAL_STIFFNESS"] * c["UNLOADED_RADIUS"] / c["FNOMIN"]
+    share = vehicle.static_tire_compression / c["UNLOADED_RADIUS"]
+    by_file = (math.sqrt(slope**2 - 4 * 12.0) + 12.0 * share) * share
+    by_file *= c["FNOMIN"] * (1 + c["PFZ1"] * change)
+    weights = vehicle.sprung_mass * vehicle.axle_load_share + vehicle.per_wheel("unsprung_mass")
+    np.testing.assert_allclose(by_file, 9.81 * weights, rtol=1e-13)
+    np.testing.assert_allclose(vehicle.static_tire_load, 9.81 * weights, rtol=1e-13)
+    found = vehicle.from_tires
+    assert found["rear_tire_progression"].source == "Q_FZ2 of the tire file"
+    assert "VERTICAL_STIFFNESS" in found["rear_tire_stiffness"].source
+
+
+def test_a_stiffness_of_the_vehicle_file_is_that_of_a_linear_tire_unless_it_gives_more(progressive):
+    linear = without(preset(), "tire_radius", tire=progressive)
+    assert linear.per_wheel("tire_progression").tolist() == [0.0] * 4
+    assert linear.tire_stiffness_at_rest.tolist() == [2e5] * 4
+    given = linear.with_values({"rear_tire_progression": 4.0})
+    assert given.per_wheel("tire_progression").tolist() == [0.0, 0.0, 4.0, 4.0]
+    assert given.per_wheel("tire_stiffness").tolist() == [2e5] * 4
+
+
+@pytest.mark.parametrize("progression", [0.0, 1e-6, 2.0, 50.0])
+def test_the_stiffness_of_the_file_is_that_at_nominal_load_with_any_progression(
+    progressive, progression
+):
+    given = {f"{axle}_tire_progression": progression for axle in ("front", "rear")}
+    vehicle = without(preset().with_values(given), *TURNED_OFF, tire=progressive)
+    c, change = progressive.coefficients, (2.3e5 - 2.2e5) / 2.2e5
+    harder = 1 + c["PFZ1"] * change
+    stiffness = vehicle.per_wheel("tire_stiffness")
+    slope = np.sqrt(stiffness**2 + 4 * stiffness * progression * c["FNOMIN"] * harder)
+    np.testing.assert_allclose(slope, c["VERTICAL_STIFFNESS"] * harder, rtol=1e-12)
+
+
+def test_a_degressive_tire_is_linear(pressed):
+    vehicle = without(preset(), *TURNED_OFF, tire=pressed.with_coefficients(Q_FZ2=-5.0))
+    assert vehicle.per_wheel("tire_progression").tolist() == [0.0] * 4
+    change = 1 + 0.7 * (2.3e5 - 2.2e5) / 2.2e5
+    np.testing.assert_allclose(vehicle.per_wheel("tire_stiffness"), 2.1e5 * change, rtol=1e-14)
+
+
+def test_a_progression_out_of_its_range_is_refused_with_its_file(pressed):
+    most = (2.1e5 * 0.31 / pressed.coefficients["FNOMIN"]) ** 2 / 4
+    with refused("front_tire_progression, from Q_FZ2 of the tire file", "from 0 to 10000 1/m"):
+        without(preset(), *TURNED_OFF, tire=pressed.with_coefficients(Q_FZ2=most))

@@ -45,6 +45,13 @@ def test_loads_and_compressions_follow_from_the_weight_on_each_corner(figures):
     assert rear.tire_compression == pytest.approx(225 * G / 180e3)
 
 
+def test_beside_the_middle_the_left_wheels_carry_more(figures):
+    assert figures.left_share == pytest.approx(0.5)
+    beside = figures_of(preset().with_values(SQUARE | {"cg_offset": 0.07}))
+    left = 800 * (0.5 + 0.07 / 1.4) + 400 * (0.5 + 0.07 / 1.6) + 50 + 25
+    assert beside.left_share == pytest.approx(left / 1350)
+
+
 def test_the_centre_of_gravity_of_the_whole_is_the_mean_over_all_masses(figures):
     mass = 1200 + 2 * 50 + 2 * 25
     front, rear = (0.3 - axle.tire_compression for axle in figures.axles.values())

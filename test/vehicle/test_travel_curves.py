@@ -84,6 +84,20 @@ def test_the_table_of_an_axle_holds_all_its_curves():
             assert value == pytest.approx(at(curve, travel), abs=1e-11)
 
 
+def test_curves_that_differ_in_a_bit_or_in_kind_are_not_taken_for_each_other():
+    points = ((0.0, 0.0), (1.0, 0.3))
+    counted, line = TravelCurve(((0.0, 0.1), (1.0, 0.3))), TravelCurve(0.3)
+    table, nearly = TravelCurve(points), TravelCurve(np.nextafter(0.3, 1.0).item())
+    not_counted = TravelCurve(((0.0, 0.1), (1.0, 0.3)), is_change=False)
+    found = [tabulated([each]) for each in (counted, line, table, nearly, not_counted)]
+    texts = [(knots.tobytes(), pieces.tobytes()) for knots, _, pieces in found]
+    assert len(set(texts)) == len(texts)
+    again = tabulated([TravelCurve(points)])
+    assert all(one is other for one, other in zip(again, found[2], strict=True))
+    with pytest.raises(ValueError, match="read-only"):
+        again[2][0] = 1.0
+
+
 GOOD = "[[-0.1, 0.02], [0.0, 0.0], [0.1, -0.03]]"
 
 

@@ -70,6 +70,8 @@ ABSENT = {
     "tire_pressure": 2.2e5,
     "front_tire_pressure": 2.3e5,
     "rear_tire_pressure": 2.4e5,
+    "front_tire_progression": 3.0,
+    "rear_tire_progression": 4.0,
     "front_tire_lateral_stiffness": 1.2e5,
     "rear_tire_lateral_stiffness": 1.3e5,
     "front_anti_roll_bar_stiffness": 2e4,

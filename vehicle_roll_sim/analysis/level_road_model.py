@@ -4,8 +4,8 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
-from vehicle_roll_sim.model.integration.derivatives import derivatives
-from vehicle_roll_sim.model.kinematic.contact import note_tire_compression
+from vehicle_roll_sim.model.frames import heading_of, yawed_to_ground
+from vehicle_roll_sim.model.integration.derivatives import smooth_derivatives
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
@@ -13,11 +13,12 @@ from vehicle_roll_sim.model.records import (
     STATE_NAMES,
     STATE_SIZE,
     WHEELS,
+    YAW,
     element_names,
 )
-from vehicle_roll_sim.model.wheel import note_turning
 from vehicle_roll_sim.simulation.options import MODELS, Options
 from vehicle_roll_sim.simulation.plant import Plant
+from vehicle_roll_sim.vehicle.air_parameters import has_air_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.suspension_details import with_linear_dampers
 
@@ -28,6 +29,8 @@ INPUT_NAMES = tuple(
     for wheel in (WHEELS if COMMAND[name].shape else ("",))
 )
 """The smooth inputs of the model; brakes are dry friction, which cannot be linearized at rest."""
+WIND_NAMES = ("wind_x", "wind_y")
+"""Further inputs of a vehicle with air forces: velocity of the air along frame 2 (m/s)."""
 WITHOUT_EFFECT = ("x", "y", "yaw")
 """States on which nothing depends on a level road. Height acts only through tire compression."""
 TYPICAL = {
@@ -50,6 +53,8 @@ TYPICAL = {
     "rear_steering": 0.02,
     "wheel_torque": 100.0,
     "normal_force": 1000.0,
+    "wind_x": 1.0,
+    "wind_y": 1.0,
 }
 """Changes of comparable significance (SI units, rad): they scale the unknowns, the rates (per
 second) and the finite-difference steps."""
@@ -73,7 +78,8 @@ class LevelRoadModel:
 
     state_names: the states on which the motion depends, without tire compressions, which follow
     from height, attitude and suspension compression. places: their indices in the state vector.
-    typical_roll: typical change of the roll angle (rad).
+    input_names: INPUT_NAMES, and WIND_NAMES for a vehicle with air forces. typical_roll: typical
+    change of the roll angle (rad).
     Raises InputError for model 1c-iii, in which they do not follow: its turns are not steady.
     """
 
@@ -84,10 +90,11 @@ class LevelRoadModel:
         self.vehicle, self.options = vehicle, options.for_vehicle(vehicle)
         plant = Plant.of(with_linear_dampers(vehicle), self.options)
         self.record, self.tires = plant.vehicle, plant.tires
-        self._plant = plant.parts()
+        self._plant = plant.arguments()
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))
+        self.input_names = INPUT_NAMES + (WIND_NAMES if has_air_forces(vehicle) else ())
         self.typical_roll = ROLL_ON_TIRES if options.is_kinematic else TYPICAL["roll"]
         self.places = np.array([STATE_NAMES.index(name) for name in self.state_names])
 
@@ -100,17 +107,18 @@ class LevelRoadModel:
         """Time derivative of a flat state vector, shape (STATE_SIZE,); also updates `outputs`.
 
         In model 2 also the compression of the tires in `state`, which follows from the others.
-        inputs: named by INPUT_NAMES, shape (10,) (rad, N m, N). Rates of states that the model does
-        not have are nan.
+        inputs: named by `input_names` (rad, N m, N, m/s). Rates of states that the model does not
+        have are nan.
         """
         command, rates = np.zeros(1, COMMAND), np.full(STATE_SIZE, np.nan)
-        for name, value in zip(INPUT_FIELDS, np.split(inputs, (1, 2, 6)), strict=True):
+        *driven, wind = np.split(inputs, (1, 2, 6, len(INPUT_NAMES)))
+        for name, value in zip(INPUT_FIELDS, driven, strict=True):
             command[name] = value if COMMAND[name].shape else value[0]
+        if len(wind):
+            command["wind"] = yawed_to_ground(heading_of(state[YAW]), *wind)
         outputs = kernel_argument(self._outputs)[0]
         with silently():
-            note_turning(state, outputs)
-            derivatives(state, kernel_argument(command)[0], *self._plant, outputs, rates)
-            note_tire_compression(state, self._plant[-1], outputs)
+            smooth_derivatives(state, kernel_argument(command), self._plant, outputs, rates)
         return rates
 
     def on_flat_road(self, state: np.ndarray) -> np.ndarray:

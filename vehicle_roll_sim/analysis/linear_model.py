@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.analysis.level_road_model import INPUT_NAMES, LevelRoadModel, typical
+from vehicle_roll_sim.analysis.level_road_model import LevelRoadModel, typical
 from vehicle_roll_sim.analysis.trim import Trim
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.output_file import replaced_file
@@ -50,10 +50,10 @@ TIRE_NAMES = element_names(("tire_compression",))
 class LinearModel:
     """A linear model about a trim, in SI units and radians.
 
-    a: A (n, n). b: B (n, 10). c: C (10, n). d: D (10, 10). state_names, input_names, output_names:
-    names of the elements of x, u and y. step_error: the largest difference between the slopes over
-    one step and over two, relative to the largest in the row, with all states and inputs scaled by
-    their typical changes.
+    a: A (n, n). b: B (n, m). c: C (10, n). d: D (10, m). m: 10, or 12 with a wind. state_names,
+    input_names, output_names: names of the elements of x, u and y. step_error: the largest
+    difference between the slopes over one step and over two, relative to the largest in the row,
+    with all states and inputs scaled by their typical changes.
     """
 
     a: np.ndarray
@@ -102,7 +102,7 @@ def linearize(trim: Trim) -> LinearModel:
     model = trim.plant
     names = (*model.state_names, *(() if model.options.has_eight_dof else TIRE_NAMES))
     places = np.array([STATE_NAMES.index(name) for name in names])
-    scale = typical((*names, *INPUT_NAMES), model.typical_roll)
+    scale = typical((*names, *model.input_names), model.typical_roll)
     count = len(names)
 
     def response(change: np.ndarray) -> np.ndarray:
@@ -115,7 +115,7 @@ def linearize(trim: Trim) -> LinearModel:
     slopes, error, kink = _slopes(response, len(scale))
     row, column = np.unravel_index(kink.argmax(), kink.shape)
     if kink[row, column] > KINK:
-        one, other = (*names, *OUTPUT_NAMES)[row], (*names, *INPUT_NAMES)[column]
+        one, other = (*names, *OUTPUT_NAMES)[row], (*names, *model.input_names)[column]
         allowed = f"a value further from a kink, such as lift-off: {one} has one over {other}"
         raise InputError("lateral_acceleration", float(trim.outputs.acceleration[1]), allowed)
     slopes = slopes / scale
@@ -124,7 +124,7 @@ def linearize(trim: Trim) -> LinearModel:
     if not model.options.has_eight_dof:
         a, b, c = _on_flat_road(a, b, c, model)
     return LinearModel(
-        a, b, c, d, model.state_names, INPUT_NAMES, OUTPUT_NAMES, trim, float(error.max())
+        a, b, c, d, model.state_names, model.input_names, OUTPUT_NAMES, trim, float(error.max())
     )
 
 

@@ -12,7 +12,7 @@ import math
 import numpy as np
 from scipy import optimize
 
-from vehicle_roll_sim.analysis.level_road_model import INPUT_NAMES, TYPICAL, LevelRoadModel, typical
+from vehicle_roll_sim.analysis.level_road_model import TYPICAL, LevelRoadModel, typical
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
@@ -39,7 +39,7 @@ class Trim:
     """A steady state, in SI units and radians.
 
     state: flat vector named by STATE_NAMES; position and heading are 0, states that the model does
-    not have nan. inputs: named by INPUT_NAMES, shape (10,). outputs: the corresponding OUTPUTS
+    not have nan. inputs: named by the input_names of `plant`. outputs: the corresponding OUTPUTS
     record.
     """
 
@@ -78,7 +78,7 @@ def find_trim(
     if not math.isfinite(wanted):
         raise InputError(field, wanted, "a finite number")
     standing = equilibrium(model.record, model.tires, speed).view(np.float64)
-    trim = _solution(model, standing, np.zeros(len(INPUT_NAMES)), "steering", 0.0)
+    trim = _solution(model, standing, np.zeros(len(model.input_names)), "steering", 0.0)
     if trim is None:
         raise InputError("speed", speed, "a speed that the rear wheels can hold straight ahead")
     _check_rolls(trim)

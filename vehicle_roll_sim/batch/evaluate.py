@@ -34,7 +34,7 @@ def outcomes(
     cases: may be a generator, of any length: no more than a few dozen cases and outcomes are in
     memory at once. workers: as for `evaluate`. histories: whether outcomes have one.
     """
-    workers = _checked_workers(workers)
+    workers = checked_workers(workers)
     pending: collections.deque[Future[Outcome]] = collections.deque()
     pool = ThreadPoolExecutor(workers, thread_name_prefix="batch")
     try:
@@ -65,7 +65,8 @@ def processors() -> int:
     return len(os.sched_getaffinity(0))
 
 
-def _checked_workers(workers: int | None) -> int:
+def checked_workers(workers: int | None) -> int:
+    """The number of threads: that given, or that of the processors; raises InputError."""
     if workers is None:
         return processors()
     if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:

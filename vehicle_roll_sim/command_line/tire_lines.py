@@ -4,7 +4,7 @@ import math
 
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.vehicle.axle_tires import pressure_change, vertical_stiffness
-from vehicle_roll_sim.vehicle.tire.vertical import compression
+from vehicle_roll_sim.vehicle.tire.vertical import compression, progression
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 HEADER = (
@@ -44,18 +44,26 @@ def read_lines(tire: Tire) -> list[str]:
 
 
 def _vertical_lines(tire: Tire) -> list[str]:
-    """The vertical stiffness, and the compression at nominal load."""
+    """The vertical stiffness and its progression, and the compression at nominal load."""
     given, stiffness = tire.coefficients, vertical_stiffness(tire, None)
     if not stiffness:
         return [line("vertical stiffness", "not given; the vehicle file must give it")]
     load, change = given["FNOMIN"], pressure_change(tire, None)
     at = " at the inflation pressure" if given["PFZ1"] * change else ""
-    said = f"{load / stiffness * MILLIMETRES:.4g} mm at nominal load"
-    if given["Q_FZ2"]:
-        by_file = compression(given, load, change) * MILLIMETRES
+    grows = progression(given)
+    by_file = compression(given, load, change) * MILLIMETRES
+    linear = load / stiffness * MILLIMETRES
+    said = f"{by_file if grows else linear:.4g} mm at nominal load"
+    if given["Q_FZ2"] < 0.0:
         said += f"; by the formula of the file, at standstill, {by_file:.4g} mm"
-    stated = f"{stiffness:g} N/m{at}, unless the vehicle file gives another"
-    return [line("vertical stiffness", stated), line("tire compression", said)]
+    elif grows:
+        said += f", {linear:.4g} mm without progression"
+    under = " at nominal load" if grows else ""
+    stated = f"{stiffness:g} N/m{under}{at}, unless the vehicle file gives another"
+    lines = [line("vertical stiffness", stated), line("tire compression", said)]
+    if grows:
+        lines.insert(1, line("progression", f"{grows:.4g} 1/m"))
+    return lines
 
 
 def _version_and_units(tire: Tire) -> list[str]:

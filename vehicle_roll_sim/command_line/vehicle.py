@@ -142,11 +142,13 @@ def _figure_lines(vehicle: Vehicle) -> list[str]:
     unsprung = figures.mass - vehicle.sprung_mass
     behind, height = figures.cg_to_front_axle, figures.cg_height
     gradient = math.degrees(figures.roll_gradient) * GRAVITY
+    on_left = [line("load on the left wheels", f"{100 * figures.left_share:.3g} %")]
     return [
         line("mass", f"{figures.mass:.6g} kg, {unsprung:.6g} kg of it unsprung"),
         line("wheelbase", f"{figures.wheelbase:.4g} m"),
         line("c.g. of the whole", f"{behind:.4g} m behind the front axle, {height:.4g} m high"),
         line("load on the front axle", f"{100 * (1 - behind / figures.wheelbase):.3g} %"),
+        *(on_left if vehicle.cg_offset else []),
         line("static stability factor", f"{figures.static_stability_factor:.4g}"),
         line("roll axis", f"{figures.roll_axis_depth:.4g} m below the sprung c.g."),
         line("roll stiffness", f"{figures.roll_stiffness / 1e3:.4g} kN m/rad, tires included"),

@@ -19,11 +19,13 @@ STEEPEST = 60.0
 """deg; no road vehicle reaches larger road-wheel angles."""
 LONGEST = 86_400.0
 """s"""
-HOLD = 2000.0
-"""N m s/m: speed-hold gain of the standard manoeuvres for the reference vehicle; keeps its speed
-within a few cm/s of the entry speed."""
+ADAPTED = None
+"""Speed-hold gain of the standard manoeuvres: that of `hold_for` the vehicle that is driven."""
+REFERENCE_HOLD = 2000.0
+"""N m s/m: speed-hold gain for the reference vehicle; keeps its speed within a few cm/s of the
+entry speed."""
 REFERENCE_MASS, REFERENCE_RADIUS = 1760.0, 0.285
-"""kg and m: of the vehicle, and of its rear tires."""
+"""kg and m: of the reference vehicle, and of its rear tires."""
 SIDES = {"left": 1.0, "right": -1.0}
 """Direction of the first steering input, and the sign of its angle."""
 
@@ -34,24 +36,24 @@ def hold_for(vehicle: Vehicle) -> float:
     Its rate is 2 gain / (mass * radius), about 8 per second.
     """
     radius = float(vehicle.per_wheel("tire_radius")[LR])
-    return HOLD * (vehicle.mass * radius / (REFERENCE_MASS * REFERENCE_RADIUS))
+    return REFERENCE_HOLD * (vehicle.mass * radius / (REFERENCE_MASS * REFERENCE_RADIUS))
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Manoeuvre(abc.ABC):
     """A test manoeuvre: entry speed, duration, speed-hold gain, and a driver.
 
-    A speed-hold gain of HOLD is that for the reference vehicle: `for_vehicle` sets that of another.
+    A speed-hold gain of ADAPTED is replaced by `for_vehicle`, with that of `hold_for`.
     """
 
     speed: float = parameter("entry speed", "m/s", 0.0, MAXIMUM_SPEED, default=DEFAULT_SPEED)
     duration: float = parameter("simulated time", "s", 0.0, LONGEST)
-    speed_hold: float = parameter(
-        "gain of the speed hold: drive torque at each rear wheel per m/s below the entry speed; "
-        "2000 is adapted to the vehicle",
+    speed_hold: float | None = parameter(
+        "gain of the speed hold: drive torque at each rear wheel per m/s below the entry speed",
         "N m s/m",
         0.0,
         1e6,
+        none="adapted to the vehicle",
         default=0.0,
     )
 
@@ -66,16 +68,16 @@ class Manoeuvre(abc.ABC):
     @property
     def needs_vehicle(self) -> bool:
         """Whether `for_vehicle` must be called before the manoeuvre can be driven."""
-        return self.speed_hold == HOLD
+        return self.speed_hold is ADAPTED
 
     @property
     def commanded(self) -> tuple[str, ...]:
         """Fields of a Command that the manoeuvre sets: steering, and torque if it holds speed."""
-        return ("steering", "wheel_torque") if self.speed_hold else ("steering",)
+        return ("steering", "wheel_torque") if self.speed_hold != 0.0 else ("steering",)
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "Manoeuvre":
         """A copy completed with the values that depend on the vehicle and its model."""
-        if self.speed_hold != HOLD:
+        if self.speed_hold is not ADAPTED:
             return self
         return dataclasses.replace(self, speed_hold=hold_for(vehicle))
 
@@ -88,9 +90,13 @@ class Manoeuvre(abc.ABC):
         return {}
 
     def straight_ahead(self, times: np.ndarray) -> np.ndarray:
-        """COMMAND records (n,) at `times` (n,) (s) that only hold the speed; no steering."""
+        """COMMAND records (n,) at `times` (n,) (s) that only hold the speed; no steering.
+
+        An ADAPTED gain is nan before `for_vehicle`.
+        """
         commands = np.zeros(len(times), COMMAND)
-        commands["speed_hold_gain"] = np.where(times < self.throttle_dropped, self.speed_hold, 0.0)
+        gain = math.nan if self.speed_hold is ADAPTED else self.speed_hold
+        commands["speed_hold_gain"] = np.where(times < self.throttle_dropped, gain, 0.0)
         commands["speed_hold_target"] = self.speed
         return commands
 

@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.manoeuvres.base import HOLD, LONGEST, STEEPEST, Manoeuvre, OpenLoop
+from vehicle_roll_sim.manoeuvres.base import ADAPTED, LONGEST, STEEPEST, Manoeuvre, OpenLoop
 from vehicle_roll_sim.manoeuvres.double_lane_change import (
     ISO_DOUBLE_LANE_CHANGE,
     ISO_SEVERE_DOUBLE_LANE_CHANGE,
@@ -38,7 +38,7 @@ class RampAndHold(OpenLoop):
 
 
 PAPER = {
-    "step_steer": RampAndHold(amplitude=4.0, rate=40.0, duration=4.0, speed_hold=HOLD),
+    "step_steer": RampAndHold(amplitude=4.0, rate=40.0, duration=4.0, speed_hold=ADAPTED),
     "ramp_steer": RampAndHold(amplitude=12.0, rate=4.0, duration=9.0),
     "j_turn": RampAndHold(amplitude=10.0, rate=40.0, duration=6.0),
 }

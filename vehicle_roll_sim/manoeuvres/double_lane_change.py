@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
-from vehicle_roll_sim.manoeuvres.base import HOLD, SIDES
+from vehicle_roll_sim.manoeuvres.base import ADAPTED, SIDES
 from vehicle_roll_sim.manoeuvres.body_outline import BodySettings, Outline
 from vehicle_roll_sim.manoeuvres.criteria import ROUNDING, two_wheel_lift_line
 from vehicle_roll_sim.manoeuvres.driver.path_following import PathFollowing
@@ -193,7 +193,7 @@ class LaneChangeDriver(Feedback):
 ISO_DOUBLE_LANE_CHANGE = DoubleLaneChange(
     speed=80 / KMH,
     duration=15.0,
-    speed_hold=HOLD,
+    speed_hold=ADAPTED,
     preview_time=0.8,
     layout=double_lane_change_track,
 )
@@ -201,7 +201,7 @@ ISO_DOUBLE_LANE_CHANGE = DoubleLaneChange(
 ISO_SEVERE_DOUBLE_LANE_CHANGE = DoubleLaneChange(
     speed=50 / KMH,
     duration=10.0,
-    speed_hold=HOLD,
+    speed_hold=ADAPTED,
     preview_time=0.65,
     layout=obstacle_avoidance_track,
     release=2.0,

@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.manoeuvres.base import HOLD, LONGEST
+from vehicle_roll_sim.manoeuvres.base import ADAPTED, LONGEST
 from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL, HandwheelProgramme
 from vehicle_roll_sim.runs.history import History
@@ -121,7 +121,7 @@ class IsoStepSteer(HandwheelProgramme):
 ANSWERS = {"yaw rate": "yaw_rate", "acceleration": "lateral_acceleration", "roll": "roll"}
 """Label and signal of each response in the report."""
 ISO_STEP_STEER = IsoStepSteer(
-    speed=100 / 3.6, lateral_acceleration=4.0, rise=0.15, duration=6.0, speed_hold=HOLD
+    speed=100 / 3.6, lateral_acceleration=4.0, rise=0.15, duration=6.0, speed_hold=ADAPTED
 )
 """100 km/h, 4 m/s^2; the handwheel angle rises from 10 to 90 % within 0.12 s."""
 

@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
-from vehicle_roll_sim.manoeuvres.base import HOLD, LONGEST
+from vehicle_roll_sim.manoeuvres.base import ADAPTED, LONGEST
 from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift_line
 from vehicle_roll_sim.manoeuvres.handwheel import (
     METRES_PER_SECOND_OF_A_MPH,
@@ -108,7 +108,7 @@ NHTSA_J_TURN = JTurn(
     handwheel_rate=1000.0,
     hold=4.0,
     duration=9.0,
-    speed_hold=HOLD,
+    speed_hold=ADAPTED,
 )
 """Handwheel to 8.0 times the angle at 0.3 g at 1000 deg/s, held for 4 s, returned in 2 s."""
 NHTSA_FISHHOOK = Fishhook(
@@ -119,7 +119,7 @@ NHTSA_FISHHOOK = Fishhook(
     reversal_roll_rate=1.5,
     hold=3.0,
     duration=10.0,
-    speed_hold=HOLD,
+    speed_hold=ADAPTED,
 )
 """Handwheel to 6.5 times the angle at 0.3 g at 720 deg/s, reversed when the roll rate drops to
 1.5 deg/s, held for 3 s, returned in 2 s."""

@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
-from vehicle_roll_sim.manoeuvres.base import HOLD, LONGEST
+from vehicle_roll_sim.manoeuvres.base import ADAPTED, LONGEST
 from vehicle_roll_sim.manoeuvres.criteria import value_at
 from vehicle_roll_sim.manoeuvres.handwheel import HandwheelProgramme
 from vehicle_roll_sim.manoeuvres.scaled import ScaledManoeuvre
@@ -119,6 +119,6 @@ def _text(value: float, unit: str) -> str:
 LADDER_TO = 6.5
 """Largest `scalar` of the standard's series, unless 270 deg need a larger one."""
 SINE_WITH_DWELL = SineWithDwell(
-    speed=80 / 3.6, scalar=5.0, largest_of_standard=LADDER_TO, duration=6.0, speed_hold=HOLD
+    speed=80 / 3.6, scalar=5.0, largest_of_standard=LADDER_TO, duration=6.0, speed_hold=ADAPTED
 )
 """80 km/h, then coasting; the smallest amplitude of the series at which all criteria apply."""

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.manoeuvres.base import HOLD, hold_for
+from vehicle_roll_sim.manoeuvres.base import ADAPTED, hold_for
 from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.manoeuvres.handwheel import (
     LARGEST_HANDWHEEL,
@@ -96,7 +96,7 @@ SLOWLY_INCREASING_STEER = SlowlyIncreasingSteer(
     handwheel_angle=STANDARD_ANGLE,
     handwheel_rate=13.5,
     duration=22.0,
-    speed_hold=HOLD,
+    speed_hold=ADAPTED,
 )
 """50 mph; 13.5 deg/s to 270 deg, or to the largest handwheel angle of the vehicle."""
 

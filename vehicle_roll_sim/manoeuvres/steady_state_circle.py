@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
-from vehicle_roll_sim.manoeuvres.base import HOLD
+from vehicle_roll_sim.manoeuvres.base import ADAPTED
 from vehicle_roll_sim.manoeuvres.driver.path_following import PathFollowing
 from vehicle_roll_sim.manoeuvres.handwheel import LARGEST_HANDWHEEL, HandwheelManoeuvre, ramp
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import SlowlyIncreasingSteer
@@ -73,14 +73,14 @@ class ConstantHandwheelCircle(RisingSpeed, HandwheelManoeuvre):
 
 
 STEADY_STATE_CIRCLE = SteadyStateCircle(
-    speed=100 / 3.6, handwheel_angle=30.0, handwheel_rate=0.5, duration=62.0, speed_hold=HOLD
+    speed=100 / 3.6, handwheel_angle=30.0, handwheel_rate=0.5, duration=62.0, speed_hold=ADAPTED
 )
 """100 km/h; handwheel at 0.5 deg/s up to 30 deg."""
 CONSTANT_RADIUS_CIRCLE = ConstantRadiusCircle(
-    speed=8.0, radius=100.0, preview_time=0.65, duration=250.0, speed_hold=HOLD
+    speed=8.0, radius=100.0, preview_time=0.65, duration=250.0, speed_hold=ADAPTED
 )
 """Radius 100 m; speed rising from 8 m/s."""
 CONSTANT_HANDWHEEL_CIRCLE = ConstantHandwheelCircle(
-    speed=8.0, handwheel_angle=30.0, handwheel_rate=30.0, duration=250.0, speed_hold=HOLD
+    speed=8.0, handwheel_angle=30.0, handwheel_rate=30.0, duration=250.0, speed_hold=ADAPTED
 )
 """Handwheel at 30 deg, speed rising from 8 m/s; the reference vehicle's radius is 78 to 85 m."""

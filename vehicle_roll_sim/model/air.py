@@ -3,7 +3,7 @@
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, square_root
 from vehicle_roll_sim.model.frames import ground_to_yawed, yawed_to_body
-from vehicle_roll_sim.model.records import DV, DW, DWX, DWY, DWZ, LF, LR
+from vehicle_roll_sim.model.records import DV, DW, DWX, DWY, DWZ, LF, LR, RF
 
 
 @kernel
@@ -25,7 +25,7 @@ def add_side_force_and_lift(vehicle, outputs):
     """Add side force and lift, in frame 1, to the forces on the body (N) and their moments (N m).
 
     With V the speed through the air along x and y and sin(beta) = v / V: side force -rho/2 A C V^2
-    sin(beta), lift rho/2 A C V^2 at each axle.
+    sin(beta), lift rho/2 A C V^2 at the middle of each axle.
     """
     f, u, v = outputs.body_acceleration, outputs.air_velocity[0], outputs.air_velocity[1]
     square = u * u + v * v
@@ -35,6 +35,7 @@ def add_side_force_and_lift(vehicle, outputs):
     rear = pressure * vehicle.rear_lift_area * square
     f[DV] += side
     f[DW] += front + rear
-    f[DWX] -= vehicle.pressure_centre_height * side
+    middle = (vehicle.y[LF] + vehicle.y[RF]) / 2
+    f[DWX] += middle * (front + rear) - vehicle.pressure_centre_height * side
     f[DWY] -= vehicle.x[LF] * front + vehicle.x[LR] * rear
     f[DWZ] += vehicle.pressure_centre_ahead * side

@@ -13,6 +13,7 @@ from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.loads import terms_of_loads
 from vehicle_roll_sim.model.tire.magic_formula import forces_at_slips
 from vehicle_roll_sim.model.tire.radii import rolling_radii
+from vehicle_roll_sim.model.tire.spring import spring_force
 from vehicle_roll_sim.model.tire.transient_slip import transient_slip
 from vehicle_roll_sim.model.tire.upright import upright_contact
 
@@ -87,7 +88,8 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
     wx, wy = state[at.ROLL_RATE], state[at.PITCH_RATE]
     xt, wu = state[at.TIRE_COMPRESSION], state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):
-        outputs.support[i] = vehicle.tire_stiffness[i] * xt[i]  # (13)
+        stiffness, progression = vehicle.tire_stiffness[i], vehicle.tire_progression[i]
+        outputs.support[i] = spring_force(xt[i], stiffness, progression)  # (13)
         outputs.normal_force[i] = normal_force(outputs.support[i])
         if options.tire_normal_to_ground:
             upright_contact(i, state, vehicle, attitude, outputs)

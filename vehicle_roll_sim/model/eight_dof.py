@@ -25,6 +25,7 @@ from vehicle_roll_sim.model.roll_axis import (
     wheel_centre_height,
 )
 from vehicle_roll_sim.model.steering import steer, steer_each_wheel
+from vehicle_roll_sim.model.tire.spring import compression_under
 from vehicle_roll_sim.model.wheel import wheel_rates
 
 MOST_ITERATIONS = 200
@@ -117,6 +118,7 @@ def tire_loads(state, command, ax, ay, vehicle, options, outputs):
     pitching *= ax / (2 * (vehicle.x[LF] - vehicle.x[LR]))  # lx
     for i in range(WHEEL_COUNT):
         y, stiffness = vehicle.y[i], vehicle.tire_stiffness[i]
+        progression = vehicle.tire_progression[i]
         carried = vehicle.sprung_mass * vehicle.axle_load_share[i]
         overturning = carried * (vehicle.cg_height - vehicle.roll_centre_depth[i])
         overturning += vehicle.unsprung_mass[i] * wheel_centre_height(i, vehicle)
@@ -127,7 +129,8 @@ def tire_loads(state, command, ax, ay, vehicle, options, outputs):
         load += -pitching if i < LR else pitching
         outputs.support[i] = load
         outputs.normal_force[i] = normal_force(load)
-        outputs.loaded_radius[i] = vehicle.tire_radius[i] - outputs.normal_force[i] / stiffness
+        compression = compression_under(outputs.normal_force[i], stiffness, progression)
+        outputs.loaded_radius[i] = vehicle.tire_radius[i] - compression
 
 
 @kernel

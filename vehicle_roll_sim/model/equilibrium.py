@@ -22,10 +22,17 @@ def static_suspension_compression(sprung_mass, share, spring_stiffness, gravity)
 
 
 def static_tire_compression(
-    sprung_mass, share, unsprung_mass, tire_stiffness, gravity
+    sprung_mass, share, unsprung_mass, tire_stiffness, progression, gravity
 ) -> np.ndarray:
-    """xti of each tire (m; eq. 20 with the factor g that the paper omits)."""
-    return (sprung_mass * share + unsprung_mass) * gravity / tire_stiffness
+    """xti of each tire (m; eq. 20 with the factor g that the paper omits); see `tire.spring`."""
+    load = (sprung_mass * share + unsprung_mass) * gravity
+    root = np.sqrt(tire_stiffness**2 + 4 * tire_stiffness * progression * load)
+    return 2 * load / (tire_stiffness + root)
+
+
+def static_tire_load(compression, tire_stiffness, progression) -> np.ndarray:
+    """Load of each tire at its compression at rest, shape (4,) (N)."""
+    return compression * tire_stiffness * (1.0 + progression * compression)
 
 
 def static_strut_length(cg_height, tire_radius, tire_compression) -> np.ndarray:
@@ -46,7 +53,7 @@ def equilibrium(vehicle: np.ndarray, tires: np.ndarray, speed: float) -> np.ndar
     start.tire_compression = car.static_tire_compression
     radius = car.tire_radius - car.static_tire_compression
     start.wheel_speed = np.full(WHEEL_COUNT, speed) / radius
-    load = car.tire_stiffness * car.static_tire_compression
+    load = static_tire_load(car.static_tire_compression, car.tire_stiffness, car.tire_progression)
     for i in range(WHEEL_COUNT):
         tire = tires[FRONT if i < LR else REAR]
         if tire["rolls_on_own_radius"]:

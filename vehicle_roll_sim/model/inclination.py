@@ -1,6 +1,6 @@
 """Inclination (camber) of the wheels to the road, from attitude, steering and static camber."""
 
-from vehicle_roll_sim.model.compiled.elementary import arcsine
+from vehicle_roll_sim.model.compiled.elementary import arctan_of_ratio
 from vehicle_roll_sim.model.compiled.jit import kernel, math, not_unrolled, square_root
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 
@@ -27,21 +27,22 @@ def actual_inclinations(attitude, vehicle, options, outputs):
     to which the static camber is added. For tires kept normal to the ground, the tilt of the axle
     takes the place of the roll angle. Also sine and cosine of gamma.
     """
+    if options.tire_normal_to_ground:
+        leaning_wheels(True, attitude, vehicle, outputs)
+    else:
+        leaning_wheels(None, attitude, vehicle, outputs)
+
+
+@kernel
+def leaning_wheels(tilted, attitude, vehicle, outputs):
+    """The same. tilted: None if no axle tilts relative to the body."""
     s_roll, _, s_pitch, c_pitch = attitude
-    for i in range(WHEEL_COUNT):
-        lean = math.sin(outputs.tire_tilt[i]) if options.tire_normal_to_ground else s_roll
-        outputs.inclination[i], outputs.camber[i] = c_pitch * lean, vehicle.camber[i]
-        outputs.camber_sine[i] = vehicle.camber_sine[i]
-        outputs.camber_cosine[i] = vehicle.camber_cosine[i]
     for i in range(not_unrolled(WHEEL_COUNT)):
-        rise = outputs.inclination[i] * outputs.steering_cosine[i]
-        rise += s_pitch * outputs.steering_sine[i]
+        lean = s_roll if tilted is None else math.sin(outputs.tire_tilt[i])
+        rise = c_pitch * lean * outputs.steering_cosine[i] + s_pitch * outputs.steering_sine[i]
         rise = 1.0 if rise > 1.0 else (-1.0 if rise < -1.0 else rise)
-        level, s, c = (
-            square_root(1.0 - rise * rise),
-            outputs.camber_sine[i],
-            outputs.camber_cosine[i],
-        )
-        outputs.inclination[i] = arcsine(rise) + outputs.camber[i]
+        level = square_root((1.0 - rise) * (1.0 + rise))
+        s, c = vehicle.camber_sine[i], vehicle.camber_cosine[i]
+        outputs.inclination[i] = arctan_of_ratio(rise, level) + vehicle.camber[i]
         outputs.inclination_sine[i] = rise * c + level * s
         outputs.inclination_cosine[i] = level * c - rise * s

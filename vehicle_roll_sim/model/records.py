@@ -134,6 +134,7 @@ VEHICLE = record_dtype(
     *("pressure_centre_ahead", "pressure_centre_height"),
     *per_wheel("x", "y", "roll_centre_depth", "unsprung_mass", "axle_load_share"),
     *per_wheel("spring_stiffness", "damping", "tire_stiffness"),
+    *per_wheel("tire_progression", "tire_stiffness_at_rest"),
     *per_wheel("static_strut_length", "static_suspension_compression"),
     *per_wheel("static_tire_compression", "tire_radius", "tire_lateral_compliance"),
     *per_wheel("camber", "camber_sine", "camber_cosine"),
@@ -148,7 +149,8 @@ VEHICLE = record_dtype(
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel.
 
-side_and_lift: 1 if side force and lift of the air are computed, else 0.
+tire_stiffness: at zero compression (N/m); see `tire.spring`. side_and_lift: 1 if side force and
+lift of the air are computed, else 0.
 travel_knots, travel_origins, travel_curves: of each axle the ends of the intervals of travel (m,
 inf for those that are not used), and for each interval the travel from which the polynomials of its
 curves are counted (m), and their coefficients, lowest power first.

@@ -12,15 +12,19 @@ from vehicle_roll_sim.model.records import (
     DWZ,
     WHEEL_COUNT,
 )
-from vehicle_roll_sim.model.suspension.links import carried_mass, wheel_roll_moment
+from vehicle_roll_sim.model.suspension.links import (
+    carried_mass,
+    half_track,
+    middle,
+    wheel_roll_moment,
+)
 
 
 @kernel
 def mass_matrix(vehicle, options, outputs):
     """Left-hand side: inertia of the body and of the unsprung masses coupled by the links.
 
-    The product of inertia is not in the paper. Jxy and Jyz are 0: they would couple pitch with
-    roll and yaw, which `solve_in_place` excludes.
+    The products of inertia are not in the paper.
 
     Symmetric and positive definite without a roll centre. With a roll centre, the lever arm in the
     roll equation is the depth of the roll centre instead of the strut length.
@@ -31,7 +35,9 @@ def mass_matrix(vehicle, options, outputs):
     a[DW, DW] = vehicle.sprung_mass
     a[DWX, DWX], a[DWY, DWY] = vehicle.roll_inertia, vehicle.pitch_inertia
     a[DWZ, DWZ] = vehicle.yaw_inertia
+    a[DWX, DWY] = a[DWY, DWX] = 0.0 - vehicle.roll_pitch_product
     a[DWX, DWZ] = a[DWZ, DWX] = 0.0 - vehicle.roll_yaw_product
+    a[DWY, DWZ] = a[DWZ, DWY] = 0.0 - vehicle.pitch_yaw_product
     for i in range(WHEEL_COUNT):
         mu, ls = carried_mass(i, vehicle, options), outputs.strut_length[i]
         x, y = vehicle.x[i], vehicle.y[i]
@@ -54,10 +60,15 @@ def mass_matrix(vehicle, options, outputs):
         a[DWZ, DWY] += y * mu * ls
         a[DWZ, DWZ] += mu * (x * x + y * y)
         if options.asymmetric_link_load_transfer:
-            share = mu * (ls - vehicle.roll_centre_depth[i]) / y  # of Fdz, per lateral acceleration
+            # of Fdz, per lateral acceleration
+            share = mu * (ls - vehicle.roll_centre_depth[i]) / half_track(i, vehicle)
+            beside = share * middle(i, vehicle)
             a[DW, DV] -= share  # (31) with the sum of Fdz
             a[DW, DWX] -= share * ls
             a[DW, DWZ] -= share * x
+            a[DWX, DV] -= beside  # (32) with its moment, of a roll centre beside the c.g.
+            a[DWX, DWX] -= beside * ls
+            a[DWX, DWZ] -= beside * x
             a[DWY, DV] += x * share  # (33) with their moment
             a[DWY, DWX] += x * share * ls
             a[DWY, DWZ] += x * share * x
@@ -103,6 +114,10 @@ def applied_forces(state, vehicle, options, attitude, outputs):
         f[DWX] += jxz * wx * wy
         f[DWY] += jxz * (wz * wz - wx * wx)
         f[DWZ] -= jxz * wy * wz
+        jxy, jyz = vehicle.roll_pitch_product, vehicle.pitch_yaw_product
+        f[DWX] += jyz * (wy * wy - wz * wz) - jxy * wz * wx
+        f[DWY] += jxy * wy * wz - jyz * wx * wy
+        f[DWZ] += jxy * (wx * wx - wy * wy) + jyz * wz * wx
     for i in range(WHEEL_COUNT):
         x, y, ls, r = vehicle.x[i], vehicle.y[i], outputs.strut_length[i], outputs.loaded_radius[i]
         fx, fy, fz = outputs.applied_x[i], outputs.applied_y[i], outputs.strut_force[i]
@@ -123,8 +138,10 @@ def applied_forces(state, vehicle, options, attitude, outputs):
         if options.asymmetric_link_load_transfer:
             moment = wheel_roll_moment(i, options, outputs)
             moment += fy * (ls - vehicle.roll_centre_depth[i])
-            f[DW] -= moment / y  # (31) with the sum of Fdz
-            f[DWY] += x * moment / y  # (33) with their moment
+            half = half_track(i, vehicle)
+            f[DW] -= moment / half  # (31) with the sum of Fdz
+            f[DWX] -= middle(i, vehicle) * moment / half  # (32), (33) with their moment
+            f[DWY] += x * moment / half
 
 
 @kernel
@@ -141,17 +158,16 @@ def solve_in_place(a, f):
     """Replace f by the solution of a q = f by Gaussian elimination; `a` is overwritten.
 
     The sparsity is exploited: the longitudinal and lateral equations do not contain each other's
-    acceleration, the roll equation does not contain pitch, and the vertical acceleration occurs in
-    its own equation only. Pivoting is unnecessary, since the matrix is a diagonally dominant
-    inertia matrix.
+    acceleration, and the vertical acceleration occurs in its own equation only. Pivoting is
+    unnecessary, since the matrix is a diagonally dominant inertia matrix.
     """
     eliminate(a, f, DU, (DWY, DWZ), (DWY, DWZ))
     eliminate(a, f, DV, (DWX, DWZ), (DWX, DWY, DWZ))
-    eliminate(a, f, DWX, (DWZ,), (DWY, DWZ))
+    eliminate(a, f, DWX, (DWY, DWZ), (DWY, DWZ))
     eliminate(a, f, DWY, (DWZ,), (DWZ,))
     f[DWZ] /= a[DWZ, DWZ]
     complete(a, f, DWY, (DWZ,))
-    complete(a, f, DWX, (DWZ,))
+    complete(a, f, DWX, (DWY, DWZ))
     complete(a, f, DV, (DWX, DWZ))
     complete(a, f, DU, (DWY, DWZ))
     complete(a, f, DW, (DV, DWX, DWZ))

@@ -2,6 +2,7 @@
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.suspension.links import half_track
 
 
 @kernel
@@ -23,11 +24,12 @@ def roll_axis_depth(vehicle):
 def strut_share(i, vehicle, options):
     """Share of the strut in the travel of corner i relative to the ground; the rest is the tire's.
 
-    kt / (ks + kt): strut and tire in series, in roll. 1 for rigid tires.
+    kt / (ks + kt): strut and tire in series, in roll, with the stiffness of the tire at rest. 1 for
+    rigid tires.
     """
     if options.rigid_tires:
         return 1.0
-    tire_stiffness = vehicle.tire_stiffness[i]
+    tire_stiffness = vehicle.tire_stiffness_at_rest[i]
     return tire_stiffness / (stiffness_in_roll(i, vehicle) + tire_stiffness)
 
 
@@ -57,7 +59,7 @@ def roll_stiffness(vehicle, options):
     """Total roll stiffness of both axles (N m/rad): sum of c^2 / 2 times the corner stiffness."""
     stiffness = 0.0
     for i in range(WHEEL_COUNT):
-        stiffness += vehicle.y[i] ** 2 * corner_stiffness(i, vehicle, options)
+        stiffness += half_track(i, vehicle) ** 2 * corner_stiffness(i, vehicle, options)
     return stiffness
 
 

@@ -13,6 +13,7 @@ from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OPTIONS, WHEEL_COUNT
 from vehicle_roll_sim.model.roll_axis import corner_damping, roll_stiffness, wheel_centre_height
 from vehicle_roll_sim.model.roll_plane import RollPlane
+from vehicle_roll_sim.model.suspension.links import half_track
 
 
 class RollPlaneMotion(RollPlane):
@@ -26,7 +27,8 @@ class RollPlaneMotion(RollPlane):
         car, options = (kernel_argument(part)[0] for part in (vehicle, np.zeros(1, OPTIONS)))
         wheels = range(WHEEL_COUNT)
         self._stiffness = float(roll_stiffness(car, options))
-        self._damping = float(sum(car.y[i] ** 2 * corner_damping(i, car, options) for i in wheels))
+        damping = [half_track(i, car) ** 2 * corner_damping(i, car, options) for i in wheels]
+        self._damping = float(sum(damping))
         self._roll_inertia = float(car.roll_inertia)
         self._mass = self.weight / self._gravity
         self._moment = self._sprung_mass * self._depth

@@ -3,7 +3,7 @@
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.records import FRONT, LR, REAR, WHEEL_COUNT
-from vehicle_roll_sim.model.suspension.strut_details import value_at
+from vehicle_roll_sim.model.suspension.strut_details import apart_from_rest, value_at
 
 
 @kernel
@@ -45,7 +45,8 @@ def suspension_steer(i, state, vehicle, options):
     change of toe is one of the carrier.
     """
     details, xs, left = vehicle.details, state[at.SUSPENSION_COMPRESSION], i - i % 2
-    rolled = (xs[left + 1] - xs[left]) / (vehicle.y[left] - vehicle.y[left + 1])
+    track = vehicle.y[left] - vehicle.y[left + 1]
+    rolled = apart_from_rest(left + 1, state, vehicle) / track
     angle = details.roll_steer[i] * rolled
     if not options.kinematic:
         axle, side = FRONT if i < LR else REAR, 1.0 if i % 2 == 0 else -1.0

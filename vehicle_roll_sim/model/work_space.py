@@ -43,8 +43,7 @@ TIRE_TERMS = record_dtype(
     *per_wheel("longitudinal_release", "lateral_release"),
     *per_wheel("longitudinal_damping", "lateral_damping"),
     *per_wheel("longitudinal_peak", "lateral_peak", "longitudinal_shift", "lateral_shift"),
-    *per_wheel("per_cornering_stiffness", "lateral_slip_shift", "ply_steer"),
-    *per_wheel("upright_peak", "upright_shift", "trail_peak", "residual", "overturning_wave"),
+    *per_wheel("ply_steer", "upright_peak", "upright_shift", "trail_peak", "residual"),
     *per_curve("curve_slip", "curve_stiffness", "curve_shape", "curve_curvature"),
     *per_curve("curve_bend", "curve_angle", "curve_sine"),
 )

@@ -14,7 +14,7 @@ BODIES = """
   <worldbody>
     <body>
       <freejoint/>
-      <inertial pos="0 0 0" mass="{mass}" diaginertia="{inertia}"/>
+      <inertial pos="0 0 0" mass="{mass}" {kind}="{inertia}"/>
       {wheels}
     </body>
   </worldbody>
@@ -34,6 +34,20 @@ def engine_model(car: np.record) -> mujoco.MjModel:
             car.x, car.y, car.static_strut_length, car.unsprung_mass, strict=True
         )
     )
-    inertia = f"{car.roll_inertia} {car.pitch_inertia} {car.yaw_inertia}"
-    text = BODIES.format(gravity=GRAVITY, mass=car.sprung_mass, inertia=inertia, wheels=wheels)
-    return mujoco.MjModel.from_xml_string(text)
+    return mujoco.MjModel.from_xml_string(with_body(car, wheels))
+
+
+def with_body(car: np.record, wheels: str) -> str:
+    """The engine's model as XML: the body of a VEHICLE record, with these bodies of its wheels."""
+    moments = (car.roll_inertia, car.pitch_inertia, car.yaw_inertia)
+    products = (car.roll_pitch_product, car.roll_yaw_product, car.pitch_yaw_product)
+    kind, inertia = "diaginertia", moments
+    if any(products):
+        kind, inertia = "fullinertia", (*moments, *(-each for each in products))
+    return BODIES.format(
+        gravity=GRAVITY,
+        mass=car.sprung_mass,
+        kind=kind,
+        inertia=" ".join(map(str, inertia)),
+        wheels=wheels,
+    )

@@ -13,7 +13,7 @@ from types import SimpleNamespace
 import mujoco
 import numpy as np
 
-from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel, kernel_argument
 from vehicle_roll_sim.model.contact import steady_state_slip
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import (
@@ -54,6 +54,23 @@ BODY, FIRST_WHEEL = 1, 2
 """Indices of the bodies in the engine."""
 
 
+@kernel
+def _roll_on_tires(spins, tires, outputs):
+    """Slip, forces and moments of the wheels that spin at `spins` (rad/s), without lag.
+
+    tires: an array of one TIRES record. outputs: an array of one OUTPUTS record with normal loads,
+    loaded radii, inclinations and velocities. It takes 20 us to pass a record to compiled code, and
+    far less to pass an array.
+    """
+    both, seen = tires[0], outputs[0]
+    terms_of_loads(both, seen)
+    rolling_radii(spins, both, seen)
+    for i in range(WHEEL_COUNT):
+        seen.tread[i] = seen.rolling_radius[i] * spins[i]
+    steady_state_slip(seen)
+    forces_at_slips(both, seen)
+
+
 class Multibody(Simulation):
     """A Simulation, usable in `run`, with the engine in place of the model's equations.
 
@@ -70,10 +87,10 @@ class Multibody(Simulation):
     ):
         with unwarned():  # Simulation warns
             plant = Plant.of(vehicle, MULTIBODY)
-        (car,), (self._seen_tires,) = plant.vehicle, kernel_argument(as_one(plant.tires))
+        (car,), self._seen_tires = plant.vehicle, kernel_argument(as_one(plant.tires))
         self._car = SimpleNamespace(**{name: car[name] for name in car.dtype.names})
-        front, rear = self._seen_tires.front, self._seen_tires.rear
-        self._side = np.concatenate((front.side[:LR], rear.side[LR:]))
+        front, rear = plant.tires["side"]
+        self._side = np.concatenate((front[:LR], rear[LR:]))
         self._engine = engine_model(car)
         self._data = mujoco.MjData(self._engine)
         self._rotation = self._data.xmat[BODY].reshape(3, 3)
@@ -190,7 +207,9 @@ class Multibody(Simulation):
         """Apply the contact forces to the bodies; returns the spin accelerations (rad/s^2)."""
         car, data, rotation, frame_2 = self._car, self._data, self._rotation, self._frame_2()
         compression = car.tire_radius - self._wheel_centres[:, 2]
-        self.outputs["support"] = support = car.tire_stiffness * compression
+        support = car.tire_stiffness * compression
+        support *= 1.0 + car.tire_progression * np.maximum(compression, 0.0)
+        self.outputs["support"] = support
         self.outputs["normal_force"] = np.maximum(support, 0.0)
         radius = car.tire_radius - np.maximum(compression, 0.0) / rotation[2, 2]  # (15, 16)
         for i, point in enumerate(self._wheel_centres - radius[:, None] * rotation[:, 2]):
@@ -211,17 +230,13 @@ class Multibody(Simulation):
 
     def _tire_forces(self, velocities, spins, radius) -> tuple[np.ndarray, np.ndarray]:
         """Fxt of the wheels (4,), and the contact forces in frame 2 (4, 3) (N)."""
-        outputs, (seen,) = self.outputs, kernel_argument(self._outputs)
+        outputs = self.outputs
         s, c = np.sin(outputs["steering"]), np.cos(outputs["steering"])
         ug, vg = velocities[:, 0], velocities[:, 1]
         outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
         outputs["loaded_radius"], outputs["side"] = radius, self._side
-        terms_of_loads(self._seen_tires, seen)
-        rolling_radii(spins, self._seen_tires, seen)
-        outputs["tread"] = outputs["rolling_radius"] * spins
         outputs["inclination"] = self._inclinations(s, c)
-        steady_state_slip(seen)
-        forces_at_slips(self._seen_tires, seen)
+        _roll_on_tires(spins, self._seen_tires, kernel_argument(self._outputs))
         along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
         outputs["longitudinal_force"] = ahead = along * c - across * s  # (3)
         outputs["lateral_force"] = left = across * c + along * s  # (4)

@@ -154,7 +154,8 @@ class Study:
         return self.response(J_TURN, case)
 
     def _run(self, name: str, case: str) -> Response:
-        manoeuvre, simulation = STANDARD[name], self._simulation(case)
+        simulation = self._simulation(case)
+        manoeuvre = STANDARD[name].for_vehicle(self.vehicle, simulation.options)
         simulation.reset(manoeuvre.speed)
         history = run(simulation, manoeuvre, manoeuvre.duration, sample=SAMPLE)
         return Response(history, simulation.events, simulation.condition)

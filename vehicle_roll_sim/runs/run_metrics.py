@@ -25,16 +25,32 @@ METRIC_UNITS = {
 
 
 def metrics_of(history: History, events: np.record, time: float) -> dict[str, float]:
+    """The metrics of a run by name, see `metrics_of_series`, from its rows.
+
+    events: EVENTS record of all integration steps. time: end of the run (s).
+    """
+    series = (history.wheels("normal_force"), history.wheels("tire_compression"))
+    return metrics_of_series(history["time"], *series, events, time)
+
+
+def metrics_of_series(
+    times: np.ndarray,
+    loads: np.ndarray,
+    compressions: np.ndarray,
+    events: np.record,
+    time: float,
+) -> dict[str, float]:
     """The metrics of a run by name, in SI units and radians; times (s) are nan for never.
 
+    times: of the rows (s), shape (n,). loads, compressions: of the tires (N, m), shape (n, 4).
     events: EVENTS record of all integration steps. time: end of the run (s). Peaks are signed
     values of the largest magnitude. Those of roll and lateral acceleration are taken over all
     integration steps; that of the load transfer ratio (-1 to 1) and the time of the two-wheel lift,
     which models without tire compression do not have, over the rows.
     """
     roll, acceleration = events.peak_roll, events.peak_lateral_acceleration
-    ratio, ratio_time = peak(history["time"], load_transfer_ratio(history.wheels("normal_force")))
-    lift = two_wheel_lift_time(history["time"], history.wheels("tire_compression"))
+    ratio, ratio_time = peak(times, load_transfer_ratio(loads))
+    lift = two_wheel_lift_time(times, compressions)
     lift_offs = zip(WHEELS, events.lift_off_time.tolist(), strict=True)
     return {
         "peak_roll": float(roll[VALUE]),

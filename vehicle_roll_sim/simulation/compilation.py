@@ -12,11 +12,14 @@ import numpy as np
 
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.model.frames import quaternion
+from vehicle_roll_sim.model.integration.derivatives import smooth_derivatives
 from vehicle_roll_sim.model.integration.events import no_events, note_lift_offs
-from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE, WHEEL_COUNT
 from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.model.tire.radii import free_spin, loaded_radius
+from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.driving import compile_loop
+from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
 from vehicle_roll_sim.vehicle.vehicle_file import preset
@@ -76,7 +79,13 @@ def fill_cache(folder: str) -> None:
 
 def call_every_kernel() -> None:
     """Call all kernels that the package calls from Python, so that none is left to be compiled."""
-    compile_loop(Simulation(preset()))
+    simulation = Simulation(preset())
+    simulation.reset()
+    plant = Plant.of(simulation.vehicle, simulation.options).arguments()
+    seen, rates = jit.kernel_argument(np.zeros(1, OUTPUTS))[0], np.zeros(STATE_SIZE)
+    idle = jit.kernel_argument(Command().records())
+    smooth_derivatives(simulation.state_vector.copy(), idle, plant, seen, rates)
+    compile_loop(simulation)
     evaluate(preset().tire, 1.0, 0.0, 0.0)
     tire = jit.kernel_argument(preset().tire.record())[0]
     loaded_radius(1.0, free_spin(1.0, 1.0, tire), 0.0, 0.0, 0.0, tire)

@@ -1,17 +1,12 @@
 """Calls of the compiled loop that drives a simulation for many periods."""
 
-import functools
-
 import numpy as np
 
-from vehicle_roll_sim.model.compiled.addresses import address_of
 from vehicle_roll_sim.model.compiled.jit import interruptible, silently
-from vehicle_roll_sim.model.integration.advance import advance
 from vehicle_roll_sim.model.integration.drive import CLOCK_SIZE, NOW, STEP, WATCH_SIZE, drive
 from vehicle_roll_sim.model.records import COMMAND, MODEL_STATE_SIZE
-from vehicle_roll_sim.simulation.command import Command
+from vehicle_roll_sim.simulation.advance_address import address_of_advance
 from vehicle_roll_sim.simulation.simulation import Simulation
-from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 
 def drive_on(
@@ -31,18 +26,11 @@ def drive_on(
     state, plant, outputs, events, stages = simulation.parts()
     parts = (state, plant, outputs, simulation.output_vector, events, stages)
     clock[STEP] = simulation.step_ns
-    arguments = (_address(), parts, commands, held, clock, watch, places, rows, driven)
+    arguments = (address_of_advance(), parts, commands, held, clock, watch, places, rows, driven)
     with silently():  # divergence is detected from the result
         count, condition, culprit, has_dropped = interruptible(drive, arguments)
     simulation.note_moved(int(clock[NOW]), condition, culprit)
     return count, has_dropped
-
-
-@functools.cache
-def _address() -> int:
-    """Address of `advance`: one for all simulations, whose arguments have the same types."""
-    state, *others = Simulation(preset()).parts()
-    return address_of(advance, (state, Command().records(), 0, 0, 1, *others))
 
 
 def compile_loop(simulation: Simulation) -> None:

@@ -17,9 +17,8 @@ from vehicle_roll_sim.model.records import EIGHT_DOF_STATES, MODEL_STATE, OPTION
 from vehicle_roll_sim.model.variants import MODELS, PAPER
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-ASIDE = ("cg_offset", "roll_pitch_product", "pitch_yaw_product")
-"""Parameters of a vehicle that is not symmetric about its middle."""
-ROLL_YAW = "roll_yaw_product"
+OF_FOURTEEN_DOF = ("cg_offset", "roll_pitch_product", "pitch_yaw_product", "roll_yaw_product")
+"""Parameters of a vehicle that only the equations of the 14 DOF models have."""
 SWITCHES = ("tire_moments", "contact_patch_shift")
 """Options that a vehicle file decides unless they are given."""
 SYMMETRIC, ASYMMETRIC = "symmetric", "asymmetric"
@@ -144,16 +143,13 @@ class Options:
         return dataclasses.replace(self, **chosen)
 
     def _check_mass(self, vehicle: Vehicle) -> None:
-        """The paper's models are symmetric about the middle; its 8 DOF models have no Jxz."""
-        refused = () if self.is_kinematic else ASIDE
-        for name in (*refused, *((ROLL_YAW,) if self.has_eight_dof else ())):
+        """The 8 DOF models are symmetric about the middle, and without products of inertia."""
+        for name in OF_FOURTEEN_DOF if self.has_eight_dof else ():
             value = getattr(vehicle, name)
             if value:
                 of_payload = vehicle.origin and name not in vehicle.given
                 source = " (from payload or data of the whole vehicle)" if of_payload else ""
                 takes_it = "a model with 14 degrees of freedom takes it"
-                if name in ASIDE:
-                    takes_it = "it is symmetric; model 2 takes it"
                 allowed = f"0 in model {self.model}; {takes_it}"
                 raise InputError(name, value, allowed, f"{value:.6g}{source} is not allowed")
 

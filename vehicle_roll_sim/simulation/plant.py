@@ -50,11 +50,6 @@ class Plant(NamedTuple):
             record["gravity"], record["gravity_along"], record["gravity_across"] = gravity
         return cls(record, vehicle.tires(has_moments), options.record())
 
-    def parts(self) -> tuple:
-        """Vehicle, tires and options in the form in which `derivatives` takes them."""
-        (vehicle,), (tires,), (options,) = self.arguments()
-        return vehicle, tires, options
-
     def arguments(self, *others: np.ndarray) -> tuple:
         """The records, and `others` after them, in the form in which kernels take them."""
         return tuple(

@@ -30,6 +30,7 @@ from vehicle_roll_sim.model.records import (
     element_names,
 )
 from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
+from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.simulation.command import Command, Programme, records_of
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
@@ -128,8 +129,9 @@ class Simulation(Restorable):
             name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
         ]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
+        self._records = (*plant, self._limits)
         self._plant = plant.arguments(self._limits, Command().records())
-        self._identity = identity(type(self).__name__, (*plant, self._limits), self.step_ns)
+        self._identity = identity(type(self).__name__, self._records, self.step_ns)
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
@@ -192,17 +194,20 @@ class Simulation(Restorable):
         Raises InputError for an invalid speed, and for a step that is unstable at this speed.
         """
         speed = _within("speed", speed, self._slowest, MAXIMUM_SPEED, "m/s")
-        self._check_start(speed)
-        self._start(self._equilibrium(speed))
+        start = self._equilibrium(speed)
+        self._check_start(speed, start)
+        self._start(start)
 
     def _equilibrium(self, speed: float) -> np.ndarray:
         return self._without_absent(equilibrium(self._vehicle, self._tires, speed))
 
-    def _check_start(self, speed: float) -> None:
-        """Raise InputError if a run cannot start at this speed (m/s) with the integration step."""
+    def _check_start(self, speed: float, start: np.ndarray) -> None:
+        """Raise InputError if a run cannot start with the integration step.
+
+        start: a STATE record, shape (1,), the equilibrium at this speed (m/s).
+        """
         if self._checks_step and speed != self._checked_speed:
-            start = self._equilibrium(speed).view(np.float64)
-            self._modes.check_start(start, self.step_ns / NANOSECONDS)
+            self._modes.check_start(start.view(np.float64), self.step_ns / NANOSECONDS)
         self._checked_speed = speed
 
     def _start(self, state: np.ndarray) -> None:
@@ -222,7 +227,7 @@ class Simulation(Restorable):
         """
         steps = whole_steps(duration, self.step_ns, "duration")
         if self._checked_speed is None:
-            self._check_start(DEFAULT_SPEED)
+            self._check_start(DEFAULT_SPEED, self._equilibrium(DEFAULT_SPEED))
         if self.condition is Condition.RUNNING:
             records = records_of(command, lambda: self.stage_times(steps), self.feels_wind)
             self._advance(records, steps)
@@ -258,6 +263,14 @@ class Simulation(Restorable):
         """State, plant, outputs, events and work space, in the form in which kernels take them."""
         outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
         return self.state_vector, self._plant, outputs, events, self._stages
+
+    def arrays(self) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
+        """Vehicle, tires, options and limits; and state, outputs, events and work space.
+
+        All but the work space are arrays of one record. The next step overwrites the second group.
+        """
+        vehicle, tires, *others = self._records
+        return (vehicle, as_one(tires), *others), self._memory
 
     def note_moved(self, until_ns: int, condition: int, culprit: int) -> None:
         """Note the time (ns), the condition and the culprit with which a kernel left the parts."""

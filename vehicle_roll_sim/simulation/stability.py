@@ -7,16 +7,16 @@ decaying mode grows in the integration.
 
 import dataclasses
 import math
-from collections.abc import Callable
 
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
-from vehicle_roll_sim.model.integration.advance import advance
-from vehicle_roll_sim.model.integration.events import LIMITS, Condition, no_events
-from vehicle_roll_sim.model.integration.integrator import K1, STAGE_VECTORS
+from vehicle_roll_sim.model.integration.events import LIMITS, no_events
+from vehicle_roll_sim.model.integration.integrator import STAGE_VECTORS
+from vehicle_roll_sim.model.integration.rates_of import rates_of
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_NAMES, STATE_SIZE, U
+from vehicle_roll_sim.simulation.advance_address import address_of_advance
 from vehicle_roll_sim.simulation.command import NO_FORCE, Command
 from vehicle_roll_sim.simulation.plant import Plant
 
@@ -57,33 +57,28 @@ class Modes:
 
         nan where a rate is not finite, and in its row of the Jacobian.
         """
-        rates = self._rates_under(command)
-        columns = []
-        for place in self._places:
-            back, ahead = state.copy(), state.copy()
-            size = DIFFERENCE * max(1.0, abs(state[place]))
-            back[place] -= size
-            ahead[place] += size
-            width = ahead[place] - back[place]
-            columns.append((rates(ahead) - rates(back)) / width)
-        return rates(state), np.array(columns).T
+        count = len(self._places)
+        sizes = DIFFERENCE * np.maximum(1.0, np.abs(state[self._places]))
+        states = np.repeat(state[np.newaxis], 2 * count + 1, axis=0)
+        ahead, back = states[:-1:2], states[1::2]
+        ahead[np.arange(count), self._places] += sizes
+        back[np.arange(count), self._places] -= sizes
+        widths = (ahead - back)[np.arange(count), self._places]
+        rates = self._rates(states, command)
+        return rates[-1], ((rates[:-1:2] - rates[1::2]) / widths[:, np.newaxis]).T
 
-    def _rates_under(self, command: Command) -> Callable[[np.ndarray], np.ndarray]:
+    def _rates(self, states: np.ndarray, command: Command) -> np.ndarray:
+        """Rates of the model's states at state vectors, shape (k, n); nan for one not finite."""
         records = dataclasses.replace(command, brake_torque=NO_FORCE).records()
         plant = self._plant.arguments(self._limits, records)
         outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
-
-        def rates(state: np.ndarray) -> np.ndarray:
-            with silently():
-                _, condition, culprit = advance(
-                    *(state, records, 0, 0, 1, plant, outputs, events, self._stages)
-                )
-            found = self._stages[K1, self._places]
-            if condition == Condition.DIVERGED:
-                found[self._places == culprit] = math.nan
-            return found
-
-        return rates
+        rates, culprits = np.empty(states.shape), np.empty(len(states), np.int64)
+        about = (kernel_argument(records), plant, outputs, events, self._stages)
+        with silently():
+            rates_of(address_of_advance(), states, *about, rates, culprits)
+        bad = np.flatnonzero(culprits >= 0)
+        rates[bad, culprits[bad]] = math.nan
+        return rates[:, self._places]
 
     def largest_step(self, state: np.ndarray, command: Command, most: float) -> float:
         """Largest stable step (s), up to `most` (s); nan if the Jacobian is not finite."""

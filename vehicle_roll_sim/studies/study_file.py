@@ -171,7 +171,7 @@ class _Reader:
         for index, value in enumerate(values):
             there = (*place, index)
             level = declared.validate(value, source.where(*there))
-            if isinstance(level, tuple):
+            if level is None or isinstance(level, tuple):
                 raise source.refused(there, value, "a number")
             if level in levels:
                 raise source.refused(there, value, "each value once", f"{level} is given twice")

@@ -4,6 +4,7 @@ import math
 from typing import NamedTuple
 
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.vehicle.tire import vertical
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 KEYS = {"tire_radius": "UNLOADED_RADIUS", "tire_stiffness": "VERTICAL_STIFFNESS"}
@@ -19,21 +20,49 @@ class FromTire(NamedTuple):
     source: str
 
 
-def from_tire(name: str, axle: str, tire: Tire, pressure: float | None) -> FromTire:
-    """A radius (m) or vertical stiffness (N/m) that the vehicle file leaves to its tire file.
+def radius_of(axle: str, tire: Tire) -> FromTire:
+    """The radius (m) that the vehicle file leaves to its tire file.
 
-    name: a key of KEYS. pressure: inflation pressure (Pa), None for that of the file. Raises
+    Raises InputError if the tire file does not have it.
+    """
+    return FromTire(_required("tire_radius", axle, tire), "UNLOADED_RADIUS of the tire file")
+
+
+def progression_of(axle: str, tire: Tire) -> FromTire:
+    """The progression (1/m) of a spring that is that of its tire file; see `model.tire.spring`.
+
+    Raises InputError if the tire file has no stiffness.
+    """
+    _required("tire_stiffness", axle, tire)
+    value = vertical.progression(tire.coefficients)
+    source = "Q_FZ2 of the tire file" if value else "the tire file has none"
+    return FromTire(value, source)
+
+
+def stiffness_of(axle: str, tire: Tire, pressure: float | None, progression: float) -> FromTire:
+    """The stiffness at zero compression (N/m) that the vehicle file leaves to its tire file.
+
+    pressure: inflation pressure (Pa), None for that of the file. progression: 1/m. Raises
     InputError if the tire file does not have it.
     """
+    nominal = _required("tire_stiffness", axle, tire)
+    stiffness = vertical_stiffness(tire, pressure)
+    source = "VERTICAL_STIFFNESS of the tire file"
+    if progression:
+        stiffness *= vertical.initial_share(nominal, progression, tire.coefficients["FNOMIN"])
+        source += " at nominal load, less by its progression at zero load"
+    return FromTire(stiffness, source)
+
+
+def _required(name: str, axle: str, tire: Tire) -> float:
+    """A value of the tire file for a parameter of KEYS."""
     key = KEYS[name]
     value = of_file(tire, key)
     if value is None:
         field = name if name == "tire_radius" else f"{axle}_{name}"
         file = f" {tire.file}" if tire.file else ""
         raise InputError(field, None, f"required, since the tire file{file} has no {key}")
-    if name == "tire_stiffness":
-        value = vertical_stiffness(tire, pressure)
-    return FromTire(value, f"{key} of the tire file")
+    return value
 
 
 def vertical_stiffness(tire: Tire, pressure: float | None) -> float:

@@ -5,13 +5,21 @@ import functools
 import numpy as np
 
 from vehicle_roll_sim.model.tire.coefficients import on_axles
-from vehicle_roll_sim.vehicle.axle_tires import FromTire, from_tire, lateral_stiffness
+from vehicle_roll_sim.vehicle.axle_tires import (
+    FromTire,
+    lateral_stiffness,
+    progression_of,
+    radius_of,
+    stiffness_of,
+)
 from vehicle_roll_sim.vehicle.suspension_parameters import AXLES
 from vehicle_roll_sim.vehicle.tire.moments import OVERTURNING, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 LINEAR = {"spring_stiffness": "stiffness_at_rest", "damping": "mean_damping"}
 """Parameters of each axle that may be tables, and the values of linear models in their place."""
+NEUTRAL = {"tire_progression": 0.0}
+"""Values of tires of which neither the vehicle file nor the tire file need say anything."""
 
 
 class AxleValues:
@@ -39,15 +47,21 @@ class AxleValues:
         found = {}
         for axle, tire in self.axle_tires.items():
             pressure = self.at_axle(axle, "tire_pressure")
-            for name in ("tire_radius", "tire_stiffness"):
-                if self.at_axle(axle, name) is None:
-                    found[f"{axle}_{name}"] = from_tire(name, axle, tire, pressure)
+            if self.at_axle(axle, "tire_radius") is None:
+                found[f"{axle}_tire_radius"] = radius_of(axle, tire)
+            stiffness = self.at_axle(axle, "tire_stiffness")
+            progression = self.at_axle(axle, "tire_progression")
+            if stiffness is None:
+                if progression is None:
+                    found[f"{axle}_tire_progression"] = progression_of(axle, tire)
+                    progression = found[f"{axle}_tire_progression"].value
+                found[f"{axle}_tire_stiffness"] = stiffness_of(axle, tire, pressure, progression)
         return found
 
     @functools.cached_property
     def lateral_stiffness_from_tires(self) -> dict[str, FromTire]:
         """The lateral stiffnesses of the tires of each axle that are not given, by name (N/m)."""
-        loads = self.static_tire_compression * self.per_wheel("tire_stiffness")
+        loads = self.static_tire_load
         loads = loads.reshape(len(AXLES), -1).mean(axis=1)  # of left and right wheel
         return {
             f"{axle}_tire_lateral_stiffness": lateral_stiffness(
@@ -79,7 +93,10 @@ class AxleValues:
 
     def _known_at_axle(self, axle: str, name: str) -> float:
         value = self.at_axle(axle, name)
-        return self.from_tires[f"{axle}_{name}"].value if value is None else value
+        if value is not None:
+            return value
+        taken = self.from_tires.get(f"{axle}_{name}")
+        return taken.value if taken else NEUTRAL[name]
 
     def contact_patch_compliance(self, tire_moments: bool) -> np.ndarray:
         """Shift of each contact patch per lateral force, shape (4,) (m/N).

@@ -8,6 +8,7 @@ from vehicle_roll_sim.model.equilibrium import (
     axle_load_share,
     static_strut_length,
     static_tire_compression,
+    static_tire_load,
 )
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.vehicle.axle_values import AxleValues
@@ -101,8 +102,21 @@ class DerivedValues(AxleValues):
             self.axle_load_share,
             self.per_wheel("unsprung_mass"),
             self.per_wheel("tire_stiffness"),
+            self.per_wheel("tire_progression"),
             GRAVITY,
         )
+
+    @functools.cached_property
+    def static_tire_load(self) -> np.ndarray:
+        """Load of each tire at rest, shape (4,) (N)."""
+        spring = (self.per_wheel(f"tire_{name}") for name in ("stiffness", "progression"))
+        return static_tire_load(self.static_tire_compression, *spring)
+
+    @functools.cached_property
+    def tire_stiffness_at_rest(self) -> np.ndarray:
+        """Vertical stiffness of each tire under its load at rest, shape (4,) (N/m)."""
+        growth = 2 * self.per_wheel("tire_progression") * self.static_tire_compression
+        return self.per_wheel("tire_stiffness") * (1.0 + growth)
 
     @functools.cached_property
     def static_suspension_compression(self) -> np.ndarray:

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 
+from vehicle_roll_sim.model.records import LF, LR
 from vehicle_roll_sim.vehicle.derived_values import AXLES, GRAVITY
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -42,17 +43,18 @@ class VehicleFigures:
     """A whole vehicle at rest.
 
     mass: kg. wheelbase: m. cg_to_front_axle, cg_height: of the whole vehicle's c.g. (m).
-    static_stability_factor: mean track over twice that height. roll_axis_depth: of the roll axis
-    below the sprung c.g. (m). roll_stiffness: of both axles (N m/rad). front_share: of the roll
-    stiffness. roll_gradient: of a rigid body on its roll axis, (rad/(m/s^2)); inf if its weight
-    overcomes its roll stiffness. roll_frequency: of that body, without damping (Hz); 0 likewise.
-    axles: by name.
+    left_share: of the weight that the left wheels carry. static_stability_factor: mean track over
+    twice that height. roll_axis_depth: of the roll axis below the sprung c.g. (m). roll_stiffness:
+    of both axles (N m/rad). front_share: of the roll stiffness. roll_gradient: of a rigid body on
+    its roll axis, (rad/(m/s^2)); inf if its weight overcomes its roll stiffness. roll_frequency: of
+    that body, without damping (Hz); 0 likewise. axles: by name.
     """
 
     mass: float
     wheelbase: float
     cg_to_front_axle: float
     cg_height: float
+    left_share: float
     static_stability_factor: float
     roll_axis_depth: float
     roll_stiffness: float
@@ -66,6 +68,7 @@ def figures_of(vehicle: Vehicle) -> VehicleFigures:
     """The figures of a vehicle."""
     axles = {axle: _axle(vehicle, axle) for axle in AXLES}
     unsprung = vehicle.per_wheel("unsprung_mass")
+    carried = vehicle.sprung_mass * vehicle.axle_load_share + unsprung
     wheels = vehicle.per_wheel("tire_radius") - vehicle.static_tire_compression
     moment = vehicle.sprung_mass * vehicle.cg_height + float(unsprung @ wheels)
     height = moment / vehicle.mass
@@ -80,6 +83,7 @@ def figures_of(vehicle: Vehicle) -> VehicleFigures:
         wheelbase=wheelbase,
         cg_to_front_axle=float(rear_mass * wheelbase / vehicle.mass),
         cg_height=height,
+        left_share=float(carried[[LF, LR]].sum() / vehicle.mass),
         static_stability_factor=(vehicle.front_track + vehicle.rear_track) / (4 * height),
         roll_axis_depth=depth,
         roll_stiffness=stiffness,
@@ -92,10 +96,11 @@ def figures_of(vehicle: Vehicle) -> VehicleFigures:
 
 def _axle(vehicle: Vehicle, axle: str) -> AxleFigures:
     sides = slice(AXLES[axle], AXLES[axle] + 2)
-    names = ("spring_stiffness", "tire_stiffness", "damping", "unsprung_mass", "track")
-    spring, tire, damping, unsprung, track = (
+    names = ("spring_stiffness", "damping", "unsprung_mass", "track")
+    spring, damping, unsprung, track = (
         float(vehicle.per_wheel(name)[AXLES[axle]]) for name in names
     )
+    tire = float(np.mean(vehicle.tire_stiffness_at_rest[sides]))
     sprung = vehicle.sprung_mass * float(np.mean(vehicle.axle_load_share[sides]))
     ride_rate = spring * tire / (spring + tire)
     springs, tires = (stiffness * track**2 / 2 for stiffness in (spring, tire))

@@ -94,13 +94,14 @@ class Masses:
         alternative="cg_height",
     )
     cg_offset: float | None = parameter(
-        "distance of the c.g. of the sprung mass to the left of the middle (model 2); by default 0",
+        "distance of the c.g. of the sprung mass to the left of the middle (14 DOF models); "
+        "by default 0",
         **_OFFSET,
         default=None,
     )
     total_cg_offset: float | None = parameter(
         "distance of the c.g. of the whole vehicle to the left of the middle, instead of that of "
-        "the sprung mass (model 2)",
+        "the sprung mass (14 DOF models)",
         **_OFFSET,
         default=None,
     )
@@ -117,13 +118,15 @@ class Masses:
         default=None,
     )
     roll_pitch_product: float | None = parameter(
-        "product of inertia of the sprung mass, the integral of x y dm (model 2); by default 0",
+        "product of inertia of the sprung mass, the integral of x y dm (14 DOF models); by default "
+        "0",
         **_PRODUCT,
         symbol="Jxy",
         default=None,
     )
     pitch_yaw_product: float | None = parameter(
-        "product of inertia of the sprung mass, the integral of y z dm (model 2); by default 0",
+        "product of inertia of the sprung mass, the integral of y z dm (14 DOF models); by default "
+        "0",
         **_PRODUCT,
         symbol="Jyz",
         default=None,

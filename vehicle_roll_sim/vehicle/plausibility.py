@@ -138,7 +138,8 @@ def _suspension(vehicle: Vehicle, axle: str, wheel: int) -> Iterator[str]:
         figure = f"a static compression of {flattening:.3g} times the tire radius"
         usual = f"typically at most {LARGEST_FLATTENING:g} times"
         yield f"{tire}: {tires:g} N/m gives {figure}: {usual}"
-    in_series = stiffness * tires / (stiffness + tires)
+    at_rest = float(vehicle.tire_stiffness_at_rest[wheel])
+    in_series = stiffness * at_rest / (stiffness + at_rest)
     frequency = math.sqrt(in_series / mass) / math.tau
     least, most = RIDE_FREQUENCY
     if not least <= frequency <= most:

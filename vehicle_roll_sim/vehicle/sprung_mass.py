@@ -169,8 +169,8 @@ class _Whole:
         length = _wheelbase(self.vehicle)
         along = np.array([length + x, length + x, -x, -x]) / (2 * length)
         share = along * (1.0 + 2 * y / self.vehicle.per_wheel("track") * SIDES)
-        stiffness = self.vehicle.per_wheel("tire_stiffness")
-        compression = static_tire_compression(mass, share, self.unsprung, stiffness, GRAVITY)
+        spring = (self.vehicle.per_wheel(f"tire_{name}") for name in ("stiffness", "progression"))
+        compression = static_tire_compression(mass, share, self.unsprung, *spring, GRAVITY)
         return self.vehicle.per_wheel("tire_radius") - compression
 
     def _points(self, mass: float, x: float, y: float) -> list[Body]:
@@ -199,6 +199,7 @@ class _Carrying:
             self.axle_load_share,
             self.per_wheel("unsprung_mass"),
             self.per_wheel("tire_stiffness"),
+            self.per_wheel("tire_progression"),
             GRAVITY,
         )
         return (compressions_at_rest(self, GRAVITY) + tires)[[*AXLES.values()]]

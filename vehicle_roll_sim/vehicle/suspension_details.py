@@ -28,6 +28,7 @@ class TwoSlopes:
     def __init__(self, below: float, above: float):
         self.knots = np.zeros(1)
         self._slopes = below, above
+        self.key = np.array([below, above]).tobytes()
 
     def piece(self, origin: float, inside: float) -> np.ndarray:
         """Coefficients, lowest power first, as those of a TravelCurve."""

@@ -8,6 +8,8 @@ slopes. Where such a curve would turn back between points that do not, its slope
 its second derivatives set to 0.
 """
 
+import dataclasses
+import functools
 from collections.abc import Sequence
 
 import numpy as np
@@ -20,6 +22,8 @@ STEEPEST = 2.0
 back: its slope stays above an eighth of the chord's even if it begins and ends with the limit."""
 SAMPLES = np.linspace(0.0, 1.0, 65)
 """Where the slope of a piece is examined, as shares of its length."""
+KEPT = 100
+"""Number of curves that are kept, for further vehicles with them."""
 ROUNDING = 1e-12
 """Relative tolerance of that examination."""
 
@@ -28,17 +32,16 @@ class TravelCurve:
     """A quantity as a function of wheel travel, counted from its value at travel 0.
 
     given: a number, its change per metre of travel, or pairs of travel (m) and value. is_change:
-    False for a quantity that is not counted from travel 0.
+    False for a quantity that is not counted from travel 0. Attributes: `knots` (m), and `key`, the
+    same for curves that are the same bit for bit.
     """
 
     def __init__(self, given: float | tuple, is_change: bool = True):
-        points = [(0.0, 0.0), (1.0, given)] if isinstance(given, float) else given
-        self.knots, values = np.array(points).T
-        self._ends = _ends(self.knots, values)
-        if is_change:
-            self._ends[:, 0] -= self.piece(0.0, 0.0)[0]
-        if isinstance(given, float):
-            self.knots = self.knots[:0]
+        is_line = isinstance(given, float)
+        points = np.array([(0.0, 0.0), (1.0, given)] if is_line else given, float)
+        self.key = (points.tobytes(), is_change, is_line)
+        knots, self._ends = _knots_and_ends(*self.key[:2])
+        self.knots = knots[:0] if is_line else knots
 
     def piece(self, origin: float, inside: float) -> np.ndarray:
         """Coefficients, lowest power first, of the polynomial that holds at the travel `inside`.
@@ -46,15 +49,31 @@ class TravelCurve:
         origin: travel from which it is counted (m).
         """
         knots = np.arange(2.0) if len(self.knots) == 0 else self.knots
-        place = int(np.searchsorted(knots, inside, side="right")) - 1
-        if place < 0 or place == len(knots) - 1:
-            start = max(place, 0)
-            value, slope, _ = self._ends[start]
-            local = np.array([value, slope, *[0.0] * (COEFFICIENTS - 2)])
-        else:
-            start = place
-            local = _quintic(*self._ends[place : place + 2], knots[place + 1] - knots[place])
-        return _counted_from(local, origin - knots[start])
+        return _piece(knots, self._ends, origin, inside)
+
+
+@functools.lru_cache(maxsize=KEPT)
+def _knots_and_ends(points: bytes, is_change: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Travels, shape (n,), and values, slopes and second derivatives there, shape (n, 3)."""
+    knots, values = np.frombuffer(points).reshape(-1, 2).T
+    ends = _ends(knots, values)
+    if is_change:
+        ends[:, 0] -= _piece(knots, ends, 0.0, 0.0)[0]
+    ends.flags.writeable = False
+    return knots, ends
+
+
+def _piece(knots: np.ndarray, ends: np.ndarray, origin: float, inside: float) -> np.ndarray:
+    """The polynomial at a travel, as `TravelCurve.piece`, from the results of `_ends`."""
+    place = int(np.searchsorted(knots, inside, side="right")) - 1
+    if place < 0 or place == len(knots) - 1:
+        start = max(place, 0)
+        value, slope, _ = ends[start]
+        local = np.array([value, slope, *[0.0] * (COEFFICIENTS - 2)])
+    else:
+        start = place
+        local = _quintic(*ends[place : place + 2], knots[place + 1] - knots[place])
+    return _counted_from(local, origin - knots[start])
 
 
 def _ends(knots: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -145,11 +164,26 @@ def common_knots(curves: Sequence[TravelCurve]) -> np.ndarray:
     return np.unique(np.concatenate([curve.knots for curve in curves]))
 
 
+@dataclasses.dataclass(frozen=True)
+class _Same:
+    """Curves, equal to others that are the same."""
+
+    curves: tuple = dataclasses.field(compare=False)
+    keys: tuple
+
+
 def tabulated(curves: Sequence[TravelCurve]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Knots, origins and coefficients of an axle's curves, as the fields travel_* of VEHICLE.
 
-    Shapes (KNOTS,), (KNOTS + 1,) and (KNOTS + 1, COEFFICIENTS, curves).
+    Shapes (KNOTS,), (KNOTS + 1,) and (KNOTS + 1, COEFFICIENTS, curves); not to be changed, since
+    vehicles with the same curves share them.
     """
+    return _tabulated(_Same(tuple(curves), tuple(curve.key for curve in curves)))
+
+
+@functools.lru_cache(maxsize=KEPT)
+def _tabulated(same: _Same) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    curves = same.curves
     used = common_knots(curves)
     knots, origins = np.full(KNOTS, np.inf), np.zeros(KNOTS + 1)
     knots[: len(used)] = used
@@ -160,6 +194,8 @@ def tabulated(curves: Sequence[TravelCurve]) -> tuple[np.ndarray, np.ndarray, np
         inside = _inside(used, row)
         for k, curve in enumerate(curves):
             coefficients[row, :, k] = curve.piece(origins[row], inside)
+    for array in (knots, origins, coefficients):
+        array.flags.writeable = False
     return knots, origins, coefficients
 
 

@@ -42,7 +42,7 @@ class WheelTravel:
         default=None,
     )
     front_toe_change: Curve | None = parameter(
-        "front wheels: toe-in with wheel travel (model 2); by default 0",
+        "front wheels: toe-in with wheel travel (14 DOF models); by default 0",
         **_TURN,
         default=None,
     )
@@ -71,7 +71,7 @@ class WheelTravel:
         default=None,
     )
     rear_toe_change: Curve | None = parameter(
-        "rear wheels: toe-in with wheel travel (model 2); by default 0",
+        "rear wheels: toe-in with wheel travel (14 DOF models); by default 0",
         **_TURN,
         default=None,
     )

@@ -7,6 +7,7 @@ from vehicle_roll_sim.vehicle.suspension_parameters import of_axle
 
 _LENGTH = {"unit": "m", "minimum": 0.01, "maximum": 50.0}
 _STIFFNESS = {"unit": "N/m", "minimum": 1.0, "maximum": 1e8}
+_PROGRESSION = {"unit": "1/m", "minimum": 0.0, "maximum": 1e4}
 _DAMPING = {"unit": "N s/m", "minimum": 0.0, "maximum": 1e7}
 _MASS = {"unit": "kg", "minimum": 0.01, "maximum": 1e6}
 _PRESSURE = {"unit": "Pa", "minimum": 1e4, "maximum": 2e6}
@@ -61,15 +62,27 @@ class Tires:
     """What a tire file may leave open, and the wheels."""
 
     front_tire_stiffness: float | None = parameter(
-        "vertical stiffness of one front tire; by default VERTICAL_STIFFNESS of the tire file",
+        "vertical stiffness of one front tire; by default that of the tire file",
         **_STIFFNESS,
         symbol="ktf",
         default=None,
     )
     rear_tire_stiffness: float | None = parameter(
-        "vertical stiffness of one rear tire; by default VERTICAL_STIFFNESS of the tire file",
+        "vertical stiffness of one rear tire; by default that of the tire file",
         **_STIFFNESS,
         symbol="ktr",
+        default=None,
+    )
+    front_tire_progression: float | None = parameter(
+        "progression p of the vertical force k x (1 + p x) of a front tire; by default that of the "
+        "tire file with its stiffness, else 0",
+        **_PROGRESSION,
+        default=None,
+    )
+    rear_tire_progression: float | None = parameter(
+        "progression p of the vertical force k x (1 + p x) of a rear tire; by default that of the "
+        "tire file with its stiffness, else 0",
+        **_PROGRESSION,
         default=None,
     )
     tire_radius: float | None = parameter(

@@ -12,7 +12,8 @@ arctan, sine, cosine = map(entry, (elementary.arctan, elementary.sine, elementar
 cosine_of_arctan = entry(elementary.cosine_of_arctan)
 sine_of_twice_arctan = entry(elementary.sine_of_twice_arctan)
 exponential, logarithm = entry(elementary.exponential), entry(elementary.logarithm)
-arcsine = entry(elementary.arcsine)
+arctan_of_ratio = entry(elementary.arctan_of_ratio)
+arctan_of_hypotenuse = entry(elementary.arctan_of_hypotenuse)
 CASES = 20_000
 UNITS = 2.5
 """Units in the last place of the result: a handful of rounded operations."""
@@ -58,9 +59,27 @@ def test_exponential_and_logarithm_are_right_over_all_sizes():
     assert exponential(1e4) == exponential(700.0) == 1 / exponential(-1e4)
 
 
-def test_the_arc_sine_is_right_up_to_its_ends():
-    assert errors(arcsine, np.arcsin, np.linspace(-1.0, 1.0, CASES)).max() < 4
-    assert (arcsine(1.0), arcsine(-1.0), arcsine(0.0)) == (math.pi / 2, -math.pi / 2, 0.0)
+def test_the_arc_tangent_of_a_ratio_is_right_up_to_a_base_of_0():
+    sizes, base = np.geomspace(1e-9, 1e9, CASES), 0.37
+    for sign in (1.0, -1.0):
+
+        def of_ratio(x, sign=sign):
+            return arctan_of_ratio(sign * x, base)
+
+        exact = errors(of_ratio, lambda x, sign=sign: np.arctan(sign * x / base), sizes)
+        assert exact.max() < UNITS
+    assert (arctan_of_ratio(2.0, 0.0), arctan_of_ratio(-2.0, 0.0)) == (math.pi / 2, -math.pi / 2)
+    assert arctan_of_ratio(0.0, 2.0) == 0.0
+    assert all(arctan_of_ratio(x, 1.0) == arctan(x) for x in ALL)
+
+
+@pytest.mark.parametrize("y", [0.0, -0.3, 7.0, 1e200])
+def test_the_arc_tangent_of_a_hypotenuse_is_right_in_every_quadrant(y):
+    def exact(x):
+        return np.arctan(np.hypot(np.tan(x), np.longdouble(y)))
+
+    angles = np.linspace(-4.5, 4.5, CASES)
+    assert errors(lambda x: arctan_of_hypotenuse(x, y), exact, angles).max() < 4
 
 
 def test_the_compositions_are_those_of_the_functions():

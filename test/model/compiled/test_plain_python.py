@@ -20,7 +20,7 @@ HERE = Path(__file__).parents[1]
 ROOT = Path(vehicle_roll_sim.__file__).parent.parent
 TO_ROLLOVER = 1000
 """Steps of 4 ms: more than it takes, the run stops by itself."""
-A_FEW = 325
+A_FEW = 100
 """Steps of 4 ms: well into the turn."""
 A_SWERVE = 20
 """Steps of 4 ms: into it, for each variant. Every kernel has its turn, which coverage needs."""
@@ -87,6 +87,7 @@ def test_the_8_dof_model_and_steady_state_slip_are_one_source_too(tmp_path, name
         assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 
+@pytest.mark.slow
 @compiled_only
 def test_every_variant_is_one_source_too(tmp_path):
     plain = in_another_process(tmp_path, A_SWERVE, "variants", NUMBA_DISABLE_JIT="1")

@@ -12,6 +12,7 @@ from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import LF, OUTPUTS
 from vehicle_roll_sim.model.tire.coefficients import OPTIONAL, REQUIRED, SCALING, as_one, on_axles
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
+from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
 
 LEFT, RIGHT = 1.0, -1.0
 LOADS = (500.0, 2000.0, 6000.0, 12_000.0)
@@ -73,8 +74,8 @@ def test_slopes_at_zero_slip_are_the_stiffnesses(tire, load):
 @pytest.mark.parametrize("load", LOADS)
 def test_the_largest_force_of_pure_slip_is_the_friction_of_that_load(tire, load):
     slips = np.linspace(0.0, 1.0, 1001)
-    fx = max(forces_of(tire, slip, 0.0, load)[0] for slip in slips)
-    fy = min(forces_of(tire, 0.0, slip, load)[1] for slip in slips)
+    fx = evaluate(tire, load, slips, 0.0).longitudinal_force.max()
+    fy = evaluate(tire, load, 0.0, slips).lateral_force.min()
     # a grid misses the top by less than 1e-4 of it
     assert fx == pytest.approx(magic_formula.longitudinal_peak(tire.coefficients, load), rel=1e-4)
     assert fy == pytest.approx(magic_formula.lateral_peak(tire.coefficients, load), rel=1e-4)

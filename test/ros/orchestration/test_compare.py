@@ -5,14 +5,13 @@ import re
 import signal
 import subprocess
 import sys
-from types import SimpleNamespace
 
 import pytest
-from forked import open_process
+from forked import fork_nodes, open_process
 from peers import PATIENCE, RACE_FOR_A_PORT
 
 from vehicle_roll_sim.command_line.main import main
-from vehicle_roll_sim.ros.orchestration import compare, comparison, demo
+from vehicle_roll_sim.ros.orchestration import compare
 from vehicle_roll_sim.runs.history import History
 
 COMPARE = [sys.executable, "-m", "vehicle_roll_sim.ros.executables", "compare"]
@@ -82,9 +81,7 @@ def call(tmp_path, domain, monkeypatch, capsys):
         nodes.append(open_process(*words, **options))
         return nodes[-1]
 
-    forking = SimpleNamespace(**vars(subprocess) | {"Popen": open_node})
-    for module in (comparison, demo):
-        monkeypatch.setattr(module, "subprocess", forking)
+    fork_nodes(monkeypatch, open_node)
 
     def call_one(*words: str) -> tuple[int, str, list[str]]:
         monkeypatch.setattr(sys, "argv", ["compare", *words, "--domain", str(domain)])

@@ -1,13 +1,11 @@
 """The example controllers in lockstep: their effects, as stated in docs/controllers.md."""
 
 import re
-import subprocess
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from forked import open_process
+from forked import fork_nodes
 
 from benchmarks.controllers import (
     CONTROLLERS,
@@ -21,7 +19,6 @@ from vehicle_roll_sim import Condition, Options, Simulation, preset
 from vehicle_roll_sim.analysis.panels import SIDESLIP
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
 from vehicle_roll_sim.messages.topics import COMMANDS
-from vehicle_roll_sim.ros.orchestration import comparison, demo
 from vehicle_roll_sim.ros.orchestration.comparison import Chain, Scenario, drive
 from vehicle_roll_sim.ros.topics import message_class
 from vehicle_roll_sim.runs.run import run
@@ -52,9 +49,7 @@ def manoeuvre(request) -> str:
 def in_domain(domain, monkeypatch):
     """What is driven has a domain of its own, and its nodes are forked: `compare` has its tests."""
     monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
-    forking = SimpleNamespace(**vars(subprocess) | {"Popen": open_process})
-    for module in (comparison, demo):
-        monkeypatch.setattr(module, "subprocess", forking)
+    fork_nodes(monkeypatch)
 
 
 _without = {}

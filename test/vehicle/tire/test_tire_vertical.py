@@ -89,5 +89,11 @@ def test_terms_of_the_vertical_force_that_are_not_simulated_are_named(read):
     text = changed({"Q_V1": "Q_V2 = 0.04\nQ_FCX = 0\nLCZ = 0.9"}, BASE_6_1)
     text += "[DEFLECTION_LOAD_CURVE]\n{pen fz}\n0 0.0\n0.01 2000.0\n"
     (note,) = [note for note in read(text).notes if "vertical force" in note]
-    assert note.endswith("not simulated: Q_FZ2, Q_V2, LCZ, [DEFLECTION_LOAD_CURVE]")
+    assert note.endswith("not simulated: Q_V2, LCZ, [DEFLECTION_LOAD_CURVE]")
+    follows = (190000 * 0.3 / 3800) ** 2 - 4 * 15
+    for q1, said in ((round(follows**0.5, 1), False), (11.0, True)):
+        notes = read(BASE_6_1 + f"[MORE]\nQ_FZ1 = {q1}\n").notes
+        assert any(note.endswith("not simulated: Q_FZ1") for note in notes) == said
+    degressive = read(changed({"Q_FZ2": "Q_FZ2 = -4"}, BASE_6_1))
+    assert any(note.endswith("not simulated: Q_FZ2") for note in degressive.notes)
     assert not [note for note in read(BASE + "[MORE]\nLCZ = 1\n").notes if "vertical" in note]

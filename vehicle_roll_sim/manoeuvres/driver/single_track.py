@@ -61,7 +61,7 @@ def cornering_stiffnesses(vehicle: Vehicle) -> np.ndarray:
     """Cornering stiffnesses (2,) of the front and rear axle, both tires, at static load (N/rad)."""
     tires, side = vehicle.tires(), np.ones(WHEEL_COUNT)
     side[:LR], side[LR:] = tires[FRONT]["side"][:LR], tires[REAR]["side"][LR:]
-    loads = vehicle.static_tire_compression * vehicle.per_wheel("tire_stiffness")
+    loads = vehicle.static_tire_load
     forces = []
     for slip in (-SMALL_SLIP, SMALL_SLIP):
         outputs = np.zeros(1, OUTPUTS)

@@ -56,10 +56,16 @@ def arctan_of_small(z):
 @term
 def arctan(x):
     """atan x (rad), from -pi / 2 to pi / 2."""
+    return arctan_of_ratio(x, 1.0)
+
+
+@term
+def arctan_of_ratio(x, base):
+    """atan(x / base) (rad) for a base of at least 0, with one division; not both may be 0."""
     size = abs(x)
-    steep, middle = size > TAN_3_PI_8, size > TAN_PI_8
-    above = -1.0 if steep else (size - 1.0 if middle else size)
-    below = size if steep else (size + 1.0 if middle else 1.0)
+    steep, middle = size > TAN_3_PI_8 * base, size > TAN_PI_8 * base
+    above = -base if steep else (size - base if middle else size)
+    below = size if steep else (size + base if middle else base)
     turned = math.pi / 2 if steep else (math.pi / 4 if middle else 0.0)
     rest = PI_HALVES_REST if steep else (PI_HALVES_REST / 2 if middle else 0.0)
     z = above / below
@@ -107,9 +113,18 @@ def cosine(x):
 
 
 @term
-def arcsine(x):
-    """asin x (rad), for |x| up to 1."""
-    return 2.0 * arctan(x / (1.0 + square_root((1.0 - x) * (1.0 + x))))
+def arctan_of_hypotenuse(x, y):
+    """atan sqrt(tan^2 x + y^2) (x in rad), as atan[sqrt(sin^2 x + y^2 cos^2 x) / |cos x|].
+
+    Sine and cosine from the sine of half of what x is beyond a multiple of pi.
+    """
+    half_turns = nearest(x * HALF_TURNS)
+    rest = (x - half_turns * PI) - half_turns * PI_REST
+    half = sine_within_half_turn(0.5 * rest)
+    square = half * half
+    across = (1.0 - 2.0 * square) * y
+    size = square_root(4.0 * square * (1.0 - square) + across * across)
+    return arctan_of_ratio(size, abs(1.0 - 2.0 * square))
 
 
 @term
@@ -141,17 +156,6 @@ def logarithm(x):
     low, middle = cubic(q, 2 / 3, 2 / 5, 2 / 7, 2 / 9), cubic(q, 2 / 11, 2 / 13, 2 / 15, 2 / 17)
     series = z * q * (low + q4 * (middle + q4 * (2 / 19 + q * (2 / 21))))
     return whole * LN_2 + (2.0 * z + (series + whole * LN_2_REST))
-
-
-@term
-def squared_tangent(x):
-    """tan^2 x (x in rad), from the sine of half of what x is beyond a multiple of pi."""
-    half_turns = nearest(x * HALF_TURNS)
-    rest = (x - half_turns * PI) - half_turns * PI_REST
-    half = sine_within_half_turn(0.5 * rest)
-    square = half * half
-    cosine = 1.0 - 2.0 * square
-    return 4.0 * square * (1.0 - square) / (cosine * cosine)
 
 
 @term

@@ -3,7 +3,9 @@
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.eight_dof import eight_dof_derivatives
 from vehicle_roll_sim.model.fourteen_dof import fourteen_dof_derivatives
+from vehicle_roll_sim.model.kinematic.contact import note_tire_compression
 from vehicle_roll_sim.model.kinematic.derivatives import kinematic_derivatives
+from vehicle_roll_sim.model.wheel import note_turning
 
 
 @kernel
@@ -20,3 +22,18 @@ def derivatives(state, command, vehicle, tires, options, outputs, rates):
         kinematic_derivatives(state, command, vehicle, tires, options, outputs, rates)
     else:
         fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, rates)
+
+
+@kernel
+def smooth_derivatives(state, commands, plant, outputs, rates):
+    """`derivatives` at any state, for calls from Python.
+
+    Unlike `derivatives` it also notes which way each wheel turns and, in model 2, writes the tire
+    compressions to `state`. commands: an array of one COMMAND record. plant: vehicle, tires and
+    options, each an array of one record. It takes 20 us to pass a record to compiled code, and far
+    less to pass an array.
+    """
+    vehicle, tires, options = plant[0][0], plant[1][0], plant[2][0]
+    note_turning(state, outputs)
+    derivatives(state, commands[0], vehicle, tires, options, outputs, rates)
+    note_tire_compression(state, options, outputs)

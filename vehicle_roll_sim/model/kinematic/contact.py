@@ -9,6 +9,7 @@ from vehicle_roll_sim.model.compiled.jit import kernel, square_root
 from vehicle_roll_sim.model.contact import normal_force
 from vehicle_roll_sim.model.frames import body_to_yawed, yawed_to_body
 from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.tire.spring import spring_force
 
 NEARLY_FLAT = 1e-12
 """Lower limit of the cosine of an inclination; keeps a wheel that lies on the road finite."""
@@ -21,9 +22,10 @@ def place_on_road(state, vehicle, attitude, outputs):
     With the road's normal e and the spin axis n, sin gamma = n e. The contact point is the loaded
     radius rl along d = (-e + n sin gamma) / cos gamma from the wheel centre, at height zc:
 
-        rl = zc / cos gamma,  Fzg = kt (r0 - rl) / cos gamma,
+        rl = zc / cos gamma,  Fzg = F(r0 - rl) / cos gamma,
 
-    which makes kt (r0 - rl)^2 / 2 the energy of the tire; off the road Fzg = 0 and rl = r0. The
+    with the force F of the tire's spring: its energy is then that of the compression r0 - rl. Off
+    the road Fzg = 0 and rl = r0. The
     tire compression is that of equation 15, rl = r0 - xt / cos gamma: negative off the road, where
     it is minus the height of the tire's lowest point.
     """
@@ -33,6 +35,7 @@ def place_on_road(state, vehicle, attitude, outputs):
     for i in range(WHEEL_COUNT):
         outputs.unloaded_radius[i] = vehicle.tire_radius[i]
         outputs.support[i] = vehicle.tire_stiffness[i]
+        outputs.normal_force[i] = vehicle.tire_progression[i]
     for i in range(WHEEL_COUNT):
         nx, ny, nz = terms.spin_axis[0, i], terms.spin_axis[1, i], terms.spin_axis[2, i]
         ahead, left, rise = body_to_yawed(attitude, nx, ny, nz)
@@ -46,7 +49,8 @@ def place_on_road(state, vehicle, attitude, outputs):
         radius = outputs.unloaded_radius[i]
         terms.tire_compression[i] = radius * cosine - height
         deflection = radius - height * inverse
-        support = outputs.support[i] * deflection * inverse
+        stiffness, progression = outputs.support[i], outputs.normal_force[i]
+        support = spring_force(deflection, stiffness, progression) * inverse
         outputs.support[i] = support
         outputs.normal_force[i] = normal_force(support)
         loaded = radius - deflection if deflection > 0.0 else radius

@@ -7,7 +7,7 @@ acceleration, and the accelerations are solved for in one linear system (`rigid_
 """
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.compiled.jit import kernel
+from vehicle_roll_sim.model.compiled.jit import kernel, term
 from vehicle_roll_sim.model.records import DU, DV, DWX, DWY, DWZ, LF, LR, RF, RR, WHEEL_COUNT
 
 
@@ -71,6 +71,20 @@ def link_moment(i, vehicle, options, outputs):
 
 
 @kernel
+def half_track(i, vehicle):
+    """Distance of wheel i to the left of the middle of its axle (m)."""
+    other = i + 1 if i % 2 == 0 else i - 1
+    return (vehicle.y[i] - vehicle.y[other]) / 2
+
+
+@term
+def middle(i, vehicle):
+    """Distance of the middle of the axle of wheel i to the left of the c.g. (m)."""
+    other = i + 1 if i % 2 == 0 else i - 1
+    return (vehicle.y[i] + vehicle.y[other]) / 2
+
+
+@kernel
 def link_load_transfer(vehicle, options, outputs):
     """Fdz of every corner (N): load transfer through the links (eq. 26).
 
@@ -85,5 +99,5 @@ def link_load_transfer(vehicle, options, outputs):
             on_left = on_right = 0.0
         elif not options.asymmetric_link_load_transfer:
             on_left = on_right = (on_left + on_right) / 2
-        outputs.link_load_transfer[left] = -on_left / vehicle.y[left]
-        outputs.link_load_transfer[right] = -on_right / vehicle.y[right]
+        outputs.link_load_transfer[left] = -on_left / half_track(left, vehicle)
+        outputs.link_load_transfer[right] = -on_right / half_track(right, vehicle)

@@ -65,13 +65,23 @@ def stop_force(compression, stiffness, progression):
     return compression * (stiffness + compression * progression / 2)
 
 
+@term
+def apart_from_rest(i, state, vehicle):
+    """How far the travel of wheel i exceeds that of the other wheel of its axle (m).
+
+    At rest 0, also if the c.g. is beside the middle and the springs are compressed unequally.
+    """
+    other = i + 1 if i % 2 == 0 else i - 1
+    xs, at_rest = state[at.SUSPENSION_COMPRESSION], vehicle.static_suspension_compression
+    return (xs[i] - xs[other]) - (at_rest[i] - at_rest[other])
+
+
 @kernel
 def detailed_strut_forces(state, command, vehicle, outputs):
     """Fzs of every corner (N; in place of eq. 23): spring, damper, stops, anti-roll bar, active
     normal force."""
     details, xs = vehicle.details, state[at.SUSPENSION_COMPRESSION]
     for i in range(WHEEL_COUNT):
-        other = i + 1 if i % 2 == 0 else i - 1
         travel = xs[i] - vehicle.static_suspension_compression[i]
         force = spring_force(i, travel, details)
         force += damper_force(i, travel, outputs.suspension_rate[i], details)
@@ -85,5 +95,5 @@ def detailed_strut_forces(state, command, vehicle, outputs):
             details.rebound_stop_stiffness[i],
             details.rebound_stop_progression[i],
         )
-        force += vehicle.bar_rate[i] * (xs[i] - xs[other])
+        force += vehicle.bar_rate[i] * apart_from_rest(i, state, vehicle)
         outputs.strut_force[i] = force + command.normal_force[i]

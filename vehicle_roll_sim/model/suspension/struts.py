@@ -3,6 +3,7 @@
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.suspension.strut_details import apart_from_rest
 
 
 @kernel
@@ -37,8 +38,7 @@ def strut_forces(state, command, vehicle, outputs):
     for i in range(WHEEL_COUNT):
         passive = vehicle.spring_stiffness[i] * xs[i]
         passive += vehicle.damping[i] * outputs.suspension_rate[i]
-        other = i + 1 if i % 2 == 0 else i - 1
-        passive += vehicle.bar_rate[i] * (xs[i] - xs[other])
+        passive += vehicle.bar_rate[i] * apart_from_rest(i, state, vehicle)
         outputs.strut_force[i] = passive + command.normal_force[i]
 
 

@@ -105,7 +105,8 @@ all_tire_constants = constants(AllTireConstants)
 
 def on_axles(front: np.ndarray, rear: np.ndarray) -> np.ndarray:
     """The TIRE records of both axles, shape (2,), from one each, shape (1,)."""
-    tires = np.concatenate((front, rear))
+    tires = np.empty(2, TIRE)
+    tires[FRONT], tires[REAR] = front[0], rear[0]
     tires["shared"] = tires[FRONT].tobytes() == tires[REAR].tobytes()
     return tires
 

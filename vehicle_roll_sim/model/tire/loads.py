@@ -1,4 +1,4 @@
-"""Terms of the tires that depend on load and inflation pressure only.
+"""Terms of the tires that depend on load, inclination and inflation pressure only.
 
 They precede slip, since relaxation lengths and forces share them.
 """
@@ -14,7 +14,7 @@ from vehicle_roll_sim.model.tire.radii import rolling_depth
 
 @kernel
 def terms_of_loads(tires, outputs):
-    """From the normal load of every wheel; tires: a TIRES record."""
+    """From normal load and inclination of every wheel; tires: a TIRES record."""
     terms_of_load(tires.front, 0, outputs)
     if tires.front.shared == 0.0:
         terms_of_load(tires.rear, LR, outputs)
@@ -34,6 +34,15 @@ def terms_of_load(tire, first, outputs):
             if tire.rolls_on_own_radius != 0.0:
                 outputs.tire_terms.rolling_depth[i] = rolling_depth(outputs.normal_force[i], tire)
         return
+    if tire.PKY5 != 0.0:
+        complete_terms(tire, first, True, outputs)
+    else:
+        complete_terms(tire, first, None, outputs)
+
+
+@kernel
+def complete_terms(tire, first, wave_inclines, outputs):
+    """Those of a tire that is not plain. wave_inclines: None if PKY5 is 0."""
     terms, tire = outputs.tire_terms, all_tire_constants(tire)
     for i in range(WHEEL_COUNT):
         mine, fz = i >= first, outputs.normal_force[i]
@@ -45,6 +54,8 @@ def terms_of_load(tire, first, outputs):
         depth = rolling_depth(fz, tire)
         terms.relative_load[i] = dfz if mine else terms.relative_load[i]
         terms.slip_stiffness[i] = along if mine else terms.slip_stiffness[i]
+        if wave_inclines is not None:
+            wave = pure_slip.cornering_wave(outputs.inclination[i], fz, tire)
         terms.cornering_wave[i] = wave if mine else terms.cornering_wave[i]
         terms.upright_stiffness[i] = across if mine else terms.upright_stiffness[i]
         terms.load_power[i] = power if mine else terms.load_power[i]

@@ -13,7 +13,7 @@ bodies: it unrolls the others first. Loops are therefore as long as they can be.
 """
 
 from vehicle_roll_sim.model.compiled.elementary import arctan, cosine_of_arctan
-from vehicle_roll_sim.model.compiled.jit import kernel
+from vehicle_roll_sim.model.compiled.jit import kernel, term
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.model.tire import moments, pure_slip
 from vehicle_roll_sim.model.tire.coefficients import all_tire_constants, tire_constants
@@ -54,7 +54,7 @@ def tire_forces(tires, outputs):
 
 @kernel
 def forces_at_slips(tires, outputs):
-    """As `tire_forces`, with the terms that depend on load only as input."""
+    """As `tire_forces`, with `terms_of_loads` as input."""
     forces_of_tire(tires.front, 0, outputs)
     if tires.front.shared == 0.0:
         forces_of_tire(tires.rear, LR, outputs)
@@ -64,38 +64,28 @@ def forces_at_slips(tires, outputs):
 def forces_of_tire(tire, first, outputs):
     """Forces and moments of one kind of tire, at the wheels from `first` on.
 
-    Most loops run over all wheels nevertheless, so that they can be vectorized.
+    The loops run over all wheels nevertheless, so that they can be vectorized.
     """
-    terms = outputs.tire_terms
     if tire.plain != 0.0:
         plain_curves(tire, outputs)
+        forces_from_curves(tire, first, None, None, outputs)
+    elif tire.moments == 0.0:
+        curves_of_wheels(tire, True, None, outputs)
+        sines_of_curves(FORCE_CURVES * WHEEL_COUNT, outputs.tire_terms)
+        forces_from_curves(tire, first, None, None, outputs)
     else:
-        complete_curves(tire, outputs)
-    lowest = tire.lowest_weight
-    for i in range(WHEEL_COUNT):
-        x_peak, x_shift = terms.longitudinal_peak[i], terms.longitudinal_shift[i]
-        y_peak, y_shift = terms.lateral_peak[i], terms.lateral_shift[i]
-        gx = weight_of(LONGITUDINAL_WEIGHT, LONGITUDINAL_AT_SHIFT, i, lowest, terms)
-        gy = weight_of(LATERAL_WEIGHT, LATERAL_AT_SHIFT, i, lowest, terms)
-        fx = gx * (x_peak * sine_of(LONGITUDINAL, i, terms) + x_shift)  # (E9, E50)
-        fy = gy * (y_peak * sine_of(LATERAL, i, terms) + y_shift)  # (E19, E58)
-        fy += terms.ply_steer[i]  # (E66)
-        loaded, mine = outputs.normal_force[i] > 0.0, i >= first
-        fx, fy = fx if loaded else 0.0, outputs.side[i] * fy if loaded else 0.0
-        outputs.tire_longitudinal[i] = fx if mine else outputs.tire_longitudinal[i]
-        outputs.tire_lateral[i] = fy if mine else outputs.tire_lateral[i]
-    if tire.moments != 0.0:
-        moments_of_tire(tire, first, outputs)
-    else:
-        for i in range(first, WHEEL_COUNT):
-            outputs.overturning_moment[i] = outputs.rolling_resistance_moment[i] = 0.0
-            outputs.aligning_moment[i] = 0.0
+        curves_of_wheels(tire, True, True, outputs)
+        sines_of_curves(CURVE_COUNT * WHEEL_COUNT, outputs.tire_terms)
+        if tire.QSX4 != 0.0 or tire.QSX10 != 0.0:
+            forces_from_curves(tire, first, True, True, outputs)
+        else:
+            forces_from_curves(tire, first, True, None, outputs)
 
 
 @kernel
 def plain_curves(tire, outputs):
     """All curves without inclination, pressure and moments."""
-    curves_of_forces(tire, None, outputs)
+    curves_of_wheels(tire, None, None, outputs)
     ply_steers(tire, outputs)
     shifts = abs(tire.RHX1) + abs(tire.RHY1) + abs(tire.RHY2)
     if shifts == 0.0:
@@ -105,38 +95,17 @@ def plain_curves(tire, outputs):
 
 
 @kernel
-def complete_curves(tire, outputs):
-    """All curves."""
-    if tire.PKY5 != 0.0:
-        inclined_waves(tire, outputs)
-    curves_of_forces(tire, True, outputs)
-    if tire.moments != 0.0:
-        curves_of_moments(tire, outputs)
-        sines_of_curves(CURVE_COUNT * WHEEL_COUNT, outputs.tire_terms)
-    else:
-        sines_of_curves(FORCE_CURVES * WHEEL_COUNT, outputs.tire_terms)
+def curves_of_wheels(tire, inclined, with_moments, outputs):
+    """x, B, C and E of every curve, and slip angles (rad) from their tangents.
 
-
-@kernel
-def inclined_waves(tire, outputs):
-    """The sine in Ky alpha with inclination, in place of that of the upright tire."""
-    terms, tire = outputs.tire_terms, all_tire_constants(tire)
-    for i in range(WHEEL_COUNT):
-        gamma = outputs.side[i] * outputs.inclination[i]
-        terms.cornering_wave[i] = pure_slip.cornering_wave(gamma, outputs.normal_force[i], tire)
-
-
-@kernel
-def curves_of_forces(tire, form, outputs):
-    """x, B, C and E of every curve of the forces, and slip angles (rad) from their tangents.
-
-    Also peaks and vertical shifts of the forces at pure slip (N; E12, E18, E22, E29). form: None
-    for the plain form, without inclination and pressure.
+    Also peaks and vertical shifts of the forces at pure slip (N; E12, E18, E22, E29). inclined:
+    None for the plain form, without inclination and pressure. with_moments: None without the curves
+    of the aligning moment. Older versions of numba prune branches by arguments that are None alone.
     """
     terms = outputs.tire_terms
-    tire = tire_constants(tire) if form is None else all_tire_constants(tire)
+    tire = tire_constants(tire) if inclined is None else all_tire_constants(tire)
     for i in range(WHEEL_COUNT):
-        gamma = None if form is None else outputs.side[i] * outputs.inclination[i]
+        gamma = None if inclined is None else outputs.side[i] * outputs.inclination[i]
         outputs.slip_angle[i] = arctan(outputs.slip_tangent[i])
         kappa, alpha = outputs.slip_ratio[i], outputs.side[i] * outputs.slip_angle[i]
         fz, dfz = outputs.normal_force[i], relative_load(outputs.normal_force[i], tire)
@@ -146,7 +115,7 @@ def curves_of_forces(tire, form, outputs):
         shift = fz * (tire.PVX1 + tire.PVX2 * dfz) * tire.LVX
         terms.longitudinal_shift[i] = shift * tire.LMUX
         shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY * tire.LMUY
-        if form is None:  # an argument: older versions of numba prune by those alone
+        if inclined is None:
             terms.lateral_shift[i] = shift
             kx = pure_slip.slip_stiffness(gamma, fz, dfz, terms.stiffening[i], tire)
             ky = pure_slip.cornering_stiffness(gamma, fz, tire)
@@ -158,7 +127,6 @@ def curves_of_forces(tire, form, outputs):
             ky = pure_slip.stiffness_of_wave(gamma, terms.cornering_wave[i], tire)
             per_ky = pure_slip.inverse(ky)
             y_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, per_ky, tire)
-            terms.per_cornering_stiffness[i], terms.lateral_slip_shift[i] = per_ky, y_shift
         fx = pure_slip.longitudinal_curve(kappa, dfz, kx, x_peak, tire)
         fy = pure_slip.lateral_curve(alpha, gamma, dfz, y_shift, ky, y_peak, tire)
         gx = longitudinal_weight_curve(alpha, kappa, gamma, dfz, tire)
@@ -170,8 +138,36 @@ def curves_of_forces(tire, form, outputs):
         keep_curve(LONGITUDINAL_AT_SHIFT, i, (tire.RHX1, gx[1], gx[2], gx[3]), terms)
         shift = tire.RHY1 + tire.RHY2 * dfz
         keep_curve(LATERAL_AT_SHIFT, i, (shift, gy[1], gy[2], gy[3]), terms)
-        if form is not None:
+        if inclined is not None:
             terms.ply_steer[i] = slip_ply_steer(kappa, alpha, gamma, dfz, y_peak, tire)
+        if with_moments is not None:
+            y_zero = alpha + y_shift + terms.lateral_shift[i] * per_ky
+            induced = kx * kappa * tire.combined * per_ky
+            slope = fy[1] * tire.PCY1 * tire.LCY
+            curves_of_moments(i, alpha, gamma, y_zero, induced, slope, tire, outputs)
+
+
+@term
+def curves_of_moments(i, alpha, gamma, y_zero, induced, slope, tire, outputs):
+    """Curves and other terms of the aligning moment of wheel i; see `moments`.
+
+    alpha, gamma, y_zero: slip angle, inclination, and slip angle from the one without lateral force
+    (rad). induced: Kx kappa / Ky. slope: By Cy.
+    """
+    terms = outputs.tire_terms
+    fz, dfz = outputs.normal_force[i], terms.relative_load[i]
+    peak = pure_slip.lateral_friction(0.0, dfz, tire) * tire.LMUY * fz
+    shift = (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
+    stiffness = terms.upright_stiffness[i]
+    fy = pure_slip.lateral_curve(alpha, 0.0, dfz, shift, stiffness, peak, tire)
+    keep_curve(UPRIGHT_LATERAL, i, fy, terms)
+    keep_curve(TRAIL, i, moments.trail_curve(alpha, induced, gamma, dfz, tire), terms)
+    forward = moments.direction(outputs.rolling[i]) * cosine_of_arctan(outputs.slip_tangent[i])
+    terms.upright_peak[i] = peak
+    terms.trail_peak[i] = moments.trail_peak(gamma, fz, dfz, forward, tire)
+    terms.residual[i] = moments.residual_moment(
+        y_zero, induced, gamma, fz, dfz, slope, forward, tire
+    )
 
 
 @kernel
@@ -187,69 +183,42 @@ def ply_steers(tire, outputs):
 
 
 @kernel
-def curves_of_moments(tire, outputs):
-    """Curves and other terms of the aligning moment; see `moments`."""
-    terms, tire = outputs.tire_terms, all_tire_constants(tire)
-    for i in range(WHEEL_COUNT):
-        side = outputs.side[i]
-        alpha, gamma = side * outputs.slip_angle[i], side * outputs.inclination[i]
-        fz, dfz = outputs.normal_force[i], terms.relative_load[i]
-        peak = pure_slip.lateral_friction(0.0, dfz, tire) * tire.LMUY * fz
-        terms.upright_peak[i] = peak
-        shift, slope = (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY, terms.upright_stiffness[i]
-        fy = pure_slip.lateral_curve(alpha, 0.0, dfz, shift, slope, peak, tire)
-        keep_curve(UPRIGHT_LATERAL, i, fy, terms)
-        per_ky = terms.per_cornering_stiffness[i]
-        induced = terms.slip_stiffness[i] * outputs.slip_ratio[i] * tire.combined * per_ky
-        keep_curve(TRAIL, i, moments.trail_curve(alpha, induced, gamma, dfz, tire), terms)
-        forward = moments.direction(outputs.rolling[i]) * cosine_of_arctan(outputs.slip_tangent[i])
-        terms.trail_peak[i] = moments.trail_peak(gamma, fz, dfz, forward, tire)
-        angle = alpha + terms.lateral_slip_shift[i] + terms.lateral_shift[i] * per_ky
-        slope = terms.curve_stiffness[LATERAL * WHEEL_COUNT + i] * tire.PCY1 * tire.LCY
-        terms.residual[i] = moments.residual_moment(
-            angle, induced, gamma, fz, dfz, slope, forward, tire
-        )
+def forces_from_curves(tire, first, with_moments, with_wave, outputs):
+    """Forces (N) and moments (N m) from the sines of the curves, at the wheels from `first` on.
 
-
-@kernel
-def moments_of_tire(tire, first, outputs):
-    """Overturning, rolling resistance and aligning moment, at the wheels from `first` on."""
-    terms, has_wave = outputs.tire_terms, tire.QSX4 != 0.0
-    if has_wave:
-        overturning_waves(tire, outputs)
+    with_moments: None if the moments are 0. with_wave: None if QSX4 and QSX10 are 0.
+    """
+    terms = outputs.tire_terms
+    lowest = tire.lowest_weight
     tire = all_tire_constants(tire)
     for i in range(WHEEL_COUNT):
-        side = outputs.side[i]
-        gamma = side * outputs.inclination[i]
-        fz, fx, fy = outputs.normal_force[i], outputs.tire_longitudinal[i], outputs.tire_lateral[i]
-        dfz, fy = terms.relative_load[i], side * fy
-        gy = weight_of(LATERAL_WEIGHT, LATERAL_AT_SHIFT, i, tire.lowest_weight, terms)
-        upright = terms.upright_peak[i] * sine_of(UPRIGHT_LATERAL, i, terms)
-        inclined = terms.lateral_peak[i] * sine_of(LATERAL, i, terms) + terms.lateral_shift[i]
-        pure = upright + terms.upright_shift[i] if tire.version > 6.0 else inclined  # (E74)
-        half = sine_of(TRAIL, i, terms)
-        trail = terms.trail_peak[i] * (1 - 2 * half * half)  # (E73)
-        mz = terms.residual[i] - trail * gy * pure  # (E71, E72)
-        mz += moments.longitudinal_arm(gamma, dfz, fy, tire) * fx * tire.combined
-        wave = terms.overturning_wave[i] if has_wave else 0.0
-        mx = moments.overturning_moment(gamma, fz, fy, wave, tire)
-        my = moments.direction(outputs.tread[i]) * moments.rolling_resistance_moment(
-            gamma, fz, fx, outputs.rolling[i], terms.load_power[i], tire
-        )
+        x_peak, x_shift = terms.longitudinal_peak[i], terms.longitudinal_shift[i]
+        y_peak, y_shift = terms.lateral_peak[i], terms.lateral_shift[i]
+        gx = weight_of(LONGITUDINAL_WEIGHT, LONGITUDINAL_AT_SHIFT, i, lowest, terms)
+        gy = weight_of(LATERAL_WEIGHT, LATERAL_AT_SHIFT, i, lowest, terms)
+        pure = y_peak * sine_of(LATERAL, i, terms) + y_shift  # (E19)
+        fx = gx * (x_peak * sine_of(LONGITUDINAL, i, terms) + x_shift)  # (E9, E50)
+        fy = gy * pure + terms.ply_steer[i]  # (E58, E66)
+        fz, side = outputs.normal_force[i], outputs.side[i]
         loaded, mine = fz > 0.0, i >= first
-        mx, mz = side * mx if loaded else 0.0, side * mz if loaded else 0.0
-        my = my if loaded else 0.0
+        fx, fy = fx if loaded else 0.0, fy if loaded else 0.0
+        outputs.tire_longitudinal[i] = fx if mine else outputs.tire_longitudinal[i]
+        outputs.tire_lateral[i] = side * fy if mine else outputs.tire_lateral[i]
+        mx = my = mz = 0.0
+        if with_moments is not None:
+            gamma, dfz = side * outputs.inclination[i], terms.relative_load[i]
+            upright = terms.upright_peak[i] * sine_of(UPRIGHT_LATERAL, i, terms)
+            pure = upright + terms.upright_shift[i] if tire.version > 6.0 else pure  # (E74)
+            half = sine_of(TRAIL, i, terms)
+            trail = terms.trail_peak[i] * (1 - 2 * half * half)  # (E73)
+            mz = terms.residual[i] - trail * gy * pure  # (E71, E72)
+            mz += moments.longitudinal_arm(gamma, dfz, fy, tire) * fx * tire.combined
+            mx = moments.overturning_moment(gamma, fz, fy, with_wave, tire)
+            my = moments.direction(outputs.tread[i]) * moments.rolling_resistance_moment(
+                gamma, fz, fx, outputs.rolling[i], terms.load_power[i], tire
+            )
+            mx, mz = side * mx if loaded else 0.0, side * mz if loaded else 0.0
+            my = my if loaded else 0.0
         outputs.overturning_moment[i] = mx if mine else outputs.overturning_moment[i]
         outputs.rolling_resistance_moment[i] = my if mine else outputs.rolling_resistance_moment[i]
         outputs.aligning_moment[i] = mz if mine else outputs.aligning_moment[i]
-
-
-@kernel
-def overturning_waves(tire, outputs):
-    """The product of cosine and sine in the overturning moment."""
-    terms, tire = outputs.tire_terms, all_tire_constants(tire)
-    for i in range(WHEEL_COUNT):
-        side = outputs.side[i]
-        gamma, fy = side * outputs.inclination[i], side * outputs.tire_lateral[i]
-        fz = outputs.normal_force[i]
-        terms.overturning_wave[i] = moments.overturning_wave(gamma, fz, fy, tire)

@@ -7,13 +7,12 @@ gamma: inclination in the axes of the tire, mirrored if the tire is (rad).
 
 from vehicle_roll_sim.model.compiled.elementary import (
     arctan,
+    arctan_of_hypotenuse,
     cosine,
     cosine_of_arctan,
     exponential,
     logarithm,
     sine,
-    square_root,
-    squared_tangent,
 )
 from vehicle_roll_sim.model.compiled.jit import math, term
 
@@ -37,8 +36,7 @@ def equivalent_slip(angle, induced):
     angle: slip angle with its shift (rad). induced: Kx kappa / Ky, the tangent equivalent to the
     slip ratio.
     """
-    size = arctan(square_root(squared_tangent(angle) + induced * induced))
-    return math.copysign(size, angle)
+    return math.copysign(arctan_of_hypotenuse(angle, induced), angle)
 
 
 @term
@@ -105,16 +103,18 @@ def overturning_wave(gamma, fz, fy, tire):
 
 
 @term
-def overturning_moment(gamma, fz, fy, wave, tire):
+def overturning_moment(gamma, fz, fy, with_wave, tire):
     """Mx (N m; E69). QSX1-QSX11 and QSX12-QSX14 are alternatives; a file gives one of them.
 
-    wave: see `overturning_wave`.
+    with_wave: None if QSX4 and QSX10 are 0.
     """
     per_load = 1.0 / tire.FNOMIN
     load, force = fz * per_load, fy * per_load
     part = tire.QSX1 * tire.LVMX - tire.QSX2 * gamma * (1 + tire.PPMX1 * tire.pressure_change)
     part += tire.QSX3 * force - tire.QSX12 * gamma * abs(gamma)
-    part += tire.QSX4 * wave + tire.QSX10 * arctan(tire.QSX11 * load) * gamma
+    if with_wave is not None:
+        part += tire.QSX4 * overturning_wave(gamma, fz, fy, tire)
+        part += tire.QSX10 * arctan(tire.QSX11 * load) * gamma
     moment = fz * part + fy * (tire.QSX13 + tire.QSX14 * abs(gamma))
     return tire.UNLOADED_RADIUS * tire.LMX * moment
 

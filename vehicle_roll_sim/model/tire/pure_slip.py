@@ -97,7 +97,7 @@ def cornering_stiffness(gamma, fz, tire):
 
 @term
 def cornering_wave(gamma, fz, tire):
-    """The sine in Ky alpha (E25); it depends on inclination only through PKY5."""
+    """The sine in Ky alpha (E25); it depends only on the size of the inclination, through PKY5."""
     inclined, nominal = tire.LGAY * gamma, tire.LFZO * tire.FNOMIN
     load = (tire.PKY2 + tire.PKY5 * inclined * inclined) * nominal
     wave = sine(tire.PKY4 * arctan(fz / (load * (1 + tire.PPY2 * tire.pressure_change))))

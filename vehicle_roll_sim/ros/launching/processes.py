@@ -80,7 +80,7 @@ def simulator(given: Mapping[str, str], answers: Iterable[str] = ()) -> Node:
 def _commanded_by_manoeuvre(given: Mapping[str, str]) -> tuple[str, ...]:
     """The steering topic, and the torque topic if the manoeuvre holds its speed."""
     name = given.get("manoeuvre", "")
-    holds = name and (STANDARD[name].speed_hold or "--speed-hold" in given["options"])
+    holds = name and (STANDARD[name].speed_hold != 0.0 or "--speed-hold" in given["options"])
     return ("steering_cmd", "wheel_torque_cmd") if holds else ("steering_cmd",)
 
 

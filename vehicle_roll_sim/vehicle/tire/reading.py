@@ -79,7 +79,7 @@ def tire_data(path: Path, longitudinal: str = "") -> TireData:
     told = (
         *decided,
         *converted(units_given),
-        *_not_simulated(entries, text.sections),
+        *_not_simulated(coefficients, entries, text.sections),
         *notes,
         *cut,
         *warned,
@@ -110,8 +110,10 @@ def _is_to_be_made(path: Path, numbers: dict[str, float], mode: Mode, longitudin
     raise InputError(f"{path}: {', '.join(LONGITUDINAL)}", None, allowed, problem)
 
 
-def _not_simulated(entries: dict[str, Entry], sections: list[str]) -> list[str]:
+def _not_simulated(
+    coefficients: dict[str, float], entries: dict[str, Entry], sections: list[str]
+) -> list[str]:
     """Notes on the terms of turn slip and of the vertical force that have no effect."""
     given = [name for name in TURN_SLIP if name in entries and name != "LMP"]
     notes = [f"turn slip is not simulated: {len(given)} coefficients ignored"] if given else []
-    return [*notes, *vertical_notes(entries, sections)]
+    return [*notes, *vertical_notes(coefficients, entries, sections)]

@@ -1,11 +1,13 @@
 """Vertical force and radii of a tire file: checks, and what the simulation does with them.
 
-The vertical force of the simulation is linear in tire compression. A file of 6.1 or 6.2 has
+A file of 6.1 or 6.2 has
 
     Fz = F0 (1 + PFZ1 dp) (q1 r / R0 + Q_FZ2 (r / R0)^2),  q1^2 = (Cz R0 / F0)^2 - 4 Q_FZ2,
 
 at standstill and without other forces, with r: compression, Cz: VERTICAL_STIFFNESS, which is the
-slope at the nominal load F0 and nominal pressure.
+slope at the nominal load F0 and nominal pressure. The simulation has the force k r (1 + p r), the
+same with p = Q_FZ2 / (q1 R0); it is linear where Q_FZ2 is below 0, since the force would decrease
+again at large compression.
 """
 
 import math
@@ -15,7 +17,7 @@ from vehicle_roll_sim.vehicle.tire.curves import pressure_change
 from vehicle_roll_sim.vehicle.tire.text import Entry
 
 NOT_SIMULATED = (
-    *("Q_FZ1", "Q_FZ2", "Q_FZ3", "Q_V2", "Q_FCX", "Q_FCY", "Q_CAM", "Q_CAM1", "Q_CAM3"),
+    *("Q_FZ1", "Q_FZ3", "Q_V2", "Q_FCX", "Q_FCY", "Q_CAM", "Q_CAM1", "Q_CAM2", "Q_CAM3"),
     *("QV2", "QFZ1", "QFZ2", "QFZ3", "QFCX1", "QFCY1", "QFCG1", "QPFZ1", "LCZ"),
     *("VERTICAL_DAMPING", "BOTTOM_STIFF"),
 )
@@ -24,6 +26,8 @@ NEUTRAL = {"LCZ": 1.0}
 """Values with which these terms vanish, other than 0."""
 TABLES = ("DEFLECTION_LOAD_CURVE", "BOTTOMING_CURVE")
 """Sections in which Adams files have tables of the vertical force over compression."""
+SAME = 0.01
+"""Relative: Q_FZ1 is rounded in many files."""
 LEAST_RADIUS, MOST_RADIUS = 0.5, 1.5
 """Of the unloaded radius: range of the effective rolling radius."""
 
@@ -75,17 +79,53 @@ def compression(c: dict[str, float], load: float, change: float) -> float:
     return 2.0 * relative / (linear + root) * radius
 
 
-def vertical_notes(entries: dict[str, Entry], sections: list[str]) -> list[str]:
+def progression(c: dict[str, float]) -> float:
+    """p of a tire file (1/m); 0 without radius or VERTICAL_STIFFNESS, or with Q_FZ2 below 0."""
+    size = c["VERTICAL_STIFFNESS"] * c["UNLOADED_RADIUS"] / c["FNOMIN"]
+    if not (size > 0.0 and c["Q_FZ2"] > 0.0):
+        return 0.0
+    linear = math.sqrt(max(size * size - 4.0 * c["Q_FZ2"], 0.0))
+    return c["Q_FZ2"] / (linear * c["UNLOADED_RADIUS"]) if linear > 0.0 else math.inf
+
+
+def initial_share(stiffness: float, progression: float, load: float) -> float:
+    """Stiffness at zero compression over that at a load (N), of a spring with progression (1/m).
+
+    stiffness: at the load (N/m).
+    """
+    ratio = 2.0 * progression * load / stiffness
+    return math.sqrt(1.0 + ratio * ratio) - ratio
+
+
+def vertical_notes(
+    c: dict[str, float], entries: dict[str, Entry], sections: list[str]
+) -> list[str]:
     """A note on the terms and tables of the vertical force that are not simulated."""
     given = [name for name in NOT_SIMULATED if name in entries and _acts(entries[name])]
+    if "Q_FZ2" in entries and _acts(entries["Q_FZ2"]) and not progression(c):
+        given.insert(0, "Q_FZ2")
+    if "Q_FZ1" in given and _follows(c, entries["Q_FZ1"]):
+        given.remove("Q_FZ1")
     given += [f"[{name}]" for name in TABLES if name in sections]
     if not given:
         return []
-    return [f"vertical force: linear in tire compression; not simulated: {', '.join(given)}"]
+    return [f"vertical force: not simulated: {', '.join(given)}"]
+
+
+def _follows(c: dict[str, float], entry: Entry) -> bool:
+    """Whether Q_FZ1 is the q1 that follows from VERTICAL_STIFFNESS and Q_FZ2."""
+    size = c["VERTICAL_STIFFNESS"] * c["UNLOADED_RADIUS"] / c["FNOMIN"]
+    linear = math.sqrt(max(size * size - 4.0 * c["Q_FZ2"], 0.0))
+    return abs(_number(entry) - linear) <= SAME * linear
 
 
 def _acts(entry: Entry) -> bool:
+    return _number(entry) != NEUTRAL.get(entry.key, 0.0)
+
+
+def _number(entry: Entry) -> float:
+    """Its value; nan if it is no number, which does not matter for a key without effect."""
     try:
-        return entry.number() != NEUTRAL.get(entry.key, 0.0)
+        return entry.number()
     except InputError:
-        return True
+        return math.nan

@@ -1,0 +1,111 @@
+"""Simulations that are stepped together, each with its own command, on all processors."""
+
+import itertools
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+from vehicle_roll_sim.batch.evaluate import checked_workers
+from vehicle_roll_sim.model.compiled.jit import interruptible, kernel_argument, silently
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.events import EVENTS, Condition
+from vehicle_roll_sim.model.integration.integrator import STAGE_VECTORS
+from vehicle_roll_sim.model.integration.step_each import CONDITION, NOW, PROGRESS_SIZE, step_each
+from vehicle_roll_sim.model.records import OUTPUTS, STATE, STATE_SIZE
+from vehicle_roll_sim.simulation.advance_address import PLANT, address_of_advance
+from vehicle_roll_sim.simulation.simulation import Simulation
+
+
+class Fleet:
+    """Copies of simulations, stepped together; each gives the bits that `Simulation.step` gives.
+
+    count: number of places, all empty at first. step_ns: integration step of all (ns). workers:
+    number of threads, by default one for each processor that the process may use. Raises InputError
+    for an invalid number of workers.
+
+    Attributes, arrays with one element or row for each place, which the next call overwrites:
+    `states` (STATE records), `outputs` (OUTPUTS), `events` (EVENTS), `state_vectors`, shape (count,
+    STATE_SIZE), and `output_vectors`, the same numbers as flat vectors.
+    """
+
+    def __init__(self, count: int, step_ns: int, workers: int | None = None):
+        self.step_ns = step_ns
+        self.states, self.outputs = np.zeros(count, STATE), np.full(count, np.nan, OUTPUTS)
+        self.events = np.full(count, np.nan, EVENTS)
+        self.state_vectors = self.states.view(np.float64).reshape(count, STATE_SIZE)
+        self.output_vectors = self.outputs.view(np.float64).reshape(count, -1)
+        self._plant = tuple(np.zeros(count, kind) for kind in PLANT)
+        self._stages = np.zeros((count, STAGE_VECTORS, STATE_SIZE))
+        self._progress = np.zeros((count, PROGRESS_SIZE), np.int64)
+        self._arguments = ()
+        threads = min(checked_workers(workers), count)
+        self._bounds = [count * i // threads for i in range(threads + 1)]
+        self._pool = ThreadPoolExecutor(threads, "fleet") if threads > 1 else None
+
+    def __len__(self) -> int:
+        return len(self.states)
+
+    @property
+    def times_ns(self) -> np.ndarray:
+        """Simulated time at each place (ns), shape (count,)."""
+        return self._progress[:, NOW]
+
+    @property
+    def times(self) -> np.ndarray:
+        """Simulated time at each place (s), shape (count,)."""
+        return self.times_ns / NANOSECONDS
+
+    @property
+    def conditions(self) -> np.ndarray:
+        """The Condition at each place, as a number, shape (count,)."""
+        return self._progress[:, CONDITION]
+
+    @property
+    def runs(self) -> np.ndarray:
+        """Whether the simulation at each place can go on, shape (count,)."""
+        return self.conditions == Condition.RUNNING
+
+    def place(self, i: int, simulation: Simulation) -> None:
+        """Copy a simulation, which must have the step of the fleet, to a place."""
+        plant, memory = simulation.arrays()
+        of_fleet = (*self._plant[:-1], self.states, self.outputs, self.events, self._stages)
+        for kept, given in zip(of_fleet, (*plant, *memory), strict=True):
+            kept[i] = given if kept is self._stages else given[0]
+        self._progress[i] = simulation.time_ns, simulation.condition
+        self._arguments = ()
+
+    def step(self, commands: np.ndarray, steps: np.ndarray) -> None:
+        """Advance each simulation until it must stop, at most by its number of steps.
+
+        commands: COMMAND records, shape (count,), held meanwhile. steps: shape (count,), 0 for a
+        place that is to be left alone.
+        """
+        steps = np.where(self.runs, steps, 0)
+        held = kernel_argument(np.ascontiguousarray(commands))
+        arguments = (*self._as_arguments(), held, steps, self.step_ns, self._progress)
+        ranges = itertools.pairwise(self._bounds)
+        if self._pool is None:
+            _step_some(arguments, *next(ranges))
+            return
+        for done in [self._pool.submit(_step_some, arguments, *each) for each in ranges]:
+            done.result()
+
+    def _as_arguments(self) -> tuple:
+        """Address, memory and plants in the form in which `step_each` takes them."""
+        if not self._arguments:
+            outputs, events = kernel_argument(self.outputs), kernel_argument(self.events)
+            memory = (self.state_vectors, outputs, events, self._stages)
+            plants = tuple(map(kernel_argument, self._plant))
+            self._arguments = (address_of_advance(), memory, plants)
+        return self._arguments
+
+    def close(self) -> None:
+        """End the threads."""
+        if self._pool is not None:
+            self._pool.shutdown()
+
+
+def _step_some(arguments: tuple, first: int, last: int) -> None:
+    """Step the simulations from `first` to before `last`, in this thread."""
+    with silently():  # divergence is detected from the result
+        interruptible(step_each, (*arguments, first, last))

@@ -1,0 +1,36 @@
+"""One period of many simulations in one call of compiled code."""
+
+from vehicle_roll_sim.model.compiled.addresses import caller_of
+from vehicle_roll_sim.model.integration.advance import advance
+from vehicle_roll_sim.model.integration.drive import unlocked
+
+NOW, CONDITION = range(2)
+"""Columns of the progress of the simulations: simulated time (ns) and condition."""
+PROGRESS_SIZE = 2
+
+advance_at = caller_of(advance)
+
+
+@unlocked
+def step_each(address, memory, plants, commands, steps, step_ns, progress, first, last):
+    """Advance the simulations from `first` to before `last`, each with its command held.
+
+    address: of `advance`. memory: state vectors, shape (n, STATE_SIZE), outputs, events and work
+    space; plants: vehicles, tires, options, limits and zero commands, in arrays of n records, as
+    are the commands. steps: number of steps of each; one with 0 is left alone. step_ns: integration
+    step (ns). progress: see above; changed in place.
+    """
+    states, outputs, events, stages = memory
+    vehicles, tires, options, limits, idle = plants
+    for i in range(first, last):
+        if steps[i] == 0:
+            continue
+        one = slice(i, i + 1)
+        plant = (vehicles[one], tires[one], options[one], limits[one], idle[one])
+        of_this = (plant, outputs[one], events[one], stages[i])
+        now = progress[i, NOW]
+        taken, condition, _ = advance_at(
+            address, (states[i], commands[one], steps[i], now, step_ns, *of_this)
+        )
+        progress[i, NOW] = now + taken * step_ns
+        progress[i, CONDITION] = condition
