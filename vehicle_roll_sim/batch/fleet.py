@@ -17,7 +17,7 @@ from vehicle_roll_sim.simulation.simulation import Simulation
 
 
 class Fleet:
-    """Copies of simulations, stepped together; each gives the bits that `Simulation.step` gives.
+    """Copies of simulations, stepped together; each equals `Simulation.step` to the bit.
 
     count: number of places, all empty at first. step_ns: integration step of all (ns). workers:
     number of threads, by default one for each processor that the process may use. Raises InputError
@@ -62,7 +62,7 @@ class Fleet:
 
     @property
     def runs(self) -> np.ndarray:
-        """Whether the simulation at each place can go on, shape (count,)."""
+        """Whether the simulation at each place can continue, shape (count,)."""
         return self.conditions == Condition.RUNNING
 
     def place(self, i: int, simulation: Simulation) -> None:
@@ -78,7 +78,7 @@ class Fleet:
         """Advance each simulation until it must stop, at most by its number of steps.
 
         commands: COMMAND records, shape (count,), held meanwhile. steps: shape (count,), 0 for a
-        place that is to be left alone.
+        place that does not move.
         """
         steps = np.where(self.runs, steps, 0)
         held = kernel_argument(np.ascontiguousarray(commands))

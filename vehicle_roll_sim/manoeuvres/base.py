@@ -20,7 +20,7 @@ STEEPEST = 60.0
 LONGEST = 86_400.0
 """s"""
 ADAPTED = None
-"""Speed-hold gain of the standard manoeuvres: that of `hold_for` the vehicle that is driven."""
+"""Speed-hold gain of the standard manoeuvres: `hold_for` gives its value for the vehicle."""
 REFERENCE_HOLD = 2000.0
 """N m s/m: speed-hold gain for the reference vehicle; keeps its speed within a few cm/s of the
 entry speed."""
@@ -43,7 +43,7 @@ def hold_for(vehicle: Vehicle) -> float:
 class Manoeuvre(abc.ABC):
     """A test manoeuvre: entry speed, duration, speed-hold gain, and a driver.
 
-    A speed-hold gain of ADAPTED is replaced by `for_vehicle`, with that of `hold_for`.
+    `for_vehicle` replaces a speed-hold gain of ADAPTED by the gain from `hold_for`.
     """
 
     speed: float = parameter("entry speed", "m/s", 0.0, MAXIMUM_SPEED, default=DEFAULT_SPEED)

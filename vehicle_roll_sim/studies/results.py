@@ -24,7 +24,7 @@ class Columns:
 
     numbers: of the runs. inputs: lists for values that are not numbers. magnitudes: of the outputs,
     nan for never and unknown; a peak has the sign of its direction only in the tables. happened:
-    1.0 or 0.0 by event, nan if that is unknown. reasons: number of runs that failed for each.
+    1.0 or 0.0 by event, nan if that is unknown. reasons: number of failed runs by reason.
     """
 
     numbers: np.ndarray

@@ -40,7 +40,7 @@ def _head(results: Results) -> str:
         f"- manoeuvre: {said['manoeuvre']}, vehicle: {said.get('vehicle', 'reference')}",
         *(f"- fixed: {name} = {value}" for name, value in study.fixed.items()),
         f"- design: {study.design}, factors: {', '.join(study.factors) or 'none'}",
-        f"- runs: {len(results.runs)}{'' if results.is_complete else ', more are to come'}",
+        f"- runs: {len(results.runs)}{'' if results.is_complete else ', more to come'}",
     ]
     return "\n".join(lines)
 
@@ -84,7 +84,7 @@ def _share(happened: np.ndarray, study: Study) -> str:
 def _grid_points(results: Results) -> Iterator[tuple[dict, np.ndarray]]:
     """The values of the gridded factors, and the indices of the runs with them.
 
-    For Sobol indices only of the first two blocks; the others mix their values.
+    For Sobol indices, only runs of the first two blocks: the others mix the values of both.
     """
     study = results.study
     positions, draws = np.divmod(results.columns.numbers, study.samples)
