@@ -116,7 +116,7 @@ def check_output(output: Path, option: str, files: list[Path]) -> None:
     """Raise InputError if the result cannot be written, or would replace a run."""
     check_writable(output, option)
     if any(output.exists() and file.exists() and output.samefile(file) for file in files):
-        raise InputError(option, str(output), "a file other than those of the runs")
+        raise InputError(option, str(output), "another file than those of the runs")
 
 
 def labels_of(given: list[str] | None, files: list[Path]) -> list[str]:
