@@ -32,9 +32,10 @@ def static_tire_compression(
 def progressive_compression(linear, progression) -> np.ndarray:
     """Compression x of each tire (m) from x (1 + p x), its load over its stiffness (m).
 
-    linear: the latter, which is the compression without progression. progression: p (1/m).
+    linear: the latter, which is the compression without progression, also where it is negative, as
+    in `tire.spring`. progression: p (1/m).
     """
-    return 2 * linear / (1.0 + np.sqrt(1.0 + 4 * progression * linear))
+    return 2 * linear / (1.0 + np.sqrt(1.0 + 4 * progression * np.maximum(linear, 0.0)))
 
 
 def static_tire_load(compression, tire_stiffness, progression) -> np.ndarray:
