@@ -71,7 +71,7 @@ def test_a_manoeuvre_that_holds_no_speed_can_be_given_the_adapted_gain(car):
 @pytest.mark.parametrize("name", HOLDING)
 def test_before_it_knows_its_vehicle_it_cannot_be_driven(name):
     simulation, unready = Simulation(preset()), STANDARD[name]
-    with pytest.raises(InputError, match="^speed_hold: missing: a gain, or a manoeuvre completed"):
+    with pytest.raises(InputError, match=r"^speed_hold: missing: a gain, or a manoeuvre comp"):
         run(simulation, unready.driver(), 0.1)
     assert simulation.time == 0.0
     assert unready.commanded == ("steering", "wheel_torque")

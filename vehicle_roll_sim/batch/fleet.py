@@ -20,9 +20,9 @@ from vehicle_roll_sim.simulation.simulation import Simulation
 class Fleet:
     """Copies of simulations, stepped together; each gives the bits that `Simulation.step` gives.
 
-    count: number of places, at least 1, all empty at first. step_ns: integration step of all (ns). workers:
-    number of threads, by default one for each processor that the process may use. Raises InputError
-    for an invalid number of workers.
+    count: number of places, at least 1, all empty at first. step_ns: integration step of all (ns).
+    workers: number of threads, by default one for each processor that the process may use. Raises
+    InputError for an invalid number of workers.
 
     Attributes, arrays with one element or row for each place, which the next call overwrites:
     `states` (STATE records), `outputs` (OUTPUTS), `events` (EVENTS), `state_vectors`, shape (count,
