@@ -85,10 +85,10 @@ class Parameter:
             return ON if value else OFF  # YAML reads `on` and `off` as true and false
         if self.choices and str(value) in self.choices:
             return str(value)  # ROS parses `1` as an integer
-        if not isinstance(value, self.kind):
-            raise InputError(field, value, f"expected a {self.kind.__name__}")
         if self.choices:
             raise InputError(field, value, "one of " + ", ".join(self.choices))
+        if not isinstance(value, self.kind):
+            raise InputError(field, value, self.allowed)
         return value
 
     def _validate_number(self, value, field: str) -> float:

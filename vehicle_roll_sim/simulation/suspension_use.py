@@ -9,6 +9,7 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.suspension_details import has_any
 from vehicle_roll_sim.vehicle.suspension_parameters import (
     AXLES,
+    COMPLIANCE_CAMBER,
     MOTION_RATIOS,
     OF_COMPLIANCE,
     OF_STEERING,
@@ -42,6 +43,14 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
             _refuse(vehicle, f"{axle}_aligning_moment_steer", "tire_moments on")
 
 
+def _check_tires_incline(vehicle: Vehicle, tires: np.ndarray) -> None:
+    """Raise InputError for compliance camber of a wheel on whose inclination nothing depends."""
+    for axle, tire in zip(AXLES, tires, strict=True):
+        if tire["plain"]:
+            needed = "a tire that depends on inclination, or tire_moments on and a tire with them"
+            _refuse(vehicle, f"{axle}_{COMPLIANCE_CAMBER}", needed)
+
+
 def _refuse(vehicle: Vehicle, name: str, needed: str) -> None:
     if name in vehicle.given:
         place, allowed = vehicle.stated_at.get(name, name), f"no value, since it needs {needed}"
@@ -57,7 +66,11 @@ def steers_each_wheel(vehicle: Vehicle, options: Options) -> bool:
     return has_any(vehicle, names) or bool(vehicle.ackermann_percentage)
 
 
-def use_details(record: np.ndarray, vehicle: Vehicle, options: Options) -> None:
-    """Check the details of a vehicle, and set what depends on the model in its VEHICLE record."""
+def use_details(record: np.ndarray, tires: np.ndarray, vehicle: Vehicle, options: Options) -> None:
+    """Check the details of a vehicle, and set what depends on the model in its VEHICLE record.
+
+    tires: TIRE records of front and rear axle.
+    """
     check_details_are_used(vehicle, options)
+    _check_tires_incline(vehicle, tires)
     record["details"]["steering"] = steers_each_wheel(vehicle, options)
