@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import keep_validated, parameter
+from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
 from vehicle_roll_sim.model.records import COMMAND, LR
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
@@ -92,10 +92,13 @@ class Manoeuvre(abc.ABC):
     def straight_ahead(self, times: np.ndarray) -> np.ndarray:
         """COMMAND records (n,) at `times` (n,) (s) that only hold the speed; no steering.
 
-        An ADAPTED gain is nan before `for_vehicle`.
+        Raises InputError for an ADAPTED gain, before `for_vehicle`.
         """
+        gain = self.speed_hold
+        if gain is ADAPTED:
+            allowed = "a gain, or a manoeuvre completed by for_vehicle(vehicle, options)"
+            raise InputError("speed_hold", gain, allowed)
         commands = np.zeros(len(times), COMMAND)
-        gain = math.nan if self.speed_hold is ADAPTED else self.speed_hold
         commands["speed_hold_gain"] = np.where(times < self.throttle_dropped, gain, 0.0)
         commands["speed_hold_target"] = self.speed
         return commands

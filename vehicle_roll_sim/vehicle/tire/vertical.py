@@ -94,7 +94,7 @@ def initial_share(stiffness: float, progression: float, load: float) -> float:
     stiffness: at the load (N/m).
     """
     ratio = 2.0 * progression * load / stiffness
-    return math.sqrt(1.0 + ratio * ratio) - ratio
+    return 1.0 / (math.sqrt(1.0 + ratio * ratio) + ratio)
 
 
 def vertical_notes(
