@@ -19,6 +19,7 @@ MAY_IMPORT = {
     "batch": {*SIMULATED, "manoeuvres"},
     "analysis": {*SIMULATED},
     "paper": {*SIMULATED, "manoeuvres", "analysis"},
+    "viewer": {*SIMULATED, "manoeuvres", "analysis"},
     "messages": {*SIMULATED, "live"},
     "bags": {*SIMULATED, "live", "messages"},
     "studies": {*SIMULATED, "manoeuvres", "batch", "analysis"},
@@ -27,7 +28,8 @@ MAY_IMPORT = {
     "arguments": set(),
     "command_line": {
         *SIMULATED,
-        *("manoeuvres", "batch", "analysis", "studies", "paper", "bags", "offline", "arguments"),
+        *("manoeuvres", "batch", "analysis", "studies", "paper", "bags", "offline"),
+        *("viewer", "arguments"),
     },
     "ros": {*SIMULATED, "live", "manoeuvres", "analysis", "messages", "bags", "arguments"},
     "controller": {"ros", "messages"},
