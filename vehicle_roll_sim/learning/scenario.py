@@ -79,7 +79,7 @@ class Scenario:
         drawn = {n: each[generator.integers(len(each))] for n, each in study.gridded.items()}
         if study.drawn:
             scores = generator.standard_normal((1, len(study.drawn)))
-            drawn |= drawn_at(study, scores)[0]
+            drawn |= {name: float(value) for name, (value,) in drawn_at(study, scores).items()}
         for name, value in mapping_of("options", chosen, EXAMPLE).items():
             if name not in drawn:
                 raise unknown_name(str(name), drawn, "options")
