@@ -61,7 +61,13 @@ class Scenario:
             manoeuvres, fixed = STRAIGHT, {AMPLITUDE: 0.0, **fixed}
         names = [manoeuvres] if isinstance(manoeuvres, str) else manoeuvres
         names = names_of("manoeuvre", names, STANDARD)
-        self._studies = [_study(name, fixed, given) for name in names]
+        self.__setstate__([_study(name, fixed, given) for name in names])
+
+    def __getstate__(self) -> list[Study]:
+        return self._studies
+
+    def __setstate__(self, studies: list[Study]) -> None:
+        self._studies = studies
         self._simulation_of = functools.lru_cache(maxsize=KEPT)(self._new_simulation)
 
     @property
