@@ -1,5 +1,8 @@
 """A fleet gives the bits of simulations that are stepped one by one."""
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 from actuated import actuated
@@ -66,3 +69,19 @@ def test_a_number_of_threads_that_is_none_is_refused():
 def test_a_simulation_with_another_step_has_no_place():
     with pytest.raises(InputError, match=r"^step: 0.001 is not allowed: 0.0025 s, the step of the"):
         Fleet(1, STEP_NS, 1).place(0, Simulation(preset(), step=0.001))
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda fleet: pickle.loads(pickle.dumps(fleet))])
+def test_a_copied_fleet_goes_on_by_itself_to_the_same_bits(copied):
+    simulation = Simulation(preset(), step=STEP)
+    simulation.reset(22.0)
+    fleet = fleet_of([simulation, simulation], 2)
+    records, steps = np.repeat(TURN.records(), 2), np.full(2, 4)
+    fleet.step(records, steps)
+    other, before = copied(fleet), fleet.states.tobytes()
+    other.step(records, steps)
+    assert fleet.states.tobytes() == before
+    fleet.step(records, steps)
+    assert other.states.tobytes() == fleet.states.tobytes() == other.state_vectors.tobytes()
+    fleet.close()
+    other.close()

@@ -2,6 +2,7 @@
 
 import importlib.util
 import json
+import os
 import re
 import shutil
 
@@ -150,6 +151,27 @@ def test_a_browser_that_fails_leaves_no_picture(command, folder, recorded, monke
     assert sorted(path.name for path in folder.iterdir()) == ["run.csv", "run.html"]
 
 
+def test_no_process_of_an_interrupted_browser_goes_on(command, folder, recorded, monkeypatch):
+    os.mkfifo(folder / "alive")
+    fake = folder / "browser"
+    fake.write_text(
+        f"#!/bin/sh\nexec 3>{folder}/alive\nsleep 1000 &\necho began >&3\nkill -INT $PPID\nwait\n"
+    )
+    fake.chmod(0o700)
+    monkeypatch.setattr(browser, "browser", lambda: str(fake))
+    alive = os.open(folder / "alive", os.O_RDONLY | os.O_NONBLOCK)
+    assert command("view", "run.csv", "--png", "1").status == 130
+    os.set_blocking(alive, True)
+    with os.fdopen(alive) as told:  # up to the end of the last process that has it open
+        assert told.read() == "began\n"
+    assert sorted(path.name for path in folder.iterdir()) == [
+        "alive",
+        "browser",
+        "run.csv",
+        "run.html",
+    ]
+
+
 @pytest.mark.unmeasured
 @pytest.mark.skipif(browser.browser() is None, reason="no Chromium or Chrome is installed")
 def test_a_picture_is_taken_at_a_time(command, folder, recorded):
@@ -160,3 +182,8 @@ def test_a_picture_is_taken_at_a_time(command, folder, recorded):
     assert content.startswith(b"\x89PNG")
     size = [int.from_bytes(content[k : k + 4], "big") for k in (16, 20)]
     assert size == list(browser.SIZE)
+
+
+def test_a_namespace_is_for_bags(refused, recorded):
+    refused(("view", "run.csv", "--namespace", "car"), "--namespace", "no bag", "only for bags")
+    refused(("plot", "run.csv", "--namespace", "car"), "--namespace", "no bag", "only for bags")

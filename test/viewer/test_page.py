@@ -4,6 +4,7 @@ import base64
 import hashlib
 import html
 import json
+import os
 import re
 
 import numpy as np
@@ -13,7 +14,7 @@ from viewed_runs import FAST, SLOW, fishhook, of_columns, viewed, viewed_history
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.viewer import page as pages
-from vehicle_roll_sim.viewer.page import MOST_RUNS, SCRIPTS, page
+from vehicle_roll_sim.viewer.page import MOST_RUNS, SCRIPTS, page, write_page
 from vehicle_roll_sim.viewer.scene import TRAVELS
 
 SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
@@ -113,6 +114,14 @@ def test_what_is_written_in_names_ends_no_element_and_fills_no_place():
     assert data_of(text)["runs"][0]["label"] == HOSTILE
     assert data_of(text)["notes"] == [HOSTILE]
     assert re.search("<title>(.*)</title>", text)[1] == html.escape(HOSTILE)
+
+
+def test_bytes_of_a_file_name_that_are_no_text_can_be_written(tmp_path):
+    name = os.fsdecode(b"gr\xf6sse")
+    write_page(tmp_path / "page.html", [viewed_history(of_columns(3), name)], name, notes=[name])
+    text = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "<title>gr?sse</title>" in text
+    assert data_of(text)["runs"][0]["label"] == name
 
 
 def test_unknown_and_infinite_values_are_no_obstacle():

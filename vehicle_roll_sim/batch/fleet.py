@@ -28,24 +28,38 @@ class Fleet:
 
     Attributes, arrays with one element or row for each place, which the next call overwrites:
     `states` (STATE records), `outputs` (OUTPUTS), `events` (EVENTS), `state_vectors`, shape (count,
-    STATE_SIZE), and `output_vectors`, the same numbers as flat vectors.
+    STATE_SIZE), and `output_vectors`, the same numbers as flat vectors. A copied or pickled fleet
+    is independent of the original and has its own threads.
     """
 
     def __init__(self, count: int, step_ns: int, workers: int | None = None):
         self.step_ns = step_ns
         self.states, self.outputs = np.zeros(count, STATE), np.full(count, np.nan, OUTPUTS)
         self.events = np.full(count, np.nan, EVENTS)
-        self.state_vectors = self.states.view(np.float64).reshape(count, STATE_SIZE)
-        self.output_vectors = self.outputs.view(np.float64).reshape(count, -1)
         self._plant = tuple(np.zeros(count, kind) for kind in PLANT)
         self._stages = np.zeros((count, STAGE_VECTORS, STATE_SIZE))
         self._actuators = np.zeros(count, ACTUATORS)
         self._acting = np.zeros((count, 0), COMMAND)
         self._progress = np.zeros((count, PROGRESS_SIZE), np.int64)
-        self._arguments = ()
         threads = min(checked_workers(workers), count)
         self._bounds = [count * i // threads for i in range(threads + 1)]
+        self._complete()
+
+    def _complete(self) -> None:
+        """Add what a copy cannot take over: views of own arrays, addresses and threads."""
+        count, threads = len(self), len(self._bounds) - 1
+        self.state_vectors = self.states.view(np.float64).reshape(count, STATE_SIZE)
+        self.output_vectors = self.outputs.view(np.float64).reshape(count, -1)
+        self._arguments = ()
         self._pool = ThreadPoolExecutor(threads, "fleet") if threads > 1 else None
+
+    def __getstate__(self) -> dict:
+        added = ("state_vectors", "output_vectors", "_arguments", "_pool")
+        return {name: value for name, value in vars(self).items() if name not in added}
+
+    def __setstate__(self, state: dict) -> None:
+        vars(self).update(state)
+        self._complete()
 
     def __len__(self) -> int:
         return len(self.states)

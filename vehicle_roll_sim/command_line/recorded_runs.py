@@ -60,10 +60,15 @@ def add_names(group: argparse._ArgumentGroup, what: str, default: str) -> None:
 
 
 def files_of(arguments: argparse.Namespace, field: str, most: int, why: str) -> list[Path]:
-    """The files named by the arguments; raises InputError if there are more than `most`."""
+    """The files named by the arguments; raises InputError if there are more than `most`.
+
+    Likewise for a namespace without a bag.
+    """
     files = [named_file(text, field) for text in arguments.files]
     if len(files) > most:
         raise InputError(field, f"{len(files)} files", f"at most {most}, {why}")
+    if arguments.namespace is not None and not any(file.is_dir() for file in files):
+        raise InputError("--namespace", arguments.namespace, "only for bags", "there is no bag")
     return files
 
 

@@ -55,7 +55,7 @@ def page(
         "notes": [*notes, *thinned],
     }
     parts = {
-        "title": html.escape(title),
+        "title": html.escape(_as_text(title)),
         "generator": html.escape(f"vehicle_roll_sim {__version__}"),
         "data": _as_json(data),
         "style": _part("style.css"),
@@ -77,6 +77,11 @@ def write_page(path: Path, *arguments, **settings) -> None:
 def _part(name: str) -> str:
     place = importlib.resources.files(__package__) / "web" / name
     return place.read_text(encoding="utf-8")
+
+
+def _as_text(name: str) -> str:
+    """A name without the bytes that are no UTF-8, which a file name may have; `?` for each."""
+    return name.encode(errors="replace").decode()
 
 
 def _as_json(data: dict) -> str:
