@@ -67,7 +67,7 @@ def test_a_bag_is_drawn_with_its_own_vehicle_beside_a_csv_file(command, recorded
 @NEEDS_BAGS
 def test_the_vehicle_of_a_bag_is_not_changed_by_options(command, refused):
     assert command("run", *TURN, "--bag", "bag").status == 0
-    refused(("view", "bag", "--set", "front_track=1.7"), "--set", "only for CSV files", "the bag")
+    refused(("view", "bag", "--set", "front_track=1.7"), "--set", "only for CSV files", "the run")
     refused(("view", "bag", "--model", "2"), "--model", "only for CSV files")
 
 

@@ -76,8 +76,8 @@ def view_command(words: list[str], program: str) -> int:
     chosen = _chosen(arguments, [told is None for _, told in read])
     runs, notes, cones = [], [], []
     for file, label, (history, told) in zip(files, labels, read, strict=True):
-        vehicle, options = (told.simulation.vehicle, told.simulation.options) if told else chosen
-        angle = told.simulation.rollover_angle if told else math.radians(DEFAULT_ROLLOVER_DEGREES)
+        vehicle, options = (told.vehicle, told.options) if told else chosen
+        angle = told.rollover_angle if told else math.radians(DEFAULT_ROLLOVER_DEGREES)
         if "stop_roll" in settings:
             angle = math.radians(settings["stop_roll"])
         if told is None:
@@ -102,8 +102,8 @@ def _parser(program: str) -> argparse.ArgumentParser:
     parser = OneLineParser(
         prog=program,
         description=COMMANDS["view"],
-        epilog="The options of the vehicle are for CSV files. A bag describes its vehicle, and the "
-        "roll angle at which its run was to stop.",
+        epilog="The options of the vehicle are for CSV files. A bag or study describes its "
+        "vehicle, and the roll angle at which its run was to stop.",
     )
     add_runs(parser, "RUN")
     group = parser.add_argument_group("results")
@@ -150,7 +150,7 @@ def _chosen(
     for name in OF_VEHICLE:
         if value := getattr(arguments, name):
             option = "--" + name.replace("_", "-")
-            raise InputError(option, value, "only for CSV files", "the bag describes its vehicle")
+            raise InputError(option, value, "only for CSV files", "the run describes its vehicle")
     return None
 
 
