@@ -5,6 +5,8 @@ import re
 
 import pytest
 
+from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+
 DATA = re.compile(r'<script type="application/json" id="data">(.*?)</script>', re.DOTALL)
 TEXT = """\
 manoeuvre: step_steer
@@ -85,6 +87,21 @@ def test_a_run_of_a_study_is_seen_and_plotted_like_a_file(command, made, data):
         assert (run["time"], run["values"]) == (whole[number]["time"], whole[number]["values"])
         assert run["vehicle"] == whole[number]["vehicle"]
     assert command("plot", "turns#7").value == {"plot": "turns#7.png"}
+
+
+def test_a_run_that_differs_from_the_table_is_said_to(command, made, folder, data):
+    path = folder / "turns/chunks/000000.json"
+    content = json.loads(path.read_text())
+    width = len(content["rows"][2]) - len(METRIC_UNITS)
+    content["rows"][2][width] += 1e-12  # its first metric
+    path.write_text(json.dumps(content))
+    result = command("view", "turns#2")
+    assert result.status == 0
+    assert "warning: turns: driven again, run 2 differs from the table" in result.err
+    assert command("study", "--show", "turns", "--view", "map.html", "--runs", "1,2").status == 0
+    assert [note.partition(" as ")[0] for note in data("map.html")["notes"]] == [
+        "Driven again, run 2 differs from the table of the study,"
+    ]
 
 
 def test_what_is_no_run_of_a_study_is_refused(command, refused, made, folder):

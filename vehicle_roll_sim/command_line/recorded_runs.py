@@ -17,8 +17,6 @@ from vehicle_roll_sim.files.output_file import check_writable
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES, Simulation
 
-STUDY = "study.json"
-"""The file that makes a folder that of a study."""
 LATEST = 1e10
 """s: later than any time, including times counted from 1970."""
 
@@ -91,7 +89,10 @@ def run_from(
     if of_study := _run_of_study(path):
         return _driven_again(*of_study, field)
     if path.is_dir():
-        if (path / STUDY).exists():
+        signals.import_interruptibly("studies.store")
+        from vehicle_roll_sim.studies.store import IDENTITY
+
+        if (path / IDENTITY).exists():
             raise InputError(field, str(path), f"one run of the study, such as {path}#0")
         need_library(field)
         with signals.exit_on_signal():

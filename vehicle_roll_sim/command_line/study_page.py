@@ -1,6 +1,7 @@
 """The page of a study: its map, and some of its runs, driven again."""
 
 import argparse
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from vehicle_roll_sim.viewer.recording import ViewedRun
 from vehicle_roll_sim.viewer.scene import scene_of
 from vehicle_roll_sim.viewer.study_map import Quantity, StudyMap
 
+NUMBER = re.compile("[0-9]{1,9}")
 MOST_NAMED = 4
 """Inputs in the label of a run."""
 NO_CONES = "Cones are left out: they differ between the runs."
@@ -34,7 +36,7 @@ def add_page_options(group: argparse._ArgumentGroup) -> None:
 
 
 def page_of(arguments: argparse.Namespace, folder: Path | None) -> Path | None:
-    """Where the page goes, checked; a page in the folder of the study need not have one yet."""
+    """Where the page goes, checked; it may go into the new folder of the study."""
     page = named_file(arguments.view, "--view")
     if page is None:
         if arguments.runs is not None:
@@ -53,7 +55,7 @@ def runs_of(arguments: argparse.Namespace) -> list[int] | None:
     if arguments.runs is None:
         return None
     words = [word.strip() for word in arguments.runs.split(",")]
-    if not all(word.isascii() and word.isdecimal() for word in words) or len(words) > MOST:
+    if not all(NUMBER.fullmatch(word) for word in words) or len(words) > MOST:
         raise InputError("--runs", arguments.runs, f"1 to {MOST} whole numbers, such as 3,17")
     return list(dict.fromkeys(int(word) for word in words))
 

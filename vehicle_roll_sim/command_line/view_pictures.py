@@ -17,6 +17,7 @@ from vehicle_roll_sim.viewer.browser import CAMERAS, THEMES, need_browser, write
 from vehicle_roll_sim.viewer.film import (
     MOST_FRAMES,
     check_rate,
+    frame_count,
     frame_times,
     need_for_film,
     write_film,
@@ -59,7 +60,7 @@ class Pictures:
         png, fps = self.settings.png, self.settings.fps
         if png is not None and not begin <= png <= end:
             raise InputError("--png", png, f"a time of the runs, {begin:g} to {end:g} s")
-        count = len(frame_times(begin, end, fps))
+        count = frame_count(begin, end, fps)
         if self.films and count > MOST_FRAMES:
             allowed = f"at most {MOST_FRAMES}: a lower --fps, or a part from --begin to --end"
             raise InputError(next(iter(self.films)), f"{count} pictures", allowed)
@@ -71,8 +72,8 @@ class Pictures:
             picture = self.page.with_suffix(".png")
             write_picture(self.page, picture, self.settings.png, **look)
             print(line("picture", picture))
-        times = frame_times(begin, end, self.settings.fps)
         for film in self.films.values():
+            times = frame_times(begin, end, self.settings.fps)
             with (
                 signals.raise_on_signal(),
                 tqdm(times, delay=1.0, disable=None, leave=False, unit=" pictures") as shown,

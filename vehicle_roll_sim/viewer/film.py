@@ -1,6 +1,7 @@
 """Films of a page: pictures at equal distances of time, taken in a browser and put together."""
 
 import base64
+import collections
 import contextlib
 import importlib.util
 import io
@@ -19,6 +20,8 @@ from vehicle_roll_sim.viewer.browser import SIZE, browser, need_browser, options
 
 MP4, GIF = ".mp4", ".gif"
 MOST_FRAMES = 3000
+ROUNDING = 1e-6
+"""Share of a picture by which the last one may come after the end."""
 TICKS = 100
 """A GIF states how long a picture is shown as a number of 1/TICKS s."""
 DRAWN = """
@@ -35,9 +38,14 @@ ENCODER = (
 """Options of ffmpeg that come after the frame rate: pictures from its input, a film to a file."""
 
 
+def frame_count(begin: float, end: float, rate: float) -> int:
+    """The number of pictures from `begin` to at most `end` (s). rate: in 1/s."""
+    return int((end - begin) * rate + ROUNDING) + 1
+
+
 def frame_times(begin: float, end: float, rate: float) -> np.ndarray:
-    """The times of the pictures (s), from `begin` to at most `end`. rate: in 1/s."""
-    return begin + np.arange(int((end - begin) * rate + 1e-6) + 1) / rate
+    """The times of these pictures (s)."""
+    return begin + np.arange(frame_count(begin, end, rate)) / rate
 
 
 def need_for_film(kind: str, field: str) -> None:
@@ -129,6 +137,6 @@ def _write_mp4(pictures: Iterable[bytes], path: Path, rate: float) -> None:
             status = encoder.wait()
         if status:
             said.seek(0)
-            reason = said.read().decode(errors="replace").strip().splitlines()[-1:]
-            problem = f"{program} failed: {''.join(reason) or status}"
+            last = b"".join(collections.deque(said, maxlen=1)).decode(errors="replace").strip()
+            problem = f"{program} failed: {last or status}"
             raise NotWrittenError(f"film {path}", "", "an ffmpeg that works", problem)

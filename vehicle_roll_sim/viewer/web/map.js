@@ -24,10 +24,10 @@ class Scale {
   constructor({ label, texts, values }) {
     const known = values.filter((value) => value !== null);
     Object.assign(this, { label, texts, values });
-    const low = Math.min(...known), high = Math.max(...known);
+    const [low, high] = known.length ? [Math.min(...known), Math.max(...known)] : [0, 1];
     const margin = texts.length ? 0.5 : 0.06 * (high - low) || 0.5;
-    this.inner = known.length ? [low, high] : [0, 1];
-    this.limits = [this.inner[0] - margin, this.inner[1] + margin];
+    this.inner = [low, high];
+    this.limits = [low - margin, high + margin];
   }
 
   share(value) {
@@ -73,7 +73,7 @@ class StudyMap {
       return select;
     });
     const opening = told.points.filter((each) => each.place !== null).length;
-    parent.querySelector("p").textContent = `${told.count} runs. The ${opening} points with a rim open their `
+    parent.querySelector("p").textContent = `${told.count} runs. Points with a rim (${opening}) open their `
       + "runs; with shift or control, beside those shown.";
     this.svg.addEventListener("click", (event) => this.press(event));
     this.svg.addEventListener("keydown", (event) => {
