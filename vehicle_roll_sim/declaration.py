@@ -43,7 +43,7 @@ class Parameter:
     kind: float, bool, str, or tuple for a list of `size` numbers or of some of the `choices`.
     alternative: name of the parameter that specifies the same quantity in another way; exactly one
     of the two is given. tunable: may be changed while a simulation runs. over: what a Curve is
-    over, and the largest magnitude of it. none: what None says as a value, if it may be one.
+    over, and the largest magnitude of it. none: meaning of the value None, if it is allowed.
     """
 
     name: str

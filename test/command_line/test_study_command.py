@@ -126,7 +126,7 @@ def test_a_study_whose_runs_are_all_refused_is_an_error(command, folder):
     (folder / "turn.yaml").write_text(STEEP)
     result = command("study", "turn.yaml", "--out", "turns", "--format", "csv")
     assert result.status == 2
-    assert "study file turn.yaml: all 3 runs were refused: values that are not refused: bank: " in (
+    assert "turn.yaml: all 3 runs were refused: values with which runs can be made; one was " in (
         result.err
     )
     assert (folder / "turns" / "runs.csv").exists()

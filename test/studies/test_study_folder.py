@@ -132,6 +132,11 @@ def test_a_failed_run_is_a_row_with_its_reason(study, tmp_path, by_formula):
     assert f"## Runs that failed: {failed}" in (tmp_path / "summary.md").read_text(encoding="utf-8")
 
 
+def test_the_summary_has_in_words_what_no_number_stands_for(study, tmp_path, by_formula):
+    report = run_study(study(fixed={"manoeuvre.speed_hold": None}), tmp_path, "csv")
+    assert "- fixed: manoeuvre.speed_hold = adapted to the vehicle" in report.summary
+
+
 def test_parquet_and_csv_have_the_same_rows_and_the_types_that_they_need(
     study, tmp_path, by_formula
 ):

@@ -77,7 +77,7 @@ def recorded_runs(
 def last_run(
     path: Path, namespace: str | None = None, with_forces: bool = False
 ) -> tuple[History, Described | None]:
-    """The samples of the last run in a bag, and what it was; a level road if it is not described.
+    """The samples of the last run in a bag, and its description; without one, the road is level.
 
     with_forces: read the horizontal tire forces too, which takes a quarter longer. Raises
     the InputErrors of `recorded_runs` and `described`, and one if no set is complete.

@@ -68,7 +68,7 @@ class Batch:
         lengths = {name: len(self._values[name]) for name in self._values if name in self._per_run}
         if not lengths:
             return 1
-        usual = collections.Counter(lengths.values()).most_common(1)[0][0]  # the first, of equals
+        usual = collections.Counter(lengths.values()).most_common(1)[0][0]  # the first, if tied
         whose = next(name for name, length in lengths.items() if length == usual)
         for name, length in lengths.items():
             if length != usual:

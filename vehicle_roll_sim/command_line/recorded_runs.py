@@ -18,7 +18,7 @@ from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES, Simulation
 
 LATEST = 1e10
-"""s: later than any time, including times counted from 1970."""
+"""s: later than any sample, even if times are counted from 1970."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -153,7 +153,7 @@ def check_output(output: Path, option: str, files: list[Path]) -> None:
     """Raise InputError if the result cannot be written, or would replace a run."""
     check_writable(output, option)
     if any(output.exists() and file.exists() and output.samefile(file) for file in files):
-        raise InputError(option, str(output), "another file than that of a run")
+        raise InputError(option, str(output), "another file than those of the runs")
 
 
 def labels_of(given: list[str] | None, files: list[Path]) -> list[str]:

@@ -141,7 +141,7 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     group.add_argument("--stamped", action="store_true", help=about)
     group.add_argument("--plot", metavar="FILE", help="plot the run (PNG, SVG or PDF)")
     group.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
-    about = "write a page that shows the run in a browser (HTML), as `view` does"
+    about = "write a page (HTML) that shows the run in a browser, as `view` does"
     group.add_argument("--view", metavar="FILE", help=about)
     return parser
 

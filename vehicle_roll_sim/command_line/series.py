@@ -160,6 +160,6 @@ def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLinePars
     add_declared(parser, Options, "model")
     add_vehicle_options(parser)
     parser.add_argument("--csv", metavar="FILE", help="write the table in full precision (CSV)")
-    about = "write a page that shows any four of the runs in a browser (HTML), as `view` does"
+    about = "write a page (HTML) that shows up to four of the runs in a browser, as `view` does"
     parser.add_argument("--view", metavar="FILE", help=about)
     return parser

@@ -58,7 +58,8 @@ def _check_runs(path, results) -> None:
     refusals = {reason: n for reason, n in reasons.items() if reason.startswith("refused: ")}
     if sum(refusals.values()) == len(results.runs):
         problem = f"all {len(results.runs)} runs were refused"
-        raise InputError(f"study file {path}", "", f"values that are not {min(refusals)}", problem)
+        allowed = f"values with which runs can be made; one was {min(refusals)}"
+        raise InputError(f"study file {path}", "", allowed, problem)
 
 
 def _run(folder, path, out, chosen, arguments):
@@ -103,7 +104,7 @@ def _parser(program: str) -> OneLineParser:
     about = "show the results in this folder: write summary and figures again, without any runs"
     group.add_argument("--show", metavar="DIR", help=about)
     study_page.add_page_options(group)
-    about = "make the runs on the workers of the Dask scheduler at this address, such as HOST:8786"
+    about = "compute the runs on workers of the Dask scheduler at this address, such as HOST:8786"
     group.add_argument("--dask", metavar="ADDRESS", help=about)
     add_strict(parser.add_argument_group("vehicle"))
     return parser

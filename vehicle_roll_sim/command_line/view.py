@@ -46,7 +46,7 @@ WITH_CONES = tuple(name for name, each in STANDARD.items() if isinstance(each, D
 OF_VEHICLE = ("vehicle", *TIRES, "set", "model")
 """Options that describe the vehicle of a CSV file, which does not name it."""
 AT_REST = 1e-6
-"""m: accuracy of the height at which a run begins."""
+"""m: tolerance of the c.g. height at which a run begins."""
 
 
 def view_command(words: list[str], program: str) -> int:
@@ -85,8 +85,8 @@ def _parser(program: str) -> argparse.ArgumentParser:
     parser = OneLineParser(
         prog=program,
         description=COMMANDS["view"],
-        epilog="The options of the vehicle are for CSV files. A bag or study describes its "
-        "vehicle, and the roll angle at which its run was to stop.",
+        epilog="The vehicle options are for CSV files. A bag or study states its vehicle and the "
+        "roll angle at which its run stops.",
     )
     add_runs(parser, "RUN")
     group = parser.add_argument_group("results")
@@ -121,7 +121,7 @@ def _output(arguments: argparse.Namespace, files: list[Path]) -> Path:
 def _chosen(
     arguments: argparse.Namespace, are_of_options: list[bool]
 ) -> tuple[Vehicle, Options] | None:
-    """The vehicle that the options describe, if it is that of any run; raises InputError."""
+    """The vehicle that the options describe, if a run needs it; raises InputError."""
     if any(are_of_options):
         vehicle = chosen_vehicle(arguments)
         return vehicle, chosen_options(arguments, vehicle)
@@ -133,17 +133,17 @@ def _chosen(
 
 
 def _note(label: str, vehicle: str | None) -> str:
-    of_whom = "the reference vehicle" if vehicle is None else vehicle
-    return f"{label}: drawn with the dimensions of {of_whom}, as a CSV file does not name its own."
+    drawn = "the reference vehicle" if vehicle is None else vehicle
+    return f"{label}: drawn with the dimensions of {drawn}, since a CSV file has none of its own."
 
 
 def _warn_of_another_vehicle(path: Path, history: History, vehicle: Vehicle) -> None:
-    """Print a warning if a run begins at rest, at another height than that of the vehicle."""
+    """Print a warning if the c.g. is not at the height of the vehicle when a run begins."""
     time, height = history["time"][0], float(history["z"][0])
     if time == 0.0 and abs(height - vehicle.cg_height) > AT_REST:
         print(
-            f"{PROGRAM}: warning: {path}: begins with the sprung c.g. at {height:g} m, but the "
-            f"vehicle drawn has it at {vehicle.cg_height:g} m: give --vehicle or --set",
+            f"{PROGRAM}: warning: {path}: the sprung c.g. is at {height:g} m at first, but at "
+            f"{vehicle.cg_height:g} m in the vehicle drawn: give --vehicle or --set",
             file=sys.stderr,
         )
 

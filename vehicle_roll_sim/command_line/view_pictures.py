@@ -35,8 +35,8 @@ class PictureSettings:
     """The picture that is taken of the page, or the film."""
 
     png: float | None = parameter(
-        "also write a picture of the page at this time, under its name with .png; needs Chromium "
-        "or Chrome",
+        "also write a picture of the page at this time, named like the page but with .png; needs "
+        "Chromium or Chrome",
         "s",
         0.0,
         1e10,

@@ -38,7 +38,7 @@ TOTALS = {"drive_torque": "wheel_torque", "brake": "brake_torque"}
 BRAKES = ("brake", *(f"brake_torque_{wheel}" for wheel in WHEELS))
 WIND = (-MAXIMUM_SPEED, MAXIMUM_SPEED, f"from {-MAXIMUM_SPEED:g} to {MAXIMUM_SPEED:g} m/s")
 LIMITS = dict.fromkeys(BRAKES, (0.0, math.inf, "of at least 0")) | {"wind_x": WIND, "wind_y": WIND}
-"""Smallest and largest value of columns whose values are limited, and both in words."""
+"""Smallest and largest value of the columns that are limited, and the range in words."""
 EXAMPLE = """\
 time,steering,brake_torque_lf,brake_torque_rf
 0.0,0.0,0,0

@@ -97,7 +97,7 @@ class RunMessages:
     def _complete_sets(self) -> dict[int, tuple]:
         """State, applied command, accelerometer reading and normal loads of every complete set.
 
-        By the place of its state.
+        The keys are the places of their states.
         """
         sent = np.array([sent for sent, _ in self.states])
         columns = [_shared_out(kept, sent) for kept in self._others.values()]
@@ -110,7 +110,7 @@ class RunMessages:
 
 
 def _used(name: str, message):
-    """What is used of a message: an hour of whole ones would take gigabytes."""
+    """The part of a message that is used: an hour of entire messages would take gigabytes."""
     if name == IMU:
         reading = message.linear_acceleration
         return reading.x, reading.y, reading.z

@@ -4,7 +4,7 @@ A tire force depends on the angles of its wheel, and these on the force. With tr
 is a function of the slip states, not of the present steering angle: the forces give the angle, and
 the angle gives the rates of the slip. With steady-state slip, or near standstill, and for camber in
 any case, angle and force have to agree. The secant method makes them agree, each angle with one
-equation of its own; that one angle of a wheel changes the equation of the other hardly matters.
+equation of its own; the influence of one angle of a wheel on the equation of the other is small.
 """
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
@@ -13,9 +13,9 @@ from vehicle_roll_sim.model.tire.loads import terms_of_loads
 
 MOST_ITERATIONS = 30
 AGREEMENT = 1e-12
-"""rad: between an angle of compliance and that of its forces."""
+"""rad: largest difference between a compliance angle and that from its forces."""
 LARGEST = 0.5
-"""rad: of compliance steer and compliance camber."""
+"""rad: largest compliance steer and compliance camber."""
 
 
 @kernel
@@ -58,7 +58,7 @@ def has_yielded(iteration, vehicle, tires, outputs):
 
 @term
 def secant_step(gap, gap_before, step_before):
-    """The next step (rad); the first one, and one without a falling slope, goes by the gap."""
+    """The next step (rad); the gap itself at first, and where the slope does not fall."""
     fall = gap_before - gap
     if step_before * fall > 0.0:
         return max(-LARGEST, min(LARGEST, gap * step_before / fall))

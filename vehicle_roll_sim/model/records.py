@@ -150,8 +150,8 @@ VEHICLE = record_dtype(
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel.
 
-tire_stiffness: at zero compression (N/m); see `tire.spring`. side_and_lift: 1 if side force and
-lift of the air are computed, else 0.
+tire_stiffness: at zero compression (N/m); see `tire.spring`. side_and_lift: 1 if aerodynamic side
+force and lift are computed, else 0.
 travel_knots, travel_origins, travel_curves: of each axle the ends of the intervals of travel (m,
 inf for those that are not used), and for each interval the travel from which the polynomials of its
 curves are counted (m), and their coefficients, lowest power first.

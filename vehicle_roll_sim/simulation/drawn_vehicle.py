@@ -1,4 +1,4 @@
-"""What RViz, Foxglove and the viewer draw of a vehicle beyond its parameters."""
+"""Dimensions of a vehicle that RViz, Foxglove and the viewer draw besides its parameters."""
 
 import numpy as np
 

@@ -17,7 +17,7 @@ from vehicle_roll_sim.vehicle.plausibility import doubts, warn
 
 
 class Plant(NamedTuple):
-    """The records of one simulated vehicle, in arrays of shape (1,), tires (2,).
+    """The records of one simulated vehicle, in arrays of shape (1,), for tires (2,).
 
     vehicle: VEHICLE, with the gravity of its road. tires: TIRE, of front and rear axle. options:
     OPTIONS.

@@ -30,7 +30,7 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
     options: with `on` or `off` in place of `auto`.
     """
     for name in OF_SIDE_AND_LIFT if options.has_eight_dof else ():
-        _refuse(vehicle, name, f"a 14 DOF model; {options.model} has no such force of the air")
+        _refuse(vehicle, name, f"a 14 DOF model; {options.model} has no such aerodynamic force")
     for axle in AXLES:
         for name in () if options.is_kinematic else GUIDANCE:
             _refuse(vehicle, f"{axle}_{name}", "model 2, whose wheels are guided")
@@ -44,7 +44,7 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
 
 
 def _check_tires_incline(vehicle: Vehicle, tires: np.ndarray) -> None:
-    """Raise InputError for compliance camber of a wheel on whose inclination nothing depends."""
+    """Raise InputError for compliance camber if nothing depends on the inclination of the wheel."""
     for axle, tire in zip(AXLES, tires, strict=True):
         if tire["plain"]:
             needed = "a tire that depends on inclination, or tire_moments on and a tire with them"

@@ -1,7 +1,7 @@
 """The chunks of a study on the workers of a running Dask cluster.
 
 A chunk carries the study with the contents of its vehicle and tire files, so a worker reads no
-files. It checks that its program, libraries and arithmetic are those of the process that asked.
+files. It checks that its program, libraries and arithmetic are those of the process that sent it.
 """
 
 import asyncio
@@ -24,9 +24,9 @@ from vehicle_roll_sim.vehicle.plausibility import unwarned
 PATIENCE = 10.0
 """s to wait for an answer of the scheduler."""
 AHEAD = 2
-"""Chunks under way for each thread of the workers: one is computed, the next one is there."""
+"""Chunks sent for each thread of the workers: one is computed while the next one waits."""
 MOST_LOSSES = 5
-"""Times that the scheduler may give up a chunk, each after it has lost some workers with it."""
+"""How often the scheduler may give up a chunk, each time after losing some workers with it."""
 LOGS = ("distributed", "distributed.client")
 LOST = "the connection to the Dask scheduler was lost; completed chunks are kept"
 WANTED = "the address of a running Dask scheduler, such as tcp://192.168.0.1:8786"
@@ -35,7 +35,7 @@ ALIKE = "workers with the same installation as this process, on the same kind of
 
 @dataclasses.dataclass
 class _Job:
-    """A chunk under way. call: a _Call, pickled. losses: number of times it was given up."""
+    """A chunk that was sent. call: a _Call, pickled. losses: number of times it was given up."""
 
     number: int
     call: bytes
@@ -44,10 +44,10 @@ class _Job:
 
 @dataclasses.dataclass
 class _Call:
-    """A call of a function that `pickle.loads` makes when it reads this.
+    """A function call that `pickle.loads` makes when it reads this.
 
-    So a worker without this package reports that it has none: Dask itself ends workers that cannot
-    read a task. The scheduler need not have the package.
+    A worker without this package can thus report that it is missing; Dask itself ends workers that
+    cannot read a task. The scheduler does not need the package.
     """
 
     function: Callable
@@ -93,7 +93,7 @@ def check_distributed(field: str) -> None:
 
 
 def _check_scheduler(full: str, address: str, field: str) -> None:
-    """Raise InputError unless a scheduler answers; a Client would wait for it without end."""
+    """Raise InputError unless a scheduler answers; a Client would wait for it forever."""
     from distributed.comm import connect
     from distributed.security import Security
 
@@ -108,7 +108,7 @@ def _check_scheduler(full: str, address: str, field: str) -> None:
     except TimeoutError:
         problem = f"{shown(address)}: no answer within {PATIENCE:g} s"
         raise InputError(field, address, WANTED, problem) from None
-    except (OSError, ValueError, TypeError, RuntimeError, ImportError) as error:  # as Dask has them
+    except (OSError, ValueError, TypeError, RuntimeError, ImportError) as error:  # from Dask
         raise InputError(field, address, WANTED, f"{shown(address)}: {error}") from None
 
 
@@ -189,8 +189,10 @@ def _results(future, field: str) -> list[list] | None:
 
 
 def on_worker(expected: dict[str, str], packed: bytes) -> list[list] | tuple[str, ...]:
-    """The results of a chunk; of a worker that differs: in what, what is expected, its own, its
-    address."""
+    """The results of a chunk.
+
+    If this worker differs: in what, the expected value, its own value, and its address.
+    """
     from distributed import get_worker
 
     found = fingerprint()

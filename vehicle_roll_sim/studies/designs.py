@@ -19,7 +19,7 @@ class Points(Sequence):
     """The values of the factors at all points: at each point of the grid, the same draws.
 
     grid: values of the gridded factors at each of its points, by name. draws: values of the drawn
-    ones, shape (samples,), by name. Points are made when they are asked for.
+    ones, shape (samples,), by name. A point is made when it is asked for.
     """
 
     names: tuple[str, ...]

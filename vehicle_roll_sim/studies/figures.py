@@ -20,7 +20,7 @@ MOST_OUTPUTS = 6
 MOST_FACTORS = 9
 """Panels of a scatter figure."""
 MOST_DOTS = 20_000
-"""Runs of a scatter figure; of more, a random part is drawn, always the same."""
+"""Most runs in a scatter figure; of more, a random sample is drawn, always the same."""
 OUTER = (0.05, 0.95)
 """Quantiles of the band about a curve."""
 

@@ -1,4 +1,4 @@
-"""What the last bits of results depend on besides a study: program, libraries and arithmetic."""
+"""What the last bits of results depend on apart from the study: program, libraries, arithmetic."""
 
 import dataclasses
 import functools
@@ -19,14 +19,14 @@ from vehicle_roll_sim.version import __version__
 PROGRAM = "vehicle_roll_sim"
 LIBRARIES = ("numpy", "scipy", "numba")
 TEST_RUN = dataclasses.replace(STANDARD["j_turn"], duration=3.0)
-"""With wheel lift-off: differences in the last bit grow."""
+"""Runs with wheel lift-off, in which differences in the last bit grow."""
 
 
 @functools.cache
 def fingerprint() -> dict[str, str]:
-    """What two processes must have in common to give the same bytes, by its name.
+    """What two processes must have in common to give the same bytes, by name.
 
-    Compiles the model if it is not, so that processes of one machine do it once.
+    Compiles the model if necessary, so that the processes of a machine compile it once.
     """
     compile_model()
     versions = {name: importlib.metadata.version(name) for name in LIBRARIES[:2]}

@@ -24,8 +24,8 @@ class Columns:
 
     numbers: of the runs. inputs: lists for values that are not numbers. magnitudes: of the outputs,
     nan for never and unknown; a peak has the sign of its direction only in the tables. happened:
-    1.0 or 0.0 by event, nan if that is unknown. failed: whether a run did. reasons: number of runs
-    that failed for each.
+    1.0 or 0.0 by event, nan if that is unknown. failed: whether a run did. reasons: number of
+    failed runs by reason.
     """
 
     numbers: np.ndarray

@@ -19,7 +19,7 @@ from vehicle_roll_sim.studies.study import Study
 IDENTITY, CHUNKS, LOCK = "study.json", "chunks", ".lock"
 PARTIAL = ".partial-*"
 TEXTS = ("version", "vehicle")
-"""What the definition of a study has beside its values."""
+"""What the definition of a study has besides its values."""
 LARGEST = 100_000_000
 """Bytes of a file of the folder."""
 ELSEWHERE = "another folder, or the unchanged study: results of different studies are not mixed"

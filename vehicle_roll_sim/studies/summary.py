@@ -6,6 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+from vehicle_roll_sim.studies.quantities import quantity
 from vehicle_roll_sim.studies.results import Results
 from vehicle_roll_sim.studies.statistics import Interval, probability, quantiles, sobol_indices
 from vehicle_roll_sim.studies.study import SALTELLI, Study
@@ -38,11 +39,16 @@ def _head(results: Results) -> str:
         "# Study",
         "",
         f"- manoeuvre: {said['manoeuvre']}, vehicle: {said.get('vehicle', 'reference')}",
-        *(f"- fixed: {name} = {value}" for name, value in study.fixed.items()),
+        *(f"- fixed: {name} = {_fixed(name, value, study)}" for name, value in study.fixed.items()),
         f"- design: {study.design}, factors: {', '.join(study.factors) or 'none'}",
-        f"- runs: {len(results.runs)}{'' if results.is_complete else ', more are to come'}",
+        f"- runs: {len(results.runs)}{'' if results.is_complete else ', more to come'}",
     ]
     return "\n".join(lines)
+
+
+def _fixed(name: str, value, study: Study) -> str:
+    """A fixed value in words, also one that is None."""
+    return str(value) if value is not None else quantity(name, study.manoeuvre, name).none
 
 
 def _failures(results: Results) -> Iterator[str]:
@@ -84,7 +90,7 @@ def _share(happened: np.ndarray, study: Study) -> str:
 def _grid_points(results: Results) -> Iterator[tuple[dict, np.ndarray]]:
     """The values of the gridded factors, and the indices of the runs with them.
 
-    For Sobol indices only of the first two blocks; the others mix their values.
+    For Sobol indices, only runs of the first two blocks: the others mix the values of both.
     """
     study = results.study
     positions, draws = np.divmod(results.columns.numbers, study.samples)

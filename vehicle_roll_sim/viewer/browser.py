@@ -1,4 +1,4 @@
-"""Pictures of a page, by a Chromium or Chrome that is installed."""
+"""Pictures of a page, taken with an installed Chromium or Chrome."""
 
 import os
 import shutil

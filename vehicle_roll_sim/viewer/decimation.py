@@ -7,7 +7,7 @@ import numpy as np
 from vehicle_roll_sim.runs.history import History
 
 MOST_ROWS = 20_000
-"""Rows of a run that are kept as they are; a longer run is thinned to about as many."""
+"""Most rows of a run that is not thinned; a longer run is thinned to about this many."""
 
 
 def kept_rows(

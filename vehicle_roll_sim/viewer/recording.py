@@ -52,7 +52,7 @@ def _panel(label: str, wheel: int | None = None) -> dict:
 
 
 def recording(run: ViewedRun, signals: Sequence[Signal], most: int = MOST_ROWS) -> dict:
-    """What the page gets of a run. signals: of its panels. most: as for `kept_rows`."""
+    """The data of a run for the page. signals: of its panels. most: as for `kept_rows`."""
     history, curves = run.history, []
     columns = _motion(history)
     for place, signal in enumerate(signals):

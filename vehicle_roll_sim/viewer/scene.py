@@ -15,7 +15,7 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.travel_parameters import TRAVEL_SIGNS
 
 ROOF = 2.5
-"""Height of the roof over that of the sprung c.g., for display only."""
+"""Ratio of the roof height to the height of the sprung c.g., for display only."""
 TRAVELS = np.linspace(-0.25, 0.25, 51)
 """Wheel travels at which the curves of model 2 are tabulated (m); linear in between."""
 

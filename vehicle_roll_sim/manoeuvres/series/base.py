@@ -70,7 +70,7 @@ class DrivenRun:
 def kept_runs() -> Iterator[list[DrivenRun]]:
     """Within the context, the runs of every series are added to the list that it yields.
 
-    Without it only their rows of results are kept. There is one run to each row, in their order.
+    Otherwise only their rows of results are kept. There is one run for each row, in the same order.
     """
     kept: list[DrivenRun] = []
     before = _KEPT.set(kept)

@@ -1,4 +1,4 @@
-/** The drawn shape of a vehicle. Its proportions are for display only; the numbers are `told`. */
+/** The drawn shape of a vehicle. Its proportions are for display only; its dimensions come from `told`. */
 
 /** m: space between a tire and its wheel arch. */
 const ARCH = 0.07;
@@ -6,7 +6,7 @@ const ARCH = 0.07;
 const RISE = 0.13, BONNET = 0.5, WAIST = 0.56;
 /** Width of the roof over that of the body. */
 const TAPER = 0.82;
-/** How far base and roof of the cabin end from tail and front axle, over the length of the body. */
+/** Distances of the ends of cabin and roof from tail and front axle, over the length of the body. */
 const CABIN = { tail: 0.05, hatch: 0.12, scuttle: 0.07, screen: 0.25 };
 
 function profile(points) {

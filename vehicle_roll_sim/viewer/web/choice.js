@@ -1,4 +1,4 @@
-/** Which runs of a page with many are shown; a change opens the page anew at another address. */
+/** Which of many runs are shown; a change reloads the page with another address. */
 
 /** Places of the runs to show: those of the address, #runs=1,3 counted from 1, else the first. */
 function chosenRuns({ runs, shown, most }) {
@@ -27,7 +27,7 @@ function offerMap(parent, { study, most }, chosen) {
   });
 }
 
-/** What happens in a run, in a few words. */
+/** The worst event of a run, in a word. */
 function outcome(run) {
   if (run.rollover !== null) return "rollover";
   return run.events.some((each) => each.isSevere) ? "lift-off" : "";

@@ -1,4 +1,4 @@
-/** What the reader presses, and what the address of the page says. */
+/** Buttons, keys, time line, and the settings in the address of the page. */
 
 /** Buttons, keys and the time line. */
 function bindControls(page) {
@@ -28,7 +28,7 @@ function bindControls(page) {
   bindKeys(page, { theme, change, step });
 }
 
-/** Keys, but not those that a list or a button needs itself. */
+/** Keys, except those that a focused list or button needs itself. */
 function bindKeys(page, { theme, change, step }) {
   const { playback } = page, [begin, end] = playback.range;
   const keys = {
@@ -48,7 +48,7 @@ function bindKeys(page, { theme, change, step }) {
   });
 }
 
-/** Begin as the address says: #time=1.6&camera=rear&theme=dark&run=1. */
+/** Apply the settings in the address: #time=1.6&camera=rear&theme=dark&run=1. */
 function fromAddress(viewer, count) {
   const said = new URLSearchParams(location.hash.slice(1));
   if (["light", "dark"].includes(said.get("theme"))) viewer.paint(said.get("theme"));

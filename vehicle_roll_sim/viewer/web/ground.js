@@ -2,7 +2,7 @@
 
 /** m: width of a path. */
 const PATH_WIDTH = 0.1;
-/** m: mesh of the fine and of the coarse grid, how far each is drawn, and the width of its lines. */
+/** m: spacing of the fine and the coarse grid, extent of each, and width of its lines. */
 const FINE = { mesh: 1, size: 80, width: 0.015 }, COARSE = { mesh: 10, size: 400, width: 0.05 };
 const CONE = { height: 0.5, radius: 0.13 };
 
@@ -17,7 +17,7 @@ class Ground {
     scene.add(this.plane, this.fine, this.coarse);
   }
 
-  /** Lines as narrow bands: lines of one pixel would be lost beside the camera. */
+  /** Lines as narrow bands: near the camera, lines of one pixel would be too thin to see. */
   grid({ mesh, size, width }) {
     const at = [], faces = [], end = size / 2, half = width / 2;
     const band = (left, right, near, far) => {
@@ -69,7 +69,7 @@ class Path {
     }
   }
 
-  /** A band along the path: two points and two faces a sample, none where it has no place. */
+  /** A band along the path: two points and two faces for each sample, none where the position is unknown. */
   ribbon({ time, columns }) {
     const { x, y } = columns, at = [], faces = [], last = time.length - 1;
     let wasKnown = false;

@@ -1,4 +1,4 @@
-/** Puts the page together. `window.viewer` is for scripts: what the buttons do, and the state. */
+/** Assembles the page. `window.viewer` gives scripts the functions of the buttons, and the state. */
 
 function $(id) {
   return document.getElementById(id);
@@ -57,7 +57,7 @@ class Page {
     this.playback.seek(time);
   }
 
-  /** Take a camera. */
+  /** Use a camera. */
   use(camera) {
     document.querySelectorAll("[data-camera]").forEach((each) =>
       each.setAttribute("aria-pressed", String(each.dataset.camera === camera)));
@@ -71,7 +71,7 @@ class Page {
     this.show(this.playback.time);
   }
 
-  /** Take the colours of a theme. */
+  /** Use the colours of a theme. */
   paint(theme) {
     document.documentElement.dataset.theme = theme;
     if (this.picture) this.picture.paint();

@@ -1,7 +1,7 @@
-/** The time shown, how it runs on, and the keys and buttons that move it. */
+/** The time shown, how it advances, and what the keys and buttons do to it. */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
-/** s: of the arrow keys with shift. */
+/** s: step of the arrow keys with shift. */
 const LONG_STEP = 0.1;
 /** s: length of the time line for a run of one sample. */
 const SHORTEST_RUN = 1e-3;

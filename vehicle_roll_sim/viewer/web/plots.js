@@ -152,7 +152,7 @@ class Panel {
     pen.setLineDash([]);
   }
 
-  /** Shade the times at which this wheel is off the ground, each run in its part of the height. */
+  /** Shade the times at which this wheel is off the ground, each run in its own part of the height. */
   shade(pen, colour) {
     const runs = this.recordings, height = (PLOT.height - PLOT.top - PLOT.bottom) / runs.length;
     const name = WHEELS[this.told.wheel];
@@ -191,7 +191,7 @@ class Panel {
   }
 }
 
-/** All panels; `onSeek` is called with the time at which one was pressed. whole: of all runs (s). */
+/** All panels; `onSeek` is called with the time that was clicked. whole: range of all runs (s). */
 class Plots {
   constructor(parent, panels, recordings, whole, onSeek) {
     this.whole = whole;

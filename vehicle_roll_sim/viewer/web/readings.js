@@ -1,6 +1,6 @@
-/** Lamps, numbers at the cursor, legend and events: what the page says besides picture and plots. */
+/** Lamps, numbers at the cursor, legend and events: the page apart from the picture and the plots. */
 
-/** Label, unit, digits and value of each number, of a run at a time. */
+/** Label, unit, digits and value (of a run, at a time) of each number. */
 const NUMBERS = [
   ["time", "s", 3, (run, time) => time],
   ["speed", "km/h", 1, (run, time) => 3.6 * run.at("u", time)],
@@ -92,7 +92,7 @@ function eventMarks(recordings, range, onSeek) {
   $("events").hidden = !list.children.length;
 }
 
-/** What a screen reader is told of a time. */
+/** The text for screen readers at a time. */
 function spoken(run, time) {
   const up = WHEELS.filter((_, k) => run.lifted(time)[k]);
   const roll = shown(DEGREES * run.at("roll", time), 1);

@@ -1,6 +1,6 @@
 "use strict";
 
-/** The name of the wheels, in the order of all that has one value for each. */
+/** Names of the wheels, in the order of all quantities with one value for each wheel. */
 const WHEELS = ["lf", "rf", "lr", "rr"];
 /** m: a tire compression below this counts as none; more than the rounding of 32-bit numbers. */
 const NO_COMPRESSION = 1e-6;
@@ -75,14 +75,14 @@ class Recording {
   }
 }
 
-/** Linear interpolation in a table at equal distances, with its end values outside. */
+/** Linear interpolation in an equidistant table; outside it, its end values. */
 function tabulated(places, values, at) {
   const last = places.length - 1, share = ((at - places[0]) / (places[last] - places[0])) * last;
   const inside = Math.min(Math.max(share, 0), last), k = Math.min(Math.floor(inside), last - 1);
   return values[k] + (inside - k) * (values[k + 1] - values[k]);
 }
 
-/** A number as text with at most as many decimals and about four digits. */
+/** A number as text with about four digits, and at most `digits` decimals. */
 function brief(value, digits) {
   const whole = Math.floor(Math.log10(Math.max(Math.abs(value), 1))) + 1;
   return shown(value, Math.max(0, Math.min(digits, 4 - whole)));

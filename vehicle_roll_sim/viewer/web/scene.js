@@ -1,6 +1,6 @@
 /** The picture: renderer, light, cameras and the vehicles of all runs. */
 
-/** Where a camera is and looks, from the vehicle's place on the ground, in its heading (m). */
+/** Position and target of a camera from the vehicle's place on the ground, along its heading (m). */
 const CAMERAS = {
   chase: { from: [-7.2, -2.6, 2.7], to: [0.6, 0, 0.7], up: [0, 0, 1] },
   rear: { from: [-6.8, 0, 1.15], to: [0, 0, 0.75], up: [0, 0, 1] },

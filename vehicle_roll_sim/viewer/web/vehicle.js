@@ -65,7 +65,7 @@ class VehicleModel {
     this.body.userData.glass.color.set(glass);
   }
 
-  /** Go from the scene, and release what the graphics card keeps. */
+  /** Leave the scene, and release the memory on the graphics card. */
   leave(scene) {
     scene.remove(this.group);
     this.group.traverse((each) => {
@@ -75,7 +75,7 @@ class VehicleModel {
     });
   }
 
-  /** Place everything as it was at a time (s); hidden where the run has no position. */
+  /** Place everything as at a time (s); hidden where the run has no position. */
   pose(time) {
     const at = (name) => this.recording.at(name, time), told = this.recording.vehicle;
     const [x, y, yaw, roll] = ["x", "y", "yaw", "roll"].map(at);
