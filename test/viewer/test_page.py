@@ -16,6 +16,7 @@ from vehicle_roll_sim import preset
 from vehicle_roll_sim.viewer import page as pages
 from vehicle_roll_sim.viewer.page import MOST_RUNS, SCRIPTS, page, write_page
 from vehicle_roll_sim.viewer.scene import TRAVELS
+from vehicle_roll_sim.viewer.study_map import MOST_POINTS, Quantity, StudyMap
 
 SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)
@@ -154,3 +155,19 @@ def test_a_vehicle_is_drawn_at_its_numbers():
     guide = wheels[1]["guide"]
     assert guide["travel"] == TRAVELS.tolist()
     assert guide["left"][len(TRAVELS) // 2] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_the_map_of_a_large_study_keeps_the_runs_that_open_and_about_as_many_points_as_it_may():
+    count = 7 * MOST_POINTS
+    values = np.linspace(0.0, 1.0, count)
+    values[5] = np.inf
+    opens = {5: 0, count - 3: 1}
+    study = StudyMap(np.arange(count), [Quantity("share", values)], opens, (0, 0, 0))
+    told = data_of(page([viewed(fishhook())] * 2, "", study=study))["study"]
+    points = {each["run"]: each["place"] for each in told["points"]}
+    assert told["count"] == count
+    assert MOST_POINTS <= len(points) <= MOST_POINTS + 2
+    assert {run: place for run, place in points.items() if place is not None} == opens
+    places = dict(zip(points, told["quantities"][0]["values"], strict=True))
+    assert places[5] is None
+    assert places[count - 3] == pytest.approx(values[-3], rel=1e-5)
