@@ -47,6 +47,7 @@ setup(
         "recorder": ["rosbags>=0.11.6,<0.12"],
         "control": ["control>=0.10"],
         "gym": ["gymnasium>=1.1"],
+        "logs": ["pint>=0.24"],
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
         "validation": ["mujoco>=3.2"],
