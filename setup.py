@@ -48,6 +48,7 @@ setup(
         "control": ["control>=0.10"],
         "gym": ["gymnasium>=1.1"],
         "logs": ["pint>=0.24"],
+        "mdf": ["asammdf>=8"],
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
         "validation": ["mujoco>=3.2"],

@@ -81,7 +81,8 @@ def _parser_with_settings(program: str) -> argparse.ArgumentParser:
     from vehicle_roll_sim.logs.log import Conditioning
 
     parser = OneLineParser(prog=program, description=COMMANDS["compare"], epilog=EPILOG)
-    parser.add_argument("log", metavar="LOG", help="measured log: a CSV file")
+    about = "measured log: a CSV, Parquet, MATLAB (.mat) or MDF (.mf4) file, or a bag"
+    parser.add_argument("log", metavar="LOG", help=about)
     about = "map file (YAML): the column, unit and sign of each quantity of the log"
     parser.add_argument("--map", metavar="FILE.yaml", help=about)
     add_declared(parser, Conditioning, "log")
