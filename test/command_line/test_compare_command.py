@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from vehicle_roll_sim import compare
+from vehicle_roll_sim import PlausibilityWarning, compare
 
 pytest.importorskip("pint", reason="the units of the log need pint")
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -56,6 +56,8 @@ def test_a_swapped_sign_is_a_warning_and_refused_if_strict(command, log):
     refused = command(*WORDS, "--strict")
     assert refused.status == 2
     assert f"--strict: not plausible: {warning}" in refused.err
+    with pytest.warns(PlausibilityWarning, match="roll has the opposite sign"):
+        compare("log.csv", "log_map.yaml")
 
 
 @pytest.mark.parametrize(
@@ -65,7 +67,7 @@ def test_a_swapped_sign_is_a_warning_and_refused_if_strict(command, log):
         (WORDS[:2], "--map: missing: a map file"),
         ((*WORDS[:2], "--map", "no.yaml"), "file no.yaml: No such file"),
         (("compare", "no.csv", *WORDS[2:]), "file no.csv: No such file"),
-        (("compare", "log.xls", *WORDS[2:]), "LOG: 'log.xls' is not allowed: a file ending in"),
+        (("compare", "log.xls", *WORDS[2:]), "LOG: 'log.xls' is not allowed: a bag, or a file"),
         ((*WORDS, "--cutoff", "30"), "--cutoff: 30.0 is not allowed: at most 20 Hz"),
         ((*WORDS, "--drive-by", "torques"), "--drive-by: 'torques' is not allowed: drive_torque"),
         ((*WORDS, "--begin", "20"), "--begin: 0 rows of speed from 20 s"),

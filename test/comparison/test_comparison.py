@@ -56,13 +56,16 @@ def test_known_delay_gain_and_noise_come_back(result_of):
     assert found["roll_rate"].shift == pytest.approx(0.0, abs=1e-4)
 
 
-def test_aligning_removes_a_delay_that_would_be_rejected(result_of):
+def test_aligning_removes_a_delay_that_would_be_rejected(result_of, tmp_path):
     log = gentle_log().late("yaw_rate", 0.2)
     assert not result_of(log).accepted
     aligned = result_of(log, align=True)
     assert aligned.accepted
     assert aligned.agreements["yaw_rate"].shift == pytest.approx(0.2, abs=1e-3)
     assert np.isnan(aligned["yaw_rate_measured"][-10:]).all()
+    assert aligned.gradients["measured"].roll > 0.0
+    aligned.plot(tmp_path / "aligned.svg")
+    assert (tmp_path / "aligned.svg").stat().st_size > 0
 
 
 def test_a_sensor_away_from_the_cg_agrees_once_its_place_is_named(result_of):
@@ -131,7 +134,8 @@ def test_a_model_that_rolls_over_where_the_vehicle_does_not_is_rejected(result_o
     tall = Simulation(preset().with_values({"cg_height": 1.3}))
     result = result_of(lifting, tall)
     assert result.accepted is False
-    assert "rejected: the model rolled over at" in result.summary
+    assert "rejected: the model stopped at" in result.summary
+    assert "s of the log: rolled over" in result.summary
 
 
 def test_a_log_without_motion_has_no_verdict(result_of):

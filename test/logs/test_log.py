@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim.input_errors import InputError
-from vehicle_roll_sim.logs.log import Conditioning, log_of
+from vehicle_roll_sim.logs.log import log_of
 from vehicle_roll_sim.logs.map_file import map_of
 from vehicle_roll_sim.logs.raw_log import RawLog
+from vehicle_roll_sim.logs.settings import Conditioning
 
 pytest.importorskip("pint", reason="the units of the log need pint")
 TIME = np.arange(0.0, 6.0, 0.02)
@@ -64,6 +65,7 @@ def test_a_log_with_z_down_becomes_one_with_z_up():
         ({"yaw_rate": {"sign": -1}}, {}, "lateral_acceleration has the opposite sign of yaw_rate"),
         ({"lateral_acceleration": {"unit": "m/s^2"}}, {}, "is 0.102 times yaw_rate times speed"),
         ({"speed": {"unit": "m/s"}}, {}, "is 0.278 times yaw_rate times speed"),
+        ({"steering": {"column": "w", "unit": "deg"}}, {"w": 35 * COLUMNS["d"]}, "steering of the"),
         (
             {"roll_rate": {"column": "p", "unit": "rad/s"}},
             {"p": -np.gradient(COLUMNS["phi"], TIME)},

@@ -78,7 +78,7 @@ def _check_outputs(csv, plot) -> None:
 def _parser_with_settings(program: str) -> argparse.ArgumentParser:
     from vehicle_roll_sim.comparison.corridor import Tolerances
     from vehicle_roll_sim.comparison.driving import Driving
-    from vehicle_roll_sim.logs.log import Conditioning
+    from vehicle_roll_sim.logs.settings import Conditioning
 
     parser = OneLineParser(prog=program, description=COMMANDS["compare"], epilog=EPILOG)
     about = "measured log: a CSV, Parquet, MATLAB (.mat) or MDF (.mf4) file, or a bag"

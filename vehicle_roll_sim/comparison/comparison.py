@@ -111,7 +111,8 @@ def compare(
         name: _judged(name, measured[name], simulated[name], log.interval, tolerances, align)
         for name in [*names, *log.compared]
     }
-    part = _steady_part(log, measured, simulated, driven, simulation, tolerances)
+    aligned = measured | {name: each.measured for name, each in judged.items()}
+    part = _steady_part(log, aligned, simulated, driven, simulation, tolerances)
     return Compared(log, log.time[:count], driven, driving, tolerances, judged, part)
 
 
@@ -145,7 +146,8 @@ def _steady_part(
     tolerances: Tolerances,
 ) -> SteadyPart | None:
     """The quasi-steady part, None if there is none with a turn."""
-    chosen = steady.quasi_steady(simulated, log.interval)
+    is_known = np.isfinite(np.sum([measured[name] for name in log.compared], axis=0))
+    chosen = steady.quasi_steady(simulated, log.interval) & is_known
     if ACCELERATION not in measured or not steady.has_range(simulated[ACCELERATION], chosen):
         return None
     vehicle = simulation.vehicle
@@ -178,8 +180,8 @@ def cross_corridor(
 
     acceleration: simulated. All are (n,); the result is two arrays, (m,), of the m chosen samples.
     """
-    half = tolerances.half_width(simulated, float(np.abs(measured).max()))
-    along = tolerances.half_width(np.zeros(1), float(np.abs(at).max()))[0]
+    half = tolerances.half_width(simulated, float(np.nanmax(np.abs(measured))))
+    along = tolerances.half_width(np.zeros(1), float(np.nanmax(np.abs(at))))[0]
     return corridor.over_acceleration(
         at[chosen], acceleration[chosen], simulated[chosen], (float(along), half[chosen])
     )

@@ -172,7 +172,7 @@ def _signals(history: History, more: np.ndarray, frame: str, rows: int) -> dict[
     return {
         SPEED: history["u"][:rows],
         "lateral_acceleration": felt if frame == BODY else level,
-        "sideslip_angle": sideslip_angle(velocity, roll, pitch),
+        "sideslip_angle": np.nan_to_num(sideslip_angle(velocity, roll, pitch)),  # 0 at standstill
         **{name: history[name][:rows] for name in ("yaw_rate", "roll", "roll_rate")},
         **{f"normal_force_{w}": history[f"normal_force_{w}"][:rows] for w in WHEELS},
     }

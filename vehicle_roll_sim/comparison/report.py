@@ -29,10 +29,7 @@ def summary(compared: Compared) -> str:
     """The comparison as text: what was done, a line for each quantity, gradients, verdict."""
     lines = [
         line("driven by", _driven_by(compared)),
-        line(
-            "compared",
-            f"{compared.time[0]:g} to {compared.time[-1]:g} s of the log, {_every(compared)}",
-        ),
+        line("compared", _span(compared)),
         *(line(*note.split(": ", 1)) for note in compared.log.notes),
         HEADER,
         *(_line_of(name, each) for name, each in compared.judged.items()),
@@ -43,8 +40,9 @@ def summary(compared: Compared) -> str:
     return "\n".join(lines)
 
 
-def _every(compared: Compared) -> str:
-    return f"every {compared.log.interval:g} s"
+def _span(compared: Compared) -> str:
+    time = compared.time
+    return f"{time[0]:g} to {time[-1]:g} s of the log, every {compared.log.interval:g} s"
 
 
 def _driven_by(compared: Compared) -> str:
@@ -109,12 +107,14 @@ def _tolerances(compared: Compared) -> str:
 def _verdict(compared: Compared) -> str:
     if compared.stopped_early:
         how = compared.driven.condition.name.lower().replace("_", " ")
-        return f"rejected: the model {how} at {compared.time[-1]:.2f} s of the log"
+        return f"rejected: the model stopped at {compared.time[-1]:.2f} s of the log: {how}"
     if compared.accepted is None:
         return "none: no quantity is large enough to judge"
     known = [each for each in compared.judged.values() if each.accepted is not None]
     good = sum(each.accepted for each in known)
-    return f"{VERDICTS[compared.accepted]}: {good} of {len(known)} quantities inside over time"
+    text = f"{VERDICTS[compared.accepted]}: {good} of {len(known)} quantities inside over time"
+    is_outside = compared.steady is not None and compared.steady.accepted is False
+    return f"{text}, not all over lateral acceleration" if is_outside else text
 
 
 def _number(value: float) -> str:

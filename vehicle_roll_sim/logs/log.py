@@ -5,7 +5,6 @@ import math
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import keep_validated, parameter
 from vehicle_roll_sim.input_errors import InputError
 from vehicle_roll_sim.logs import conditioning
 from vehicle_roll_sim.logs.doubts import doubts_about
@@ -20,52 +19,23 @@ from vehicle_roll_sim.logs.quantities import (
     TIME,
 )
 from vehicle_roll_sim.logs.raw_log import Channel, RawLog
+from vehicle_roll_sim.logs.settings import Conditioning
 from vehicle_roll_sim.logs.units import factor
+from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering
 
 LONGEST_LOG = 3600.0
 """s"""
 SLOWEST = 0.1
 """s: largest usual interval between rows."""
-HIGHEST_SHARE = 0.4
-"""Of the sampling rate: highest cutoff of the filter."""
-NEEDED_FOR = {"lateral_acceleration": ("yaw_rate", "roll_rate", "pitch_rate")} | {
-    "sideslip_angle": ("yaw_rate", "roll_rate")
-}
-"""Rates that the transfer of a quantity from the place of its sensor to the c.g. uses."""
-
-
-@dataclasses.dataclass(frozen=True)
-class Conditioning:
-    """Which part of a log is used, and how it is filtered."""
-
-    begin: float = parameter(
-        "use the log from this time after its first row on", "s", 0.0, 1e6, default=0.0
-    )
-    end: float | None = parameter(
-        "use the log up to this time after its first row",
-        "s",
-        0.0,
-        1e6,
-        none="its last row",
-        default=None,
-    )
-    cutoff: float | None = parameter(
-        "cutoff of the low-pass filter of measured and simulated signals; 0: no filter",
-        "Hz",
-        0.0,
-        1e3,
-        none="10 Hz, or 0.4 times the sampling rate of a slow log",
-        default=None,
-    )
-
-    def __post_init__(self):
-        keep_validated(self)
-        if self.end is not None and not self.begin < self.end:
-            raise InputError("end", self.end, f"more than begin, {self.begin:g}")
-
-
 USUAL_CUTOFF = 10.0
 """Hz"""
+HIGHEST_SHARE = 0.4
+"""Of the sampling rate: highest cutoff of the filter."""
+NEEDED_FOR = {
+    "lateral_acceleration": ("yaw_rate", "roll_rate", "pitch_rate"),
+    "sideslip_angle": ("yaw_rate", "roll_rate"),
+}
+"""Rates that the transfer of a quantity from the place of its sensor to the c.g. uses."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -120,8 +90,22 @@ def log_of(raw: RawLog, log_map: LogMap, conditions: Conditioning) -> Log:
     turned = signals | ({"steering": conditioning.held(steering, time)} if steering else {})
     frame = log_map.columns[ACCELERATION].frame if ACCELERATION in signals else BODY
     inputs = {name: each for name, each in channels.items() if name not in COMPARED}
-    doubts = doubts_about(turned, interval)
+    doubts = [*_large_steering(channels), *doubts_about(turned, interval)]
     return Log(time, interval, signals, inputs, frame, cutoff, notes, doubts)
+
+
+def _large_steering(channels: dict[str, Channel]) -> list[str]:
+    """A line for each road-wheel angle that is not plausible."""
+    largest = {
+        name: float(np.abs(channels[name][1]).max())
+        for name in ("steering", "rear_steering")
+        if name in channels
+    }
+    return [
+        doubtful_steering(f"{name} of the log", angle)
+        for name, angle in largest.items()
+        if angle > LARGEST_STEERING
+    ]
 
 
 def _channels(raw: RawLog, log_map: LogMap) -> dict[str, Channel]:
@@ -136,7 +120,8 @@ def _channels(raw: RawLog, log_map: LogMap) -> dict[str, Channel]:
         if TIME not in log_map.columns:
             raise InputError(field, None, "the column of times")
         times = dict.fromkeys(names, _scaled(raw, log_map, TIME))
-    kept = {name: conditioning.checked_times(times[name], field) for name in names}
+    fields = {name: log_map.columns[name].field if raw.times else field for name in names}
+    kept = {name: conditioning.checked_times(times[name], fields[name]) for name in names}
     start = min((times[name][0] for name in names), default=0.0)
     return {
         name: (times[name][kept[name]] - start, _scaled(raw, log_map, name)[kept[name]])

@@ -15,12 +15,14 @@ from vehicle_roll_sim.comparison.steady import Gradients
 from vehicle_roll_sim.declaration import parameters_of, unknown_name
 from vehicle_roll_sim.files.output_file import check_figure_format
 from vehicle_roll_sim.input_errors import given
-from vehicle_roll_sim.logs.log import Conditioning, Log, log_of
+from vehicle_roll_sim.logs.log import Log, log_of
 from vehicle_roll_sim.logs.map_file import map_of
+from vehicle_roll_sim.logs.settings import Conditioning
 from vehicle_roll_sim.offline.log_files import read_log
 from vehicle_roll_sim.offline.tables import known, path_of
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.plausibility import warn
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 SETTINGS = (Conditioning, Driving, Tolerances)
@@ -110,14 +112,16 @@ def compare(
     default the reference vehicle; simulation: for a model, a road or a step other than the default,
     instead of a vehicle. align: remove the time shift of each quantity first. settings: with the
     names and units of the command's options (`cutoff`, `drive_by`, `time_tolerance`, ...). Returns
-    a ComparisonResult. Raises InputError.
+    a ComparisonResult. Issues a PlausibilityWarning for contradictions within the log. Raises
+    InputError.
     """
     chosen = [_chosen(kind, settings) for kind in SETTINGS]
+    every = [name for kind in SETTINGS for name in parameters_of(kind)]
     for name in settings:
-        every = [known_name for kind in SETTINGS for known_name in parameters_of(kind)]
         if name not in every:
             raise unknown_name(name, every, "name")
     ready = load_log(path_of(log, "log"), map, chosen[0])
+    warn(ready.doubts)
     if simulation is None:
         simulation = Simulation(preset() if vehicle is None else vehicle)
     given("simulation", simulation, Simulation)
