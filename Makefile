@@ -22,7 +22,7 @@ export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 # Hundreds of processes need not compile the package and the tests each for itself.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations controllers tables docs lint format build clean
+.PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations controllers tables viewer docs lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -99,6 +99,17 @@ controllers: setup
 # Write the tables that are generated from declarations into the pages of docs/.
 tables: setup
 	$(BIN)/python docs/_extensions/tables.py
+
+# Bundle what the viewer uses of three.js. Needs npm, and only after a change of three.entry.js or
+# of these versions: the result is part of the package, and the same bytes for everyone.
+THREE := vehicle_roll_sim/viewer/web/three
+viewer:
+	rm -rf .viewer && mkdir .viewer && cp $(THREE)/three.entry.js .viewer
+	cd .viewer && npm install --silent --no-save three@0.187.0 esbuild@0.28.2
+	.viewer/node_modules/.bin/esbuild .viewer/three.entry.js --bundle --minify --format=iife \
+		--global-name=THREE --legal-comments=inline --log-level=warning --outfile=$(THREE)/three.min.js
+	cp .viewer/node_modules/three/LICENSE $(THREE)/LICENSE
+	rm -rf .viewer
 
 # docs/_build/html. A warning is an error. Nothing is fetched but what requirements/docs.txt pins.
 docs: $(VENV)/.docs-ready

@@ -21,7 +21,10 @@ setup(
     classifiers=[f"Programming Language :: Python :: 3.{minor}" for minor in (11, 12, 13, 14)],
     python_requires=">=3.11",
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
-    package_data={f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir", "presets/*.csv"]},
+    package_data={
+        f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir", "presets/*.csv"],
+        f"{NAME}.viewer": ["web/*.*", "web/three/*"],
+    },
     data_files=[
         ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
         (SHARE, ["package.xml", "LICENSE", "CHANGELOG.rst", *sorted(glob("*.md"))]),
@@ -51,6 +54,7 @@ setup(
         "mdf": ["asammdf>=8"],
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
+        "cluster": ["distributed>=2026.8"],
         "validation": ["mujoco>=3.2"],
         "test": [
             "pytest>=7.4",
@@ -58,6 +62,7 @@ setup(
             "hypothesis>=6.98",
             "mujoco>=3.2",
             "mcap-ros2-support",
+            "selenium>=4.20",
         ],
     },
     zip_safe=False,

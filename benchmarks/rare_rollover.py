@@ -1,7 +1,7 @@
-"""Probability of a rollover by subset simulation, beside that by brute force.
+"""Probability of a rollover by subset simulation, compared with brute force.
 
 Three minutes of processor time: `python benchmarks/rare_rollover.py`. Ends with status 1 if a 95 %
-interval of subset simulation and that of brute force have nothing in common.
+interval of subset simulation does not overlap that of brute force.
 """
 
 import sys

@@ -43,7 +43,7 @@ class Parameter:
     kind: float, bool, str, or tuple for a list of `size` numbers or of some of the `choices`.
     alternative: name of the parameter that specifies the same quantity in another way; exactly one
     of the two is given. tunable: may be changed while a simulation runs. over: what a Curve is
-    over, and the largest magnitude of it. none: what None says as a value, if it may be one.
+    over, and the largest magnitude of it. none: meaning of the value None, if it is allowed.
     """
 
     name: str
@@ -85,10 +85,10 @@ class Parameter:
             return ON if value else OFF  # YAML reads `on` and `off` as true and false
         if self.choices and str(value) in self.choices:
             return str(value)  # ROS parses `1` as an integer
-        if not isinstance(value, self.kind):
-            raise InputError(field, value, f"expected a {self.kind.__name__}")
         if self.choices:
             raise InputError(field, value, "one of " + ", ".join(self.choices))
+        if not isinstance(value, self.kind):
+            raise InputError(field, value, self.allowed)
         return value
 
     def _validate_number(self, value, field: str) -> float:

@@ -208,7 +208,7 @@ def action_table() -> str:
 
 
 def observation_table() -> str:
-    """What it may observe."""
+    """What an agent of VehicleRoll-v0 may observe."""
     rows = (
         (
             f"`{name}`",

@@ -12,7 +12,7 @@ from patience import PATIENCE
 from recorded import PERIOD, PERIOD_NS
 
 from vehicle_roll_sim import Simulation, preset
-from vehicle_roll_sim.bags.reading import last_history, recorded_runs
+from vehicle_roll_sim.bags.reading import last_run, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.bags.run_bag import RunBag
 from vehicle_roll_sim.bags.writing import Bag
@@ -102,7 +102,7 @@ def test_a_bag_whose_recorder_was_killed_is_reindexed(killed):
     counts = {
         t["topic_metadata"]["name"]: t["message_count"] for t in told["topics_with_message_count"]
     }
-    assert counts["/state"] == len(last_history(killed).rows) == 21
+    assert counts["/state"] == len(last_run(killed)[0].rows) == 21
     assert told["message_count"] == sum(counts.values())
     assert told["duration"]["nanoseconds"] == 200_000_000
     assert is_replayed(killed)

@@ -9,7 +9,7 @@ from recorded import record
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
 from vehicle_roll_sim.bags.encoding import TYPES, decode
-from vehicle_roll_sim.bags.reading import last_history, recorded_runs
+from vehicle_roll_sim.bags.reading import last_run, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.command_line.main import main
 from vehicle_roll_sim.runs.history import roll_centres_of
@@ -44,7 +44,7 @@ def test_a_run_of_model_2_is_reproduced_with_its_roll_centres(tmp_path):
     simulation = record(tmp_path / "bag", Options(model="2"), "j_turn", 1.5)
     (result,) = replayed(tmp_path / "bag")
     assert result.is_exact
-    history = last_history(tmp_path / "bag")
+    history = last_run(tmp_path / "bag")[0]
     assert len(history.roll_centres) == len(history.rows)
     np.testing.assert_array_equal(history.roll_centres[-1], roll_centres_of(simulation))
     assert np.ptp(history.roll_centre("place"), axis=0).min() > 0.1  # m
@@ -146,7 +146,7 @@ def test_the_history_is_the_same_where_messages_of_a_set_arrive_in_any_order(j_t
     def arrive_late(topic, sent, data):
         return [(topic, sent + int(numbers.integers(300_000)), data)]  # ns
 
-    whole, received = last_history(j_turn), last_history(changed(j_turn, arrive_late))
+    whole, received = last_run(j_turn)[0], last_run(changed(j_turn, arrive_late))[0]
     np.testing.assert_array_equal(received.rows, whole.rows)
 
 
@@ -176,7 +176,7 @@ def test_a_damaged_bag_is_read_or_refused_and_no_more(j_turn, tmp_path, seed):
 
 
 def test_the_history_of_a_bag_is_that_of_the_run(j_turn):
-    history = last_history(j_turn)
+    history = last_run(j_turn)[0]
     simulation = Simulation(preset())
     times = history["time"]
     assert (len(times), times[0], times[-1]) == (298, 0.0, 2.965)
@@ -195,7 +195,7 @@ def test_on_a_slope_too_the_lateral_acceleration_is_that_of_the_run(tmp_path, mo
     words = ("step_steer", "--duration", "3", *road, "--bag", str(bag), "--csv", str(table))
     assert main(["run", *words]) == 0
     told = np.genfromtxt(table, delimiter=",", names=True)
-    history = last_history(bag)
+    history = last_run(bag)[0]
     assert np.abs(np.degrees(told["yaw"][-1])) > 20.0  # where the grade, too, is across
     for name in ("lateral_acceleration", "roll"):
         assert history[name] == pytest.approx(told[name], abs=1e-9)  # rounding of the file

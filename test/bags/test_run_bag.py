@@ -9,6 +9,8 @@ from recorded import PERIOD, PERIOD_NS, read_by_another_library, record
 from rosbags.rosbag2 import Reader
 
 from vehicle_roll_sim import Command, InputError, Options, Simulation, preset
+from vehicle_roll_sim import run as run_offline
+from vehicle_roll_sim.bags.reading import last_run
 from vehicle_roll_sim.bags.run_bag import run_bag
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.messages.topics import (
@@ -153,3 +155,12 @@ def test_what_is_there_already_is_left_alone(tmp_path):
     ):
         pass
     assert list((tmp_path / "bag").iterdir()) == []
+
+
+def test_the_tire_forces_of_a_bag_are_those_of_the_run(tmp_path):
+    result = run_offline("step_steer", duration=1.5, bag=tmp_path / "bag")
+    with_forces, _ = last_run(tmp_path / "bag", with_forces=True)
+    for quantity in ("longitudinal_force", "lateral_force", "normal_force"):
+        np.testing.assert_array_equal(with_forces.wheels(quantity), result.wheels(quantity))
+    assert np.abs(with_forces["lateral_force_rf"]).max() > 1000.0
+    assert np.isnan(last_run(tmp_path / "bag")[0].wheels("lateral_force")).all()

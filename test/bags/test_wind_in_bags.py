@@ -5,7 +5,7 @@ import pytest
 from recorded import PERIOD, PERIOD_NS, read_by_another_library
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
-from vehicle_roll_sim.bags.reading import last_history, recorded_runs
+from vehicle_roll_sim.bags.reading import last_run, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.bags.run_bag import run_bag
 from vehicle_roll_sim.manoeuvres.command_file import command_table, load_commands
@@ -60,7 +60,7 @@ def test_it_is_read_and_replayed_with_its_wind(windy):
     result = replay(recorded, described(recorded.description).simulation)
     assert result.is_exact
     assert result.periods == round(END / PERIOD)
-    np.testing.assert_array_equal(last_history(bag).wind, history.wind)
+    np.testing.assert_array_equal(last_run(bag)[0].wind, history.wind)
 
 
 def test_the_csv_has_the_wind_among_the_commands(windy, tmp_path):

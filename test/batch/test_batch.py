@@ -151,7 +151,8 @@ def test_cases_without_end_are_run_as_their_outcomes_are_wanted():
 @pytest.mark.parametrize(
     ("values", "problem"),
     [
-        ({"speed": [10.0, 11.0]}, "speed: 2 values: one value, or one for each of the 3 runs"),
+        ({"speed": [10.0, 11.0]}, "speed: 2 values, but 3 of vehicles: one value, or one for each"),
+        ({"speed": [10.0] * 2, "step": [1e-3] * 2}, "vehicles: 3 values, but 2 of speed: one val"),
         ({"manoeuvre": "j_trn"}, "manoeuvre: 'j_trn' is unknown: did you mean j_turn?"),
         ({"manoeuvre": ["j_turn", "x", "j_turn"]}, "manoeuvre: 'x' is unknown: one of "),
     ],

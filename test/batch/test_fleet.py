@@ -56,3 +56,8 @@ def test_a_place_without_steps_is_left_alone():
 def test_a_number_of_threads_that_is_none_is_refused():
     with pytest.raises(InputError, match=r"^workers: 0 is not allowed: a whole number"):
         Fleet(1, STEP_NS, 0)
+
+
+def test_a_simulation_with_another_step_has_no_place():
+    with pytest.raises(InputError, match=r"^step: 0.001 is not allowed: 0.0025 s, the step of the"):
+        Fleet(1, STEP_NS, 1).place(0, Simulation(preset(), step=0.001))

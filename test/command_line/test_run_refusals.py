@@ -64,6 +64,7 @@ SET = {
     "not a number": ("front_track=nan", ["front_track", "nan", "from 0.01 to 50 m"]),
     "negative": ("rear_damping=-1", ["rear_damping", "-1", "from 0 to 1e+07 N s/m"]),
     "misspelt": ("sprungmass=1", ["sprungmass", "did you mean sprung_mass"]),
+    "misspelt, no number": ("paylod=1", ["paylod", "did you mean payload?"]),
     "no name": ("=1", ["sprung_mass", "steering_ratio"]),
     "no body": ("roll_inertia=9000", ["roll_inertia", "9000", "4000 kg m^2"]),
     "pressure without effect": ("tire_pressure=2e5", ["tire_pressure", "200000", "version 5.2"]),

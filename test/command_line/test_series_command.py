@@ -2,9 +2,11 @@
 
 import csv
 import itertools
+import json
 
 import pytest
 
+from vehicle_roll_sim.command_line.series import VARIED
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.series import catalogue
 
@@ -174,3 +176,33 @@ def test_amplitudes_of_a_standard_end_where_the_road_wheels_do(command):
     beyond = command("run", *words, "--scalar", "8.1", *STABLE)
     assert beyond.status == 2
     assert "at most 240 deg, which is 60 deg at the road wheels" in beyond.err
+
+
+def test_the_page_of_a_series_has_all_runs_in_order_and_shows_the_one_that_rolls_most(
+    command, folder
+):
+    result = command("series", "nhtsa_j_turn", *STABLE, "--view", "series.html")
+    assert (result.status, result.value["page"]) == (0, "series.html")
+    text = (folder / "series.html").read_text(encoding="utf-8")
+    data = json.loads(text.split('id="data">')[1].split("</script>")[0])
+    rows = table_of(result)[1:]
+    labels = [f"{row[0]}, {float(row[1]):g} mph" for row in rows]
+    assert [run["label"] for run in data["runs"]] == labels
+    peaks = [abs(float(row[3])) for row in rows]
+    (shown,) = data["shown"]
+    assert peaks[shown] == max(peaks)
+    (peak,) = (e for e in data["runs"][shown]["events"] if e["name"].startswith("peak roll"))
+    assert float(peak["name"].split()[2]) == pytest.approx(float(rows[shown][3]), abs=0.06)
+
+
+def test_the_page_is_checked_before_the_series_is_driven(refused):
+    refused(("series", "nhtsa_j_turn", "--view", "page.png"), "--view", "page.png", ".html")
+    words = ("series", "nhtsa_j_turn", "--view", "a.html", "--csv", "a.html")
+    refused(words, "--view", "different")
+
+
+@pytest.mark.parametrize("name", [*catalogue.SERIES, *catalogue.SEARCHES])
+def test_the_runs_of_every_series_have_a_label(name):
+    for table in (catalogue.SERIES, catalogue.SEARCHES):
+        if name in table:
+            assert table[name].columns[1] in VARIED

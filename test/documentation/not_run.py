@@ -27,6 +27,9 @@ NOT_RUN = {
     r"ros2 run plotjuggler ": "PlotJuggler is another package",
     r"ros2 run foxglove_bridge ": "Foxglove's bridge is another package",
     r"rviz2 ": "RViz is another package",
+    r"dask ssh ": "starts programs on other machines",
+    r"vehicle_roll_sim study .* --dask ": "test/studies starts a cluster",
+    r"vehicle_roll_sim view .* --png ": "a browser is not installed everywhere",
     r"make ": "the target is looked up; CI runs lint, build, test and oldest",
     r"python -m benchmarks\.soak ": "takes hours; test/package runs it shortly",
 }

@@ -157,6 +157,11 @@ WRONG = {
         3,
         ["brake_torque_lr", "-1", "at least 0"],
     ),
+    "a wind like no other": (
+        "time,wind_y\n0,0\n1,-1e300\n",
+        3,
+        ["wind_y", "-1e+300", "from -100 to 100 m/s"],
+    ),
     "beyond doubles": ("time,steering\n0,1e999\n", 2, ["steering", "1e999", "finite"]),
     "infinite time": ("time,steering\n0,0\ninf,0\n", 3, ["time", "inf", "finite"]),
     "too few values": ("time,steering\n0,0\n1\n", 3, ["1 value:", "2 values"]),

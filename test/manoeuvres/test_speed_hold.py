@@ -68,10 +68,13 @@ def test_a_manoeuvre_that_holds_no_speed_can_be_given_the_adapted_gain(car):
         assert completed(name, car, speed_hold=None).speed_hold == hold_for(car)
 
 
-def test_before_it_knows_its_vehicle_the_gain_is_unknown():
-    commands = STANDARD["step_steer"](np.array([0.0]))
-    assert np.isnan(commands["speed_hold_gain"]).all()
-    assert STANDARD["step_steer"].commanded == ("steering", "wheel_torque")
+@pytest.mark.parametrize("name", HOLDING)
+def test_before_it_knows_its_vehicle_it_cannot_be_driven(name):
+    simulation, unready = Simulation(preset()), STANDARD[name]
+    with pytest.raises(InputError, match=r"^speed_hold: missing: a gain, or a manoeuvre comp"):
+        run(simulation, unready.driver(), 0.1)
+    assert simulation.time == 0.0
+    assert unready.commanded == ("steering", "wheel_torque")
 
 
 def test_no_other_value_of_a_manoeuvre_may_be_missing():

@@ -158,14 +158,14 @@ def test_a_handwheel_that_stays_below_that_has_its_speed_held_to_the_end():
 
 
 def test_without_a_vehicle_there_is_no_steering_ratio_to_steer_by():
-    manoeuvre = STANDARD["slowly_increasing_steer"]
+    manoeuvre = dataclasses.replace(STANDARD["slowly_increasing_steer"], speed_hold=0.0)
     assert np.isnan(manoeuvre(np.array([3.0]))["steering"]).all()
 
 
 @pytest.mark.parametrize("name", ["iso_double_lane_change", "constant_radius_circle"])
 def test_without_a_vehicle_a_driver_does_not_know_how_to_steer(name):
     state = Simulation(preset()).state
-    driver = STANDARD[name].driver()
+    driver = dataclasses.replace(STANDARD[name], speed_hold=0.0).driver()
     for time in (0.0, 0.01):
         assert np.isnan(driver.command(time, state)["steering"]).all()
 

@@ -101,7 +101,7 @@ def test_downforce_loads_the_tires_by_what_the_axles_get(model):
 def test_the_8_dof_model_refuses_what_it_does_not_use(name):
     values = {"side_force_area": SIDE} if name.startswith("pressure_centre") else {}
     vehicle = preset().with_values(values | {name: AIR[name]})
-    with pytest.raises(InputError, match=r"8dof has no such force of the air"):
+    with pytest.raises(InputError, match=r"8dof has no such aerodynamic force"):
         Simulation(vehicle, Options(model="8dof"))
 
 

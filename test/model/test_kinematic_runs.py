@@ -86,6 +86,17 @@ def test_static_equilibrium_stays(vehicle, options):
     assert max(drift.values()) < 1e-9, drift
 
 
+def test_on_leaning_wheels_tires_that_stiffen_carry_it_from_the_first_instant(unequal_axles):
+    leaning = unequal_axles.with_values({"front_camber": -0.2, "rear_camber": 0.1})
+    simulation = Simulation(leaning, Options(model="2"))
+    simulation.reset(0.0)
+    weight = 9.81 * leaning.mass
+    assert simulation.outputs.normal_force.sum() == pytest.approx(weight, rel=1e-12)
+    height = float(simulation.state.z)
+    simulation.step(Command(), 1.0)
+    assert simulation.state.z == pytest.approx(height, abs=1e-9)
+
+
 def test_the_roll_centre_of_straight_paths_is_that_of_the_vehicle_file_at_rest(vehicle):
     outputs = Simulation(vehicle, KINEMATIC).outputs
     heights = [vehicle.roll_centre_height[0], vehicle.roll_centre_height[2]]

@@ -1,4 +1,4 @@
-"""Steering of each wheel: geometry, toe, roll and compliance steer; gyroscopics, engine drag."""
+"""Steering of each wheel: geometry, toe, roll steer, compliance; gyroscopics, engine drag."""
 
 import math
 
@@ -28,12 +28,16 @@ COMPLIANCE = {
     "rear_lateral_force_steer": 1e-7,
     "front_aligning_moment_steer": 4e-6,
 }
-ALL = {"ackermann_percentage": SHARE, **TOE, **ROLL_STEER, **TRAVEL, **COMPLIANCE}
+CAMBER = {"front_lateral_force_camber": 1.5e-6, "rear_lateral_force_camber": 2e-6}
+ALL = {"ackermann_percentage": SHARE, **TOE, **ROLL_STEER, **TRAVEL, **COMPLIANCE, **CAMBER}
 
 
 @pytest.fixture(scope="module")
 def plain(unequal_axles):
-    return with_moments(unequal_axles)
+    """On tires that are linear springs: loads of random states stay within what wheels yield to."""
+    return with_moments(unequal_axles).with_values(
+        {"front_tire_progression": 0.0, "rear_tire_progression": 0.0}
+    )
 
 
 def cases(vehicle, options: Options, seed: int = 1):
@@ -102,6 +106,54 @@ def test_compliance_steer_and_the_forces_that_cause_it_agree(plain, model, stead
         if not steady:  # the forces are those of the lagged slip, as on rigid wheels
             np.testing.assert_array_equal(outputs["tire_lateral"], rigid[-1]["tire_lateral"])
     assert turned > 0.003
+
+
+@pytest.mark.parametrize("steady", [False, True], ids=["transient slip", "steady-state slip"])
+@pytest.mark.parametrize("model", ["1", "2"])
+def test_compliance_camber_and_the_forces_that_cause_it_agree(plain, model, steady):
+    """The forces are those of a rigid wheel with as much more static camber."""
+    vehicle, options = plain.with_values(CAMBER), Options(model=model, steady_state_slip=steady)
+    per_force, forces = np.repeat([*CAMBER.values()], 2), ("tire_longitudinal", "tire_lateral")
+    leaning = 0.0
+    for state, command, _, outputs in cases(vehicle, options):
+        rigid = Evaluation(plain, options)
+        rigid.rates(state, command)
+        lean = outputs["inclination"] - rigid.outputs["inclination"]
+        expected = per_force * outputs["tire_lateral"]
+        np.testing.assert_allclose(lean, expected, rtol=0, atol=1e-11)
+        leaning = max(leaning, np.abs(lean).max())
+        np.testing.assert_array_equal(outputs["steering"], rigid.outputs["steering"])
+        if model == "2":  # where static camber moves the contact point too
+            continue
+        for i in np.flatnonzero(outputs["normal_force"]):
+            name = "front_camber" if i < 2 else "rear_camber"
+            camber = getattr(plain, name) + SIDES[i] * -lean[i]
+            cambered = Evaluation(plain.with_values({name: camber}), options)
+            cambered.rates(state, command)
+            for force in (*forces, "aligning_moment"):
+                like = cambered.outputs[force][i]
+                assert outputs[force][i] == pytest.approx(like, rel=1e-8, abs=1e-6), force
+    assert leaning > 0.01
+
+
+def test_a_wheel_that_yields_in_steering_and_camber_agrees_in_both(plain):
+    """With steady-state slip, where each of the two angles changes the force of the other."""
+    vehicle = plain.with_values(COMPLIANCE | CAMBER)
+    per_force = np.repeat([*CAMBER.values()], 2)
+    options = Options(steady_state_slip=True)
+    for state, command, _, outputs in cases(vehicle, options):
+        rigid = Evaluation(plain, options)
+        rigid.rates(state, command)
+        lean = outputs["inclination"] - rigid.outputs["inclination"]
+        expected = per_force * outputs["tire_lateral"]
+        np.testing.assert_allclose(lean, expected, rtol=0, atol=1e-11)
+        angle = outputs["steering"] - commanded(command)
+        moment = outputs["aligning_moment"] + vehicle.contact_patch_compliance(True) * (
+            outputs["tire_lateral"] * outputs["tire_longitudinal"]
+        )
+        steer = np.repeat([-3e-7, 1e-7], 2) * outputs["tire_lateral"]
+        steer += np.repeat([4e-6, 0.0], 2) * moment
+        np.testing.assert_allclose(angle, steer, rtol=0, atol=1e-11)
 
 
 @pytest.mark.parametrize("model", ["1", "2"])

@@ -93,7 +93,7 @@ def test_a_wind_that_would_have_no_effect_is_refused():
     with pytest.raises(InputError, match=r"^wind: -4.0 is not allowed: .*no air forces"):
         simulation.step(Command(wind=(0.0, -4.0)), 0.01)
     assert simulation.time == 0.0
-    with pytest.raises(InputError, match=r"8dof has no such force of the air"):
+    with pytest.raises(InputError, match=r"8dof has no such aerodynamic force"):
         Simulation(preset().with_values({"side_force_area": 0.0}), Options(model="8dof"))
 
 

@@ -21,6 +21,7 @@ MAY_IMPORT = {
     "analysis": {*SIMULATED},
     "comparison": {*SIMULATED, "logs", "analysis"},
     "paper": {*SIMULATED, "manoeuvres", "analysis"},
+    "viewer": {*SIMULATED, "manoeuvres", "analysis"},
     "messages": {*SIMULATED, "live"},
     "bags": {*SIMULATED, "live", "messages"},
     "studies": {*SIMULATED, "manoeuvres", "batch", "analysis"},
@@ -32,8 +33,8 @@ MAY_IMPORT = {
     "arguments": set(),
     "command_line": {
         *SIMULATED,
-        *("manoeuvres", "batch", "analysis", "studies", "paper", "bags", "offline", "arguments"),
-        *("logs", "comparison"),
+        *("manoeuvres", "batch", "analysis", "studies", "paper", "bags", "offline"),
+        *("viewer", "logs", "comparison", "arguments"),
     },
     "ros": {*SIMULATED, "live", "manoeuvres", "analysis", "messages", "bags", "arguments"},
     "controller": {"ros", "messages"},

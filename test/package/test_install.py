@@ -113,6 +113,16 @@ def test_every_module_of_the_checkout_is_installed(site_packages, sources):
     assert installed == set(sources)
 
 
+def test_the_parts_of_the_viewers_page_are_installed(site_packages, root):
+    folders = (each / PACKAGE / "viewer" / "web" for each in (site_packages, root))
+    installed, there = (
+        {file.relative_to(each): file.read_bytes() for file in each.rglob("*") if file.is_file()}
+        for each in folders
+    )
+    assert installed == there
+    assert {"page.html", "main.js", "three.min.js", "LICENSE"} <= {f.name for f in there}
+
+
 @pytest.fixture
 def run_installed(installed, site_packages, environment, tmp_path):
     """Runs words with the install space in front of any other installation."""

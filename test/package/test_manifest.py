@@ -14,7 +14,7 @@ from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
 PACKAGE = "vehicle_roll_sim"
 NOT_OF_ROS = {
     *("numpy", "scipy", "yaml", "tqdm", "matplotlib"),
-    *("numba", "rosbags", "mujoco", "control", "pandas", "pyarrow", "gymnasium"),
+    *("numba", "rosbags", "mujoco", "control", "pandas", "pyarrow", "gymnasium", "distributed"),
     *("pint", "asammdf"),
 }
 """Libraries whose names in package.xml are rosdep keys, or that come from pip."""

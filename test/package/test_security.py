@@ -16,7 +16,9 @@ READS_WHOLE_FILES = {"read_text", "read_bytes", "read", "readlines", "loadtxt", 
 MAY_READ = {
     "vehicle_roll_sim/files/text_file.py": "which has the limit",
     "vehicle_roll_sim/model/compiled/code_cache.py": "its own sources, and what it has compiled",
+    "vehicle_roll_sim/studies/fingerprint.py": "its own sources",
     "vehicle_roll_sim/vehicle/template.py": "the reference tire that is installed",
+    "vehicle_roll_sim/viewer/page.py": "the parts of the page that are installed",
     "vehicle_roll_sim/ros/launching/rviz.py": "the configuration of RViz that is installed",
     "vehicle_roll_sim/bags/unindexed_reader.py": "pieces of a bag, of any size by nature",
     "vehicle_roll_sim/ros/controller_scripts.py": "a script that is run",
@@ -39,7 +41,8 @@ def calls(root) -> list[tuple[str, str, ast.Call]]:
 
 
 MAY_UNPICKLE = {
-    "vehicle_roll_sim/model/compiled/code_cache.py": "what this user has compiled, as numba has"
+    "vehicle_roll_sim/model/compiled/code_cache.py": "what this user has compiled, as numba has",
+    "vehicle_roll_sim/studies/cluster.py": "a worker of Dask, which runs what it is sent anyway",
 }
 
 

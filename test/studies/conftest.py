@@ -3,7 +3,7 @@
 import pytest
 from formula_runs import SMALL, formula
 
-from vehicle_roll_sim.studies import folder, runner
+from vehicle_roll_sim.studies import chunks, folder
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study_file import study_of
 
@@ -13,11 +13,11 @@ def by_formula(monkeypatch, request):
     """Runs are computed by `formula`; the list of the numbers of cases computed at a time."""
     sizes = []
 
-    def evaluate(cases):
+    def evaluate(cases, workers):
         sizes.append(len(cases))
         return formula(cases)
 
-    monkeypatch.setattr(runner, "evaluate", evaluate)
+    monkeypatch.setattr(chunks, "evaluate", evaluate)
     if "figures" not in request.fixturenames:
         monkeypatch.setattr(folder, "draw", lambda results, path: [])
     return sizes

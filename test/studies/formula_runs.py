@@ -18,7 +18,7 @@ SMALL = {
 }
 
 
-def formula(cases) -> list[Outcome]:
+def formula(cases, workers=None) -> list[Outcome]:
     """Peak roll = height * speed^2 / 400; a rollover from 1 on; heights above 0.79 diverge."""
     outcomes = []
     for case in cases:

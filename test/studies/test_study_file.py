@@ -143,6 +143,32 @@ def test_a_mistake_is_named_with_its_place_and_what_is_allowed(tmp_path, before,
     assert message in str(raised.value)
 
 
+def test_a_model_is_one_of_those_there_are(study):
+    with pytest.raises(InputError, match=r"options.model: 2: 7 is not allowed: one of 1, 1a"):
+        study(factors={"options.model": [1, 7]})
+
+
+def test_correlations_of_what_is_not_drawn_are_refused(study):
+    with pytest.raises(InputError, match="correlations: no factor has a distribution: none, or"):
+        study(correlations=[["vehicle.cg_height", "manoeuvre.speed", 0.5]])
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"model": "8dof"},
+        {"factors": {"options.model": ["1", "8dof-rigid-tires"]}},
+    ],
+)
+def test_a_search_for_an_event_that_a_model_does_not_have_is_refused(study, changes):
+    bounds = {"lowest": 10, "highest": 20, "resolution": 1}
+    search = {"factor": "manoeuvre.speed", "event": "two_wheel_lift", **bounds}
+    factors = {"vehicle.cg_height": [0.5]}
+    with pytest.raises(InputError, match="event: two_wheel_lift is unknown to model 8dof"):
+        study(**{"factors": factors, **changes}, search=search)
+    assert study(factors=factors, search=search | {"event": "rollover"}, model="8dof").search
+
+
 @pytest.mark.parametrize("name", ["runs", "seed"])
 def test_what_only_draws_need_is_refused_without_them(study, name):
     with pytest.raises(InputError, match=f"{name}: nothing is drawn"):

@@ -14,10 +14,12 @@ from patience import PATIENCE
 from scipy import stats
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.studies import runner, store
+from vehicle_roll_sim.studies import chunks, store
 from vehicle_roll_sim.studies.folder import run_study, show_study
 
-KILLS = 10
+KILLS, INTERRUPTED = 10, 130
+STOPS = (signal.SIGKILL, -signal.SIGKILL), (signal.SIGINT, INTERRUPTED)
+"""Signals, and the status with which a process then ends."""
 SEARCH = {
     "factors": {"vehicle.cg_height": [0.5, 0.6, 0.7]},
     "search": {
@@ -52,37 +54,43 @@ def content(folder) -> dict[str, bytes]:
     }
 
 
-def run_until_killed(study, folder, moments: int) -> None:
-    """Run a study in this process, which kills itself at one of its steps on the way to disk."""
+def run_until_stopped(study, folder, moments: int, stop: signal.Signals) -> None:
+    """Run a study in this process, which stops itself at one of its steps on the way to disk."""
 
     def counted(function):
         def call(*arguments, **options):
             nonlocal moments
             moments -= 1
             if not moments:
-                os.kill(os.getpid(), signal.SIGKILL)
+                os.kill(os.getpid(), stop)
             return function(*arguments, **options)
 
         return call
 
-    runner.evaluate = counted(formula)
+    chunks.evaluate = counted(formula)
     store.os.fsync = counted(os.fsync)
     store.os.close = counted(os.close)
-    run_study(study, folder, "csv")
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        run_study(study, folder, "csv")
+    except KeyboardInterrupt:
+        os._exit(INTERRUPTED)
 
 
 @pytest.mark.parametrize("changes", [{}, SEARCH], ids=["grid", "search"])
 def test_killed_ten_times_it_gives_the_same_bytes(study, tmp_path, by_formula, changes):
+    """By SIGKILL and, every other time, by Ctrl-C."""
     given = study(chunk=1, **changes)
     run_study(given, tmp_path / "undisturbed", "csv")
     chance, processes = random.Random(1), multiprocessing.get_context("fork")
     killed = 0
     while killed < KILLS:
-        arguments = (given, tmp_path / "killed", chance.randint(1, 6))
-        process = processes.Process(target=run_until_killed, args=arguments)
+        stop, status = STOPS[killed % 2]
+        arguments = (given, tmp_path / "killed", chance.randint(1, 6), stop)
+        process = processes.Process(target=run_until_stopped, args=arguments)
         process.start()
         process.join(PATIENCE)
-        assert process.exitcode == -signal.SIGKILL, "it was over before it was killed ten times"
+        assert process.exitcode == status, "it was over before it was killed ten times"
         killed += 1
     run_study(given, tmp_path / "killed", "csv")
     assert content(tmp_path / "killed") == content(tmp_path / "undisturbed")
@@ -100,9 +108,9 @@ def test_no_run_is_computed_twice(study, tmp_path, by_formula, changes):
         run_study(given, tmp_path, "csv", progress=stop)
     done = sum(by_formula)
     report = run_study(given, tmp_path, "csv")
-    assert 0 < done < sum(by_formula) == len(report.results.rows)
+    assert 0 < done < sum(by_formula) == len(report.results.runs)
     run_study(given, tmp_path, "csv")
-    assert sum(by_formula) == len(report.results.rows)
+    assert sum(by_formula) == len(report.results.runs)
 
 
 def test_a_failed_run_is_a_row_with_its_reason(study, tmp_path, by_formula):
@@ -122,6 +130,11 @@ def test_a_failed_run_is_a_row_with_its_reason(study, tmp_path, by_formula):
     assert reasons["refused"].startswith("refused: bank: 1.")
     failed = sum(row["condition"] != "complete" for row in rows)
     assert f"## Runs that failed: {failed}" in (tmp_path / "summary.md").read_text(encoding="utf-8")
+
+
+def test_the_summary_has_in_words_what_no_number_stands_for(study, tmp_path, by_formula):
+    report = run_study(study(fixed={"manoeuvre.speed_hold": None}), tmp_path, "csv")
+    assert "- fixed: manoeuvre.speed_hold = adapted to the vehicle" in report.summary
 
 
 def test_parquet_and_csv_have_the_same_rows_and_the_types_that_they_need(
@@ -172,6 +185,15 @@ def test_a_folder_with_other_files_is_not_taken(study, tmp_path, by_formula):
     with pytest.raises(InputError, match="a new folder, or that of the same study"):
         run_study(study(), tmp_path, "csv")
     assert content(tmp_path) == {"thesis.txt": b"mine"}
+
+
+@pytest.mark.parametrize("text", ['{"version": "0", "study": 5}', "{", '{"study": {}}', "[]"])
+def test_a_damaged_definition_of_a_study_is_refused(study, tmp_path, by_formula, text):
+    run_study(study(), tmp_path, "csv")
+    (tmp_path / "study.json").write_text(text)
+    for again in (lambda: run_study(study(), tmp_path, "csv"), lambda: show_study(tmp_path)):
+        with pytest.raises(InputError, match=r"study.json: it was changed: .* in another folder"):
+            again()
 
 
 def test_two_processes_do_not_run_the_same_study_at_a_time(study, tmp_path, by_formula):
@@ -233,6 +255,13 @@ def test_thresholds_of_a_search_are_those_of_the_formula(study, tmp_path, by_for
     for row in rows:
         exact = (400.0 / row["vehicle.cg_height"]) ** 0.5
         assert row["below"] < exact <= row["threshold"] <= row["below"] + 0.2
+
+
+def test_a_rare_event_that_is_not_reached_has_an_interval(study, tmp_path, by_formula):
+    never = {"high": {"metric": "peak_roll", "above": 0.36}}  # five standard deviations away
+    rare = {"event": "high", "level_runs": 100, "most_levels": 1}
+    report = run_study(study(**RARE | {"events": never, "rare": rare}), tmp_path, "csv")
+    assert "last of them, whose probability is 0.1 (95 % interval 0.05" in report.summary
 
 
 def test_a_rare_event_has_the_probability_of_the_formula(study, tmp_path, by_formula):

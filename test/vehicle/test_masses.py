@@ -153,6 +153,9 @@ def test_a_loaded_vehicle_is_changed_by_its_given_values_and_written_down_withou
             "cg_offset": 0.2,
             "total_cg_offset": 0.1,
         },
+        "cg_offset: it puts the sprung c.g. -0.75 m to the left of the middle: less than half the "
+        "smaller track, 0.75 m, to either side": {"cg_offset": -0.75, "front_track": 1.8},
+        "total_cg_offset: it puts the sprung c.g. 0.855556 m to": {"total_cg_offset": 0.7},
         "roll_yaw_product: 900.0 is not allowed: from -835.165 to 835.165 kg m^2": {
             "roll_yaw_product": 900.0
         },

@@ -88,6 +88,14 @@ def test_compliance_by_aligning_moment_needs_the_moment():
     Simulation(vehicle, Options(tire_moments="on"))
 
 
+def test_compliance_camber_needs_a_tire_that_inclines():
+    vehicle = preset().with_values({"rear_lateral_force_camber": 1e-6})
+    with refused("rear_lateral_force_camber", "depends on inclination"):
+        Simulation(vehicle)
+    with refused("rear_lateral_force_camber", "14 DOF"):
+        Simulation(vehicle, Options(model="8dof"))
+
+
 def test_a_description_has_every_detail():
     vehicle: Vehicle = preset().with_values(
         {**STOP, **STEERED, "front_spring_force": SPRING, "rear_damper_force": DAMPER}

@@ -62,6 +62,7 @@ DETAILS = {
     "roll_steer": -0.05,
     "lateral_force_steer": -1e-6,
     "aligning_moment_steer": 1e-5,
+    "lateral_force_camber": 1e-6,
 }
 """Of each axle."""
 ABSENT = {

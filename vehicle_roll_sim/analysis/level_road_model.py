@@ -30,7 +30,8 @@ INPUT_NAMES = tuple(
 )
 """The smooth inputs of the model; brakes are dry friction, which cannot be linearized at rest."""
 WIND_NAMES = ("wind_x", "wind_y")
-"""Further inputs of a vehicle with air forces: velocity of the air along frame 2 (m/s)."""
+"""Further inputs of a vehicle with air forces: velocity of the air over the ground, along frame 2
+(m/s)."""
 WITHOUT_EFFECT = ("x", "y", "yaw")
 """States on which nothing depends on a level road. Height acts only through tire compression."""
 TYPICAL = {
@@ -80,7 +81,8 @@ class LevelRoadModel:
     from height, attitude and suspension compression. places: their indices in the state vector.
     input_names: INPUT_NAMES, and WIND_NAMES for a vehicle with air forces. typical_roll: typical
     change of the roll angle (rad).
-    Raises InputError for model 1c-iii, in which they do not follow: its turns are not steady.
+    Raises InputError for model 1c-iii, whose tire compressions do not follow from these: its turns
+    are not steady.
     """
 
     def __init__(self, vehicle: Vehicle, options: Options):

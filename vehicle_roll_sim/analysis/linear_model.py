@@ -50,7 +50,7 @@ TIRE_NAMES = element_names(("tire_compression",))
 class LinearModel:
     """A linear model about a trim, in SI units and radians.
 
-    a: A (n, n). b: B (n, m). c: C (10, n). d: D (10, m). m: 10, or 12 with a wind. state_names,
+    a: A (n, n). b: B (n, m). c: C (10, n). d: D (10, m). m: 10, or 12 with wind. state_names,
     input_names, output_names: names of the elements of x, u and y. step_error: the largest
     difference between the slopes over one step and over two, relative to the largest in the row,
     with all states and inputs scaled by their typical changes.

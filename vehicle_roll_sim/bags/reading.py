@@ -2,7 +2,7 @@
 
 import dataclasses
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -16,13 +16,14 @@ from vehicle_roll_sim.messages.run_messages import (
     COMMAND,
     NOT_OF_EVERY_MODEL,
     STATE,
+    TIRE_FORCES,
     RunMessages,
     by_name,
     is_ours,
 )
 from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.runs.history import History
-from vehicle_roll_sim.simulation.description import described
+from vehicle_roll_sim.simulation.description import Described, described
 from vehicle_roll_sim.simulation.road import Road
 
 A_BAG = "a complete bag of a simulator: metadata.yaml and the file that it names"
@@ -58,39 +59,45 @@ class RecordedRun:
             self.commands[float(message.data[0])] = message.data
 
 
-def recorded_runs(path: Path, namespace: str | None = None) -> list[RecordedRun]:
+def recorded_runs(
+    path: Path, namespace: str | None = None, further: Sequence[Topic] = ()
+) -> list[RecordedRun]:
     """The runs in a bag, in order. namespace: of the vehicle, required if the bag has several.
 
-    Raises InputError if `path` is not a bag, is damaged, or has no states or no commands.
+    further: topics to read besides READ. Raises InputError if `path` is not a bag, is damaged, or
+    has no states or no commands.
     """
-    runs = list(_runs(path, namespace))
+    runs = list(_runs(path, namespace, (*READ, *further)))
     for name, found in ((STATE, "states"), (COMMAND, "commands")):
         if not any(getattr(run, found) for run in runs):
             raise InputError("BAG", str(path), A_BAG, f"{path}: no messages on {name}")
     return runs
 
 
-def last_history(path: Path, namespace: str | None = None) -> History:
-    """The samples of the last run in a bag, assuming a level road if the bag has no description.
+def last_run(
+    path: Path, namespace: str | None = None, with_forces: bool = False
+) -> tuple[History, Described | None]:
+    """The samples of the last run in a bag, and its description; without one, the road is level.
 
-    Raises the InputErrors of `recorded_runs` and `described`, and one if no set is complete.
+    with_forces: read the horizontal tire forces too, which takes a quarter longer. Raises
+    the InputErrors of `recorded_runs` and `described`, and one if no set is complete.
     """
-    run = recorded_runs(path, namespace)[-1]
-    road = described(run.description).simulation.road if run.description else Road()
-    history = run.kept.history(road)
+    run = recorded_runs(path, namespace, TIRE_FORCES if with_forces else ())[-1]
+    told = described(run.description) if run.description else None
+    history = run.kept.history(told.simulation.road if told else Road())
     if not len(history.rows):
         wanted = ", ".join(topic.name for topic in COLLECTED)
         raise InputError("BAG", str(path), f"complete sets of {wanted}", f"{path}: no complete set")
-    return history
+    return history, told
 
 
-def _runs(path: Path, namespace: str | None) -> Iterator[RecordedRun]:
+def _runs(path: Path, namespace: str | None, topics: Sequence[Topic]) -> Iterator[RecordedRun]:
     """Every run; a new one begins when the time of the states decreases.
 
     Messages logged before the first state may belong to it: receivers log in order of arrival.
     """
     run, early, last_time, description = None, [], math.inf, ""
-    for topic, sent, message in _messages(path, namespace):
+    for topic, sent, message in _messages(path, namespace, topics):
         _check(topic, message, path)
         if topic is SIMULATION_DESCRIPTION:
             description = message.data
@@ -122,13 +129,15 @@ def _check(topic: Topic, message, path: Path) -> None:
         raise InputError("BAG", str(path), A_BAG, problem)
 
 
-def _messages(path: Path, namespace: str | None) -> Iterator[tuple[Topic, int, object]]:
-    """Topic, log time (ns) and message of everything in the bag that is used."""
+def _messages(
+    path: Path, namespace: str | None, topics: Sequence[Topic]
+) -> Iterator[tuple[Topic, int, object]]:
+    """Topic, log time (ns) and message of everything on these topics of a vehicle in the bag."""
     if not path.is_dir():
         raise InputError("BAG", str(path), A_BAG)
     try:
         with BagReader(path) as reader:
-            names = _names(reader, path, namespace)
+            names = _names(reader, path, namespace, topics)
             wanted = [each for each in reader.connections if each.topic in names]
             for connection, sent, data in reader.messages(wanted):
                 topic = names[connection.topic]
@@ -140,8 +149,10 @@ def _messages(path: Path, namespace: str | None) -> Iterator[tuple[Topic, int, o
         raise InputError("BAG", str(path), A_BAG, f"{path}: {reason}") from None
 
 
-def _names(reader: Reader, path: Path, namespace: str | None) -> dict[str, Topic]:
-    """The topics that are used, by their full names in the bag; raises InputError."""
+def _names(
+    reader: Reader, path: Path, namespace: str | None, topics: Sequence[Topic]
+) -> dict[str, Topic]:
+    """These topics, by their full names in the bag; raises InputError."""
     types = {connection.topic: connection.msgtype for connection in reader.connections}
     suffix = f"/{COMMAND}"
     found = sorted(name.removesuffix(suffix) for name in types if name.endswith(suffix))
@@ -153,7 +164,7 @@ def _names(reader: Reader, path: Path, namespace: str | None) -> dict[str, Topic
     if len(chosen) != 1:
         allowed = "one of " + ", ".join(name or "/" for name in found)
         raise InputError("--namespace", namespace, f"{allowed}, the vehicles in {path}")
-    names = {f"{chosen[0]}/{topic.name}": topic for topic in READ}
+    names = {f"{chosen[0]}/{topic.name}": topic for topic in topics}
     for name, topic in names.items():
         if name in types and types[name] != topic.type:
             raise InputError(f"{path}: {name}", types[name], topic.type)

@@ -1,5 +1,6 @@
 """Many runs together: each argument is one value, or one for each run."""
 
+import collections
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -16,6 +17,9 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+
+ARGUMENTS = {"vehicle": "vehicles"}
+"""Arguments of Batch that are not named like the value of a Case."""
 
 
 class Batch:
@@ -60,13 +64,18 @@ class Batch:
         self._length = self._common_length()
 
     def _common_length(self) -> int:
+        """The number of runs: the length that most sequences have; raises InputError for others."""
         lengths = {name: len(self._values[name]) for name in self._values if name in self._per_run}
-        most = max(lengths.values(), default=1)
+        if not lengths:
+            return 1
+        usual = collections.Counter(lengths.values()).most_common(1)[0][0]  # the first, if tied
+        whose = next(name for name, length in lengths.items() if length == usual)
         for name, length in lengths.items():
-            if length != most:
-                allowed = f"one value, or one for each of the {most} runs"
-                raise InputError(name, "", allowed, f"{length} values")
-        return most
+            if length != usual:
+                problem = f"{length} values, but {usual} of {ARGUMENTS.get(whose, whose)}"
+                field = ARGUMENTS.get(name, name)
+                raise InputError(field, "", "one value, or one for each run", problem)
+        return usual
 
     def __len__(self) -> int:
         return self._length

@@ -66,7 +66,7 @@ def processors() -> int:
 
 
 def checked_workers(workers: int | None) -> int:
-    """The number of threads: that given, or that of the processors; raises InputError."""
+    """The number of threads: as given, or one for each processor; raises InputError."""
     if workers is None:
         return processors()
     if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:

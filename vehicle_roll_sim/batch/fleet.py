@@ -6,6 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 from vehicle_roll_sim.batch.evaluate import checked_workers
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.compiled.jit import interruptible, kernel_argument, silently
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import EVENTS, Condition
@@ -17,11 +18,11 @@ from vehicle_roll_sim.simulation.simulation import Simulation
 
 
 class Fleet:
-    """Copies of simulations, stepped together; each gives the bits that `Simulation.step` gives.
+    """Copies of simulations, stepped together; each equals `Simulation.step` to the bit.
 
-    count: number of places, all empty at first. step_ns: integration step of all (ns). workers:
-    number of threads, by default one for each processor that the process may use. Raises InputError
-    for an invalid number of workers.
+    count: number of places, at least 1, all empty at first. step_ns: integration step of all (ns).
+    workers: number of threads, by default one for each processor that the process may use. Raises
+    InputError for an invalid number of workers.
 
     Attributes, arrays with one element or row for each place, which the next call overwrites:
     `states` (STATE records), `outputs` (OUTPUTS), `events` (EVENTS), `state_vectors`, shape (count,
@@ -62,11 +63,14 @@ class Fleet:
 
     @property
     def runs(self) -> np.ndarray:
-        """Whether the simulation at each place can go on, shape (count,)."""
+        """Whether the simulation at each place can continue, shape (count,)."""
         return self.conditions == Condition.RUNNING
 
     def place(self, i: int, simulation: Simulation) -> None:
-        """Copy a simulation, which must have the step of the fleet, to a place."""
+        """Copy a simulation to a place; raises InputError unless it has the step of the fleet."""
+        if simulation.step_ns != self.step_ns:
+            allowed = f"{self.step_ns / NANOSECONDS:g} s, the step of the fleet"
+            raise InputError("step", simulation.step_ns / NANOSECONDS, allowed)
         plant, memory = simulation.arrays()
         of_fleet = (*self._plant[:-1], self.states, self.outputs, self.events, self._stages)
         for kept, given in zip(of_fleet, (*plant, *memory), strict=True):
@@ -78,7 +82,7 @@ class Fleet:
         """Advance each simulation until it must stop, at most by its number of steps.
 
         commands: COMMAND records, shape (count,), held meanwhile. steps: shape (count,), 0 for a
-        place that is to be left alone.
+        place that does not move.
         """
         steps = np.where(self.runs, steps, 0)
         held = kernel_argument(np.ascontiguousarray(commands))

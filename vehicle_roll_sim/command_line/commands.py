@@ -11,6 +11,7 @@ COMMANDS = {
     "study": "Run a study: many runs over varied values, with tables, probabilities and figures.",
     "compare": "Compare a measured log with the model that is driven by it: errors and verdict.",
     "plot": "Plot recorded runs in the standard figure.",
+    "view": "Write a page that shows recorded runs in a browser: vehicle in 3D, plots and events.",
     "vehicle": "Show the contents of a vehicle file and what follows from it: figures and modes.",
     "vehicles": "List the vehicles that come with the package, with their figures.",
     "tire": "Show the contents of a tire file and how the tire behaves: table, figure, points.",

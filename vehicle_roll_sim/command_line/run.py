@@ -27,6 +27,7 @@ from vehicle_roll_sim.files.output_file import (
     check_distinct,
     check_figure_format,
     check_new_folder,
+    check_page_format,
     check_writable,
 )
 from vehicle_roll_sim.manoeuvres.base import OpenLoop
@@ -40,6 +41,9 @@ from vehicle_roll_sim.runs.history import WITH_COMMANDS, check_with_commands
 from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.simulation import SHORTEST_STEP, Simulation
+from vehicle_roll_sim.viewer.page import write_page
+from vehicle_roll_sim.viewer.recording import ViewedRun
+from vehicle_roll_sim.viewer.scene import scene_of
 
 HELD_BY_BAG = (
     f"held for {HELD_PERIOD:g} s each, as in a node; "
@@ -77,6 +81,7 @@ def run_command(words: list[str], program: str) -> int:
         raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
     sampling = Sampling(**declared_values(arguments, Sampling))
     csv, plot, bag = _results(arguments)
+    view = _page(arguments, csv, plot, bag)
     size = figure_size.named_size(arguments.size, "--size", plot)
     check_with_commands(arguments.with_commands, csv)
     if plot:
@@ -97,9 +102,11 @@ def run_command(words: list[str], program: str) -> int:
         result.write_csv(csv, arguments.with_commands)
     if plot:
         result.plot(plot, arguments.manoeuvre or arguments.commands, size)
+    if view:
+        _write_page(view, result, simulation, arguments.manoeuvre or arguments.commands)
     is_held_by_bag = bag and not sampling.command_period and isinstance(result.manoeuvre, OpenLoop)
     notes = [line("commands", HELD_BY_BAG)] if is_held_by_bag else []
-    written = (("CSV", csv), ("plot", plot), ("bag", bag))
+    written = (("CSV", csv), ("plot", plot), ("page", view), ("bag", bag))
     results = [line(label, path) for label, path in written if path]
     print("\n".join([result.summary, *notes, *results]))
     return DIVERGED if result.condition is Condition.DIVERGED else 0
@@ -134,6 +141,8 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     group.add_argument("--stamped", action="store_true", help=about)
     group.add_argument("--plot", metavar="FILE", help="plot the run (PNG, SVG or PDF)")
     group.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
+    about = "write a page (HTML) that shows the run in a browser, as `view` does"
+    group.add_argument("--view", metavar="FILE", help=about)
     return parser
 
 
@@ -153,6 +162,23 @@ def _results(arguments: argparse.Namespace) -> tuple[Path | None, ...]:
         need_library("--bag")
         check_new_folder(bag, "--bag")
     return csv, plot, bag
+
+
+def _page(arguments: argparse.Namespace, *others: Path | None) -> Path | None:
+    """Where the page goes; checked to be writable and different from the other results."""
+    page = named_file(arguments.view, "--view")
+    if page:
+        check_page_format(page, "--view")
+        check_writable(page, "--view")
+        names = ("--csv", "--plot", "--bag")
+        check_distinct(dict(zip(names, others, strict=True)) | {"--view": page})
+    return page
+
+
+def _write_page(path: Path, result: RunResult, simulation: Simulation, title: str) -> None:
+    scene = scene_of(simulation.vehicle, simulation.options)
+    run = ViewedRun(result.history, result.events, title, scene)
+    write_page(path, [run], title, getattr(result.manoeuvre, "cones", ()))
 
 
 def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:

@@ -1,9 +1,11 @@
 """`vehicle_roll_sim series`: run the test series of a standard; print a table and a verdict."""
 
 import argparse
+import contextlib
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+import numpy as np
 from tqdm import tqdm
 
 from vehicle_roll_sim.arguments import (
@@ -22,14 +24,30 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_vehicle,
 )
 from vehicle_roll_sim.declaration import InputError, parameters_of
-from vehicle_roll_sim.files.output_file import check_writable
-from vehicle_roll_sim.manoeuvres.series.base import Series
+from vehicle_roll_sim.files.output_file import (
+    check_distinct,
+    check_page_format,
+    check_writable,
+)
+from vehicle_roll_sim.manoeuvres.series.base import DrivenRun, Series, kept_runs
 from vehicle_roll_sim.manoeuvres.series.catalogue import SEARCHES, SERIES, series_named
 from vehicle_roll_sim.manoeuvres.series.speed_search import RANGE, SpeedSearch
+from vehicle_roll_sim.model.integration.events import VALUE
 from vehicle_roll_sim.offline.series import SeriesResult, drive_series
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.viewer.page import write_page
+from vehicle_roll_sim.viewer.recording import ViewedRun
+from vehicle_roll_sim.viewer.scene import scene_of
+
+VARIED = {
+    "speed": "{:.3f} m/s",
+    "speed_mph": "{:g} mph",
+    "speed_kmh": "{:g} km/h",
+    "scalar": "steering scalar {:g}",
+}
+"""How the label of a run states the value of the second column."""
 
 
 def series_command(words: list[str], program: str) -> int:
@@ -45,22 +63,46 @@ def series_command(words: list[str], program: str) -> int:
     ways_out = [RANGE] if named.manoeuvre in SEARCHES else []
     arguments = _parser(program, [*series.settings, *ways_out]).parse_args(words)
     series = _adjusted(series, arguments)
-    path = named_file(arguments.csv, "--csv")
-    if path:
-        check_writable(path, "--csv")
+    path, page = named_file(arguments.csv, "--csv"), named_file(arguments.view, "--view")
+    for file, option in ((path, "--csv"), (page, "--view")):
+        if file:
+            check_writable(file, option)
+    if page:
+        check_page_format(page, "--view")
+        check_distinct({"--csv": path, "--view": page})
     vehicle = chosen_vehicle(arguments)
     options = chosen_options(arguments, vehicle)
     with signals.exit_on_signal():
         compile_model()
     try:
-        with tqdm(delay=1.0, disable=None, leave=False, unit=" runs") as bar:
+        with (
+            tqdm(delay=1.0, disable=None, leave=False, unit=" runs") as bar,
+            kept_runs() if page else contextlib.nullcontext() as kept,
+        ):
             result = _driven(series, vehicle, options, bar.update)
     except BaseException as end:  # a refusal, a failure or a signal, after some of the runs
         if getattr(end, "driven", ()):
             _show(end.driven, path)
         raise
     _show(result, path)
+    if page:
+        _write_page(page, f"series {arguments.manoeuvre}", result, kept, scene_of(vehicle, options))
+        print(line("page", page))
     return 0
+
+
+def _write_page(
+    path: Path, title: str, result: SeriesResult, kept: list[DrivenRun], scene: dict
+) -> None:
+    """Write the page of all runs; the one that rolls most is shown first."""
+    varied = VARIED[result.columns[1]]
+    labels = [f"{row[0]}, {varied.format(row[1])}" for row in result.rows]
+    runs = [
+        ViewedRun(run.history, run.events, label, scene)
+        for run, label in zip(kept, labels, strict=True)
+    ]
+    worst = int(np.argmax([abs(run.events.peak_roll[VALUE]) for run in kept]))
+    write_page(path, runs, title, getattr(kept[worst].manoeuvre, "cones", ()), shown=[worst])
 
 
 def _show(result: SeriesResult, path: Path | None) -> None:
@@ -118,4 +160,6 @@ def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLinePars
     add_declared(parser, Options, "model")
     add_vehicle_options(parser)
     parser.add_argument("--csv", metavar="FILE", help="write the table in full precision (CSV)")
+    about = "write a page (HTML) that shows up to four of the runs in a browser, as `view` does"
+    parser.add_argument("--view", metavar="FILE", help=about)
     return parser

@@ -18,11 +18,12 @@ from vehicle_roll_sim.vehicle.plausibility import plausibility
 def study_command(words: list[str], program: str) -> int:
     """Run the command with the arguments after its name; return the exit status."""
     arguments = _parser(program).parse_args(words)
-    signals.import_interruptibly("studies.folder")
+    signals.import_interruptibly("studies.folder", "studies.cluster")
     from vehicle_roll_sim.studies import folder, tables
 
     if arguments.show is not None:
-        if arguments.study is not None or arguments.out is not None:
+        others = (arguments.study, arguments.out, arguments.format, arguments.dask)
+        if any(each is not None for each in others):
             raise InputError("--show", arguments.show, "nothing but the folder of a study")
         report = folder.show_study(named_file(arguments.show, "--show"), "--show")
         print(report.summary, line("results", arguments.show), sep="\n")
@@ -31,17 +32,33 @@ def study_command(words: list[str], program: str) -> int:
     for field, given in (("STUDY.yaml", path), ("--out", out)):
         if given is None:
             raise InputError(field, None, "a study file and --out DIR, or --show DIR")
-    tables.check_format(arguments.format, "--format")
-    report = _run(folder, path, out, arguments)
+    chosen = tables.PARQUET if arguments.format is None else arguments.format
+    tables.check_format(chosen, "--format")
+    report = _run(folder, path, out, chosen, arguments)
     print(report.summary, line("results", out), sep="\n")
+    _check_runs(path, report.results)
     return 0
 
 
-def _run(folder, path, out, arguments):
+def _check_runs(path, results) -> None:
+    """Raise InputError if not a single run could be made."""
+    reasons = results.columns.reasons
+    refusals = {reason: n for reason, n in reasons.items() if reason.startswith("refused: ")}
+    if sum(refusals.values()) == len(results.runs):
+        problem = f"all {len(results.runs)} runs were refused"
+        allowed = f"values with which runs can be made; one was {min(refusals)}"
+        raise InputError(f"study file {path}", "", allowed, problem)
+
+
+def _run(folder, path, out, chosen, arguments):
     """Run the study with a progress bar; if it is interrupted, report how far it got."""
+    from vehicle_roll_sim.studies import cluster
+
     study = folder.study_of(folder.Source.of_file(path))
     warn_or_refuse(plausibility(study.vehicle), arguments)
     with signals.exit_on_signal():
+        if arguments.dask is not None:
+            cluster.check_distributed("--dask")
         compile_model()
     total = None if study.search or study.rare else study.points
     with tqdm(total=total, delay=1.0, disable=None, leave=False, unit=" runs") as bar:
@@ -55,7 +72,8 @@ def _run(folder, path, out, arguments):
             bar.update(runs)
 
         try:
-            return folder.run_study(study, out, arguments.format, "--out", progress)
+            with cluster.computing(arguments.dask, "--dask") as compute:
+                return folder.run_study(study, out, chosen, "--out", progress, compute)
         except (KeyboardInterrupt, SystemExit):
             bar.close()
             text = f"{done} runs are done; the same command continues, --show {out} shows them"
@@ -70,8 +88,10 @@ def _parser(program: str) -> OneLineParser:
     about = "folder for the results; an interrupted study is resumed in its folder"
     group.add_argument("--out", metavar="DIR", help=about)
     about = "file format of the tables: parquet, which needs pyarrow, or csv (default parquet)"
-    group.add_argument("--format", metavar="FORMAT", default="parquet", help=about)
+    group.add_argument("--format", metavar="FORMAT", help=about)
     about = "show the results in this folder: write summary and figures again, without any runs"
     group.add_argument("--show", metavar="DIR", help=about)
+    about = "compute the runs on workers of the Dask scheduler at this address, such as HOST:8786"
+    group.add_argument("--dask", metavar="ADDRESS", help=about)
     add_strict(parser.add_argument_group("vehicle"))
     return parser

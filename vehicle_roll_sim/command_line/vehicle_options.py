@@ -98,7 +98,7 @@ def read_vehicle(arguments: argparse.Namespace) -> Vehicle:
             has_option = name in (*TIRES, *parameters_of(Options))
             raise no_parameter(name, "--set", _option(name) if has_option else "", "--vehicle")
         if name not in known:
-            raise unknown_name(name, known, "--set")
+            raise unknown_name(name, (*known, *NO_NUMBERS), "--set")
         if name in values:
             raise InputError(f"--set {name}", text, "each name once", "given twice")
         if known[name].kind is Table:

@@ -11,6 +11,7 @@ from pathlib import Path
 from vehicle_roll_sim.input_errors import InputError, NotWrittenError
 
 FIGURE_FORMATS = (".png", ".svg", ".pdf")
+PAGE_FORMATS = (".html", ".htm")
 
 
 def check_writable(path: Path, field: str) -> None:
@@ -40,6 +41,12 @@ def check_figure_format(path: Path, field: str) -> None:
     """Raise InputError naming `field` if the suffix of `path` is not a supported figure format."""
     if path.suffix.lower() not in FIGURE_FORMATS:
         raise InputError(field, str(path), "a file name ending in " + ", ".join(FIGURE_FORMATS))
+
+
+def check_page_format(path: Path, field: str) -> None:
+    """Raise InputError naming `field` if the suffix of `path` is not that of an HTML page."""
+    if path.suffix.lower() not in PAGE_FORMATS:
+        raise InputError(field, str(path), "a file name ending in " + ", ".join(PAGE_FORMATS))
 
 
 @contextlib.contextmanager

@@ -1,7 +1,7 @@
 """CSV files: numbers are read, and errors name the line; rows are written."""
 
 import csv
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError
@@ -26,7 +26,7 @@ def read_table(path: Path, largest: int) -> tuple[list[str], Iterator[tuple[int,
     return header, _rows(path, reader, len(header))
 
 
-def write_rows(path: Path, columns: Sequence[str], rows: Sequence[Sequence]) -> None:
+def write_rows(path: Path, columns: Sequence[str], rows: Iterable[Sequence]) -> None:
     """Write rows as CSV in full precision; the file is written completely or not at all."""
     with replaced_file(path) as partial, partial.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")

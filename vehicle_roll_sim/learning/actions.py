@@ -1,4 +1,4 @@
-"""What an agent may command: shares of the limits of the commands of the node."""
+"""What an agent may command: fractions of the command limits of the node."""
 
 from collections.abc import Mapping, Sequence
 
@@ -13,7 +13,7 @@ from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 ENDING = "_cmd"
-"""Of the names of the topics."""
+"""Suffix of the topic names, which the names of actions lack."""
 ACTIONS: dict[str, Channel] = {
     topic.removesuffix(ENDING): channel
     for topic, channel in channels().items()
@@ -22,13 +22,13 @@ ACTIONS: dict[str, Channel] = {
 """Each action has the name of the topic on which the node takes the same command."""
 STEERING = ("steering", "rear_steering")
 TOTALS = {DRIVE: ("wheel_torque", "drive_shares"), BRAKE: ("brake_torque", "brake_shares")}
-"""The field of a command to which a total torque is distributed, and the shares of a vehicle."""
+"""Field of a command to which a total torque is distributed, and attribute with the shares."""
 
 
 class Actions:
     """The actions of an agent: numbers from -1, or 0 for brakes, to 1; 1 stands for the limit.
 
-    names: of ACTIONS. limits: values of CommandLimits that differ from those of the node. Raises
+    names: of ACTIONS. limits: values of CommandLimits other than the defaults. Raises
     InputError. Attributes: `elements`, the name of each number; `lowest`, shape (k,); the highest
     of all is 1.
     """

@@ -15,8 +15,8 @@ from vehicle_roll_sim.simulation.timetable import DEGREES, Timetable
 class Drivers:
     """The drivers at the places of a fleet, with the commands that a node would hold.
 
-    Those of a function of time, or of a fishhook, are found once for the whole episode; a driver
-    that answers the state otherwise is asked in every period.
+    Commands that are a function of time, or of a fishhook, are computed once for the whole episode.
+    Any other driver that responds to the state is asked in every period.
     """
 
     def __init__(self, count: int, period_ns: int):

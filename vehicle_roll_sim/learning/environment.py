@@ -14,11 +14,11 @@ EVERYONE = np.ones(1, bool)
 
 
 class VehicleRollEnv(gymnasium.Env):
-    """A vehicle that is to stay on its wheels; `gymnasium.make("VehicleRoll-v0")` makes one.
+    """A vehicle that should stay on its wheels; `gymnasium.make("VehicleRoll-v0")` makes one.
 
     given: arguments of `Episodes` other than count and workers. An episode is terminated by a
-    rollover. It is truncated at the end of the manoeuvre, or if the simulation cannot go on for
-    another reason. Raises InputError for what is not allowed.
+    rollover. It is truncated at the end of the manoeuvre, or if the simulation stops for another
+    reason. Raises InputError for what is not allowed.
     """
 
     metadata: ClassVar[dict] = {"render_modes": []}
@@ -64,5 +64,5 @@ class VehicleRollEnv(gymnasium.Env):
         return observation, float(reward), rolled_over, bool(has_ended) and not rolled_over, info
 
     def close(self) -> None:
-        """Nothing is left open."""
+        """End the threads of the episodes."""
         self._episodes.close()

@@ -1,4 +1,4 @@
-"""Episodes that run side by side: what both environments do, whatever library asks for it."""
+"""Episodes that run side by side, on which both environments are based; without gymnasium."""
 
 from collections.abc import Callable, Mapping, Sequence
 
@@ -20,23 +20,23 @@ from vehicle_roll_sim.simulation.simulation import whole_steps
 
 Reward = Callable[[Signals, np.ndarray, np.ndarray], np.ndarray]
 FACTORS = {"manoeuvre.speed": {"distribution": "uniform", "lowest": 14.0, "highest": 20.0}}
-"""What is drawn for each episode unless something else is said."""
+"""What is drawn for each episode by default."""
 STEP = 0.0025
 """s: integration step."""
 TIME, LOADS, COMPRESSIONS, ROW_SIZE = 0, slice(1, 5), slice(5, 9), 9
-"""Parts of what is kept of every period for the metrics."""
+"""Columns of the rows, one for each period, from which the metrics are computed."""
 
 
 class Episodes:
     """Episodes of one scenario at the places of a fleet, one action for each in every period.
 
-    count: number of places. manoeuvre: a name of the catalogue, several of which one is drawn for
-    each episode, or None for straight ahead. vehicle: a Vehicle, the name of a shipped one, or a
-    vehicle file. actions, observations: names of ACTIONS and OBSERVATIONS. factors, fixed,
-    correlations, model: as in a study (docs/studies.md). period: time for which an action is held
-    (s). step: integration step (s). stop_roll: roll angle that counts as a rollover (deg). limits:
-    values of CommandLimits that 1 stands for, by name. reward: a function with the arguments of
-    `upright_progress`. workers: number of threads.
+    count: number of places. manoeuvre: a name of the catalogue, a list of names from which one is
+    drawn for each episode, or None for straight ahead. vehicle: a Vehicle, the name of a shipped
+    one, or a vehicle file. actions, observations: names of ACTIONS and OBSERVATIONS. factors,
+    fixed, correlations, model: as in a study (docs/studies.md). period: time for which an action is
+    held (s). step: integration step (s). stop_roll: roll angle that counts as a rollover (deg).
+    limits: values of CommandLimits, for which an action of 1 stands, by name. reward: a function
+    with the arguments of `upright_progress`. workers: number of threads.
 
     Raises InputError. Attributes: `actions` and `observer`, which know spaces and names;
     `has_ended`, `rolled_over`, of each place, shape (count,).
@@ -139,7 +139,7 @@ class Episodes:
         return rewards
 
     def _note_rows(self, places: np.ndarray) -> None:
-        """Keep what the metrics need of the places that have moved."""
+        """Keep a row for the metrics of each place that has moved."""
         rows = np.empty((len(places), ROW_SIZE))
         rows[:, TIME] = self._fleet.times[places]
         rows[:, LOADS] = self._fleet.outputs["normal_force"][places]
@@ -157,7 +157,7 @@ class Episodes:
         return self._fleet.times
 
     def final_info(self, i: int) -> dict:
-        """What there is to know about an episode that has ended: its condition and metrics."""
+        """The condition and the metrics of an episode that has ended."""
         rows = self._rows[i, : self._counts[i]]
         series = (rows[:, TIME], rows[:, LOADS], rows[:, COMPRESSIONS])
         metrics = metrics_of_series(*series, self._fleet.events[i], float(self._fleet.times[i]))

@@ -5,11 +5,11 @@ import numpy as np
 from vehicle_roll_sim.learning.observations import Signals
 
 SPEED = 20.0
-"""m/s: forward speed with a reward of 1; without one, it would be best to stop at once."""
+"""m/s: forward speed with a reward of 1. Without a reward for speed it would be best to stop."""
 EFFORT = 0.1
 """Weight of the mean square of the actions."""
 ROLLOVER = -100.0
-"""At a rollover."""
+"""Reward of a rollover."""
 
 
 def upright_progress(signals: Signals, actions: np.ndarray, rolled_over: np.ndarray) -> np.ndarray:

@@ -22,7 +22,7 @@ from vehicle_roll_sim.vehicle.plausibility import unwarned
 MANOEUVRE = "manoeuvre."
 SPEED, AMPLITUDE = f"{MANOEUVRE}speed", f"{MANOEUVRE}amplitude"
 STRAIGHT = "j_turn"
-"""Straight ahead, if it has no amplitude."""
+"""Manoeuvre that goes straight ahead if its amplitude is 0."""
 EXAMPLE = "{'manoeuvre.speed': 20.0}"
 PREFIX = "study: "
 KEPT = 16
@@ -39,7 +39,7 @@ class Start(NamedTuple):
 
 
 class _Given(Source):
-    """Arguments of an environment; messages name them without a word about a study."""
+    """Arguments of an environment, which messages name without the prefix of a study."""
 
     def where(self, *place: str | int) -> str:
         return super().where(*place).removeprefix(PREFIX)
@@ -79,7 +79,7 @@ class Scenario:
         drawn = {n: each[generator.integers(len(each))] for n, each in study.gridded.items()}
         if study.drawn:
             scores = generator.standard_normal((1, len(study.drawn)))
-            drawn |= drawn_at(study, scores)[0]
+            drawn |= {name: float(values[0]) for name, values in drawn_at(study, scores).items()}
         for name, value in mapping_of("options", chosen, EXAMPLE).items():
             if name not in drawn:
                 raise unknown_name(str(name), drawn, "options")

@@ -21,8 +21,8 @@ MASK = "reset_mask"
 class VehicleRollVectorEnv(VectorEnv):
     """Many independent `VehicleRollEnv`; `gymnasium.make_vec("VehicleRoll-v0")` makes one.
 
-    Each gives the same numbers, bit for bit, as a single environment with the same seed. num_envs:
-    their number. autoreset_mode: when an environment whose episode has ended begins the next one:
+    Each equals a single environment with the same seed to the bit. num_envs: their number.
+    autoreset_mode: when an environment whose episode has ended begins the next one:
     NextStep (the next call of `step` resets it and ignores its action), SameStep, or Disabled.
     workers: number of threads, by default one for each processor. given: further arguments of
     `Episodes`. Raises InputError for what is not allowed.
@@ -70,7 +70,7 @@ class VehicleRollVectorEnv(VectorEnv):
     ):
         """Begin episodes.
 
-        seed: of the first environment, and one more for each further one; or a list of seeds.
+        seed: of the first environment, increased by 1 for each further one; or a list of seeds.
         options: values of factors, as for `VehicleRollEnv.reset`, and `reset_mask`. Returns the
         observations, shape (n, m), and the infos.
         """

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import keep_validated, parameter
+from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
 from vehicle_roll_sim.model.records import COMMAND, LR
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
@@ -20,7 +20,7 @@ STEEPEST = 60.0
 LONGEST = 86_400.0
 """s"""
 ADAPTED = None
-"""Speed-hold gain of the standard manoeuvres: that of `hold_for` the vehicle that is driven."""
+"""Speed-hold gain of the standard manoeuvres: `hold_for` gives its value for the vehicle."""
 REFERENCE_HOLD = 2000.0
 """N m s/m: speed-hold gain for the reference vehicle; keeps its speed within a few cm/s of the
 entry speed."""
@@ -43,7 +43,7 @@ def hold_for(vehicle: Vehicle) -> float:
 class Manoeuvre(abc.ABC):
     """A test manoeuvre: entry speed, duration, speed-hold gain, and a driver.
 
-    A speed-hold gain of ADAPTED is replaced by `for_vehicle`, with that of `hold_for`.
+    `for_vehicle` replaces a speed-hold gain of ADAPTED by the gain from `hold_for`.
     """
 
     speed: float = parameter("entry speed", "m/s", 0.0, MAXIMUM_SPEED, default=DEFAULT_SPEED)
@@ -92,10 +92,13 @@ class Manoeuvre(abc.ABC):
     def straight_ahead(self, times: np.ndarray) -> np.ndarray:
         """COMMAND records (n,) at `times` (n,) (s) that only hold the speed; no steering.
 
-        An ADAPTED gain is nan before `for_vehicle`.
+        Raises InputError for an ADAPTED gain, before `for_vehicle`.
         """
+        gain = self.speed_hold
+        if gain is ADAPTED:
+            allowed = "a gain, or a manoeuvre completed by for_vehicle(vehicle, options)"
+            raise InputError("speed_hold", gain, allowed)
         commands = np.zeros(len(times), COMMAND)
-        gain = math.nan if self.speed_hold is ADAPTED else self.speed_hold
         commands["speed_hold_gain"] = np.where(times < self.throttle_dropped, gain, 0.0)
         commands["speed_hold_target"] = self.speed
         return commands

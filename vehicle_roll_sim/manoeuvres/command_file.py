@@ -16,6 +16,7 @@ from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.air_parameters import NO_WIND, has_air_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
@@ -29,14 +30,15 @@ COLUMNS = {
         for name in ("wheel_torque", "brake_torque", "normal_force")
         for i, wheel in enumerate(WHEELS)
     },
-    "wind_x": ("wind", 0),
-    "wind_y": ("wind", 1),
+    **{f"wind_{axis}": ("wind", i) for i, axis in enumerate("xy")},
 }
 """Column name: field of the command, and index of the value if the field has several."""
 TOTALS = {"drive_torque": "wheel_torque", "brake": "brake_torque"}
 """Columns with a total torque (N m), and the field that it is distributed to."""
-BRAKES = ("brake", "brake_torque_lf", "brake_torque_rf", "brake_torque_lr", "brake_torque_rr")
-"""Columns whose values are at least 0."""
+BRAKES = ("brake", *(f"brake_torque_{wheel}" for wheel in WHEELS))
+WIND = (-MAXIMUM_SPEED, MAXIMUM_SPEED, f"from {-MAXIMUM_SPEED:g} to {MAXIMUM_SPEED:g} m/s")
+LIMITS = dict.fromkeys(BRAKES, (0.0, math.inf, "of at least 0")) | {"wind_x": WIND, "wind_y": WIND}
+"""Smallest and largest value of the columns that are limited, and the range in words."""
 EXAMPLE = """\
 time,steering,brake_torque_lf,brake_torque_rf
 0.0,0.0,0,0
@@ -148,7 +150,9 @@ def load_commands(path: str | Path) -> CommandTable:
     rows = list(lines)
     if not rows:
         raise InputError(f"command file {path}", "", "a header and at least one row", "no rows")
-    values = [_numbers(path, line, header, row) for line, row in rows]
+    values = [
+        [_number(path, line, *each) for each in zip(header, row, strict=True)] for line, row in rows
+    ]
     table = dict(zip(header, np.array(values).T, strict=True))
     return _table(table, str(path), [f"{path}: line {line}: time" for line, _ in rows])
 
@@ -165,8 +169,8 @@ def command_table(columns: Mapping[str, Sequence[float]]) -> CommandTable:
         if len(values) != len(table["time"]):
             counts = f"{len(values)} values", f"{len(table['time'])} values, one for each time"
             raise InputError(f"commands: {name}", *counts)
-        if name in BRAKES and values.min() < 0.0:
-            raise InputError(f"commands: {name}", float(values.min()), "numbers of at least 0")
+        for value in (values.min(), values.max()):
+            _check_limits(f"commands: {name}", name, float(value))
     return _table(table, "commands", ["commands: time"] * len(table["time"]))
 
 
@@ -229,19 +233,20 @@ def _check_header(where: str, header: list[str]) -> None:
         raise InputError(where, ",".join(header), "column names that include `time`")
 
 
-def _numbers(path: Path, line: int, header: list[str], row: list[str]) -> list[float]:
-    return [_number(path, line, name, text) for name, text in zip(header, row, strict=True)]
-
-
 def _number(path: Path, line: int, name: str, text: str) -> float:
+    field = f"{path}: line {line}: {name}"
     try:
         value = number_in(text)
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise InputError(
-            f"{path}: line {line}: {name}", text, "a finite number, with a decimal point"
-        )
-    if value < 0.0 and name in BRAKES:
-        raise InputError(f"{path}: line {line}: {name}", text, "a number of at least 0")
+        raise InputError(field, text, "a finite number, with a decimal point")
+    _check_limits(field, name, value)
     return value
+
+
+def _check_limits(field: str, name: str, value: float) -> None:
+    """Raise InputError naming `field` for a value beyond the LIMITS of its column."""
+    lowest, highest, allowed = LIMITS.get(name, (-math.inf, math.inf, ""))
+    if not lowest <= value <= highest:
+        raise InputError(field, value, f"a number {allowed}")

@@ -22,6 +22,10 @@ COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS)
 """The topics from which a history is built."""
 NOT_OF_EVERY_MODEL = (ROLL_CENTRE,)
 """Topics from which columns are added to it, if there are any messages on them."""
+TIRE_FORCES = tuple(topic for topic in STATE_SET if topic.name.startswith("tire_forces/"))
+"""Topics that fill the columns of horizontal tire forces, lf to rr, where they are kept."""
+OF_TIRES = {topic.name for topic in TIRE_FORCES}
+HORIZONTAL = ("longitudinal", "lateral")
 
 COMMAND_SIZES = (len(COMMAND_LABELS), len(COMMAND_LABELS) + len(WIND))
 """Numbers of values of an `applied_command`, without wind and with it."""
@@ -41,12 +45,12 @@ class RunMessages:
     def __init__(self):
         self.states: list[tuple[int, dict[str, float]]] = []
         self._others = {topic.name: [] for topic in COLLECTED if topic.name != STATE}
-        self._added = {topic.name: [] for topic in NOT_OF_EVERY_MODEL}
+        self._added = {topic.name: [] for topic in (*NOT_OF_EVERY_MODEL, *TIRE_FORCES)}
 
     def keep(self, name: str, sent: int, message) -> None:
         """Add a message of a topic other than `state`. sent: when it was sent (ns)."""
         kept = self._added if name in self._added else self._others
-        kept[name].append((sent, message))
+        kept[name].append((sent, _used(name, message)))
 
     def is_complete(self) -> bool:
         """Whether all messages of the last set are present."""
@@ -57,12 +61,26 @@ class RunMessages:
     def history(self, road: Road) -> History:
         """One row for each complete set, driven on `road`; nan in columns that no topic carries."""
         sets = self._complete_sets()
-        given, end = [command.data for _, command, *_ in sets.values()], len(COMMAND_LABELS)
+        given, end = [command for _, command, *_ in sets.values()], len(COMMAND_LABELS)
         commands = np.array([values[end - len(COMMANDS) : end] for values in given])
         has_wind = all(len(values) > end for values in given)
         wind = np.array([values[end:] for values in given]) if has_wind else None
         rows = [_row(road, *parts) for parts in sets.values()]
+        self._add_forces(rows, sets)
         return History(rows, commands, self._roll_centres(sets), wind)
+
+    def _add_forces(self, rows: list[np.ndarray], places: Iterable[int]) -> None:
+        """Fill the horizontal tire forces of the rows, which belong to the states at some places.
+
+        nan where there is no message.
+        """
+        sent = np.array([sent for sent, _ in self.states])
+        for wheel, topic in zip(WHEELS, TIRE_FORCES, strict=True):
+            found = _shared_out(self._added[topic.name], sent)
+            ahead, left = (COLUMNS.index(f"{name}_force_{wheel}") for name in HORIZONTAL)
+            for row, place in zip(rows, places, strict=True):
+                if place in found:
+                    row[ahead], row[left] = found[place]
 
     def _roll_centres(self, places: Iterable[int]) -> np.ndarray | None:
         """The values of ROLL_CENTRES for the states at some places, shape (n, 4); None if unknown.
@@ -74,22 +92,31 @@ class RunMessages:
             return None
         found = _shared_out(kept, np.array([sent for sent, _ in self.states]))
         unknown = np.full(len(ROLL_CENTRES), np.nan)
-        return np.array([found[k].data if k in found else unknown for k in places])
-
-    def sets(self) -> Iterable[tuple]:
-        """(state, applied_command, imu, tire_normal_forces) of every complete set."""
-        return self._complete_sets().values()
+        return np.array([found.get(k, unknown) for k in places])
 
     def _complete_sets(self) -> dict[int, tuple]:
-        """The parts of every complete set, by the place of its state."""
+        """State, applied command, accelerometer reading and normal loads of every complete set.
+
+        The keys are the places of their states.
+        """
         sent = np.array([sent for sent, _ in self.states])
         columns = [_shared_out(kept, sent) for kept in self._others.values()]
         found = {}
         for k, (_, state) in enumerate(self.states):
             parts = [column.get(k) for column in columns]
-            if None not in parts and parts[0].data[0] == state["time"]:
+            if all(part is not None for part in parts) and parts[0][0] == state["time"]:
                 found[k] = (state, *parts)
         return found
+
+
+def _used(name: str, message):
+    """The part of a message that is used: an hour of entire messages would take gigabytes."""
+    if name == IMU:
+        reading = message.linear_acceleration
+        return reading.x, reading.y, reading.z
+    if name in OF_TIRES:
+        return message.wrench.force.x, message.wrench.force.y
+    return message.data
 
 
 def _has_sent_after(start: int, kept: list[tuple[int, object]]) -> bool:
@@ -134,8 +161,8 @@ def _row(road: Road, state: dict, command, imu, loads) -> np.ndarray:
         if name in COLUMNS:
             row[COLUMNS.index(name)] = value
     first = COLUMNS.index(f"normal_force_{WHEELS[0]}")
-    row[first : first + len(WHEELS)] = loads.data
-    row[COLUMNS.index("steering")] = command.data[COMMAND_LABELS.index("steering")]
+    row[first : first + len(WHEELS)] = loads
+    row[COLUMNS.index("steering")] = command[COMMAND_LABELS.index("steering")]
     row[COLUMNS.index("lateral_acceleration")] = _lateral_acceleration(road, state, imu)
     return row
 
@@ -144,7 +171,6 @@ def _lateral_acceleration(road: Road, state: dict, imu) -> float:
     """Acceleration (m/s^2) along the y axis of frame 2: the specific force there plus gravity."""
     roll, pitch = state["roll"], state.get("pitch", 0.0)
     attitude = (np.sin(roll), np.cos(roll), np.sin(pitch), np.cos(pitch))
-    specific = imu.linear_acceleration
     _, ahead, across = road.gravity(GRAVITY)
     gravity = np.cos(state["yaw"]) * across - np.sin(state["yaw"]) * ahead
-    return body_to_yawed(attitude, specific.x, specific.y, specific.z)[1] + gravity
+    return body_to_yawed(attitude, *imu)[1] + gravity

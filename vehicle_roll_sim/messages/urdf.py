@@ -4,14 +4,15 @@ from xml.etree import ElementTree
 
 from vehicle_roll_sim.messages.joints import GUIDED, STEERING, SUSPENSION, WHEEL, Y, Z
 from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.simulation.drawn_vehicle import (
+    BODY_CLEARANCE,
+    WHEEL_WIDTH,
+    wheel_centres_at_rest,
+)
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-WHEEL_WIDTH = 0.2
-"""m, for display only."""
-BODY_CLEARANCE = 0.25
-"""Height of the body's underside above the ground (m), for display only."""
 SPOKE_WIDTH = 0.2
 """Width of the bar that makes wheel spin visible, as a fraction of the tire radius."""
 PROUD = 0.01
@@ -50,13 +51,10 @@ def urdf(vehicle: Vehicle, options: Options | None = None) -> str:
         ElementTree.SubElement(material, "color", rgba=_numbers(colour))
     _body(robot, vehicle)
     record = vehicle.record()[0]
-    height = -record.static_strut_length
-    if options.is_kinematic:
-        height = record.static_wheel_height - record.cg_height
+    centres = wheel_centres_at_rest(record, options)
     strut = "fixed" if options.has_eight_dof else "prismatic"
     for i, wheel in enumerate(WHEELS):
-        at_rest = (record.x[i], record.y[i], height[i])
-        link = _joint(robot, f"{wheel}_{SUSPENSION}", strut, "base_link", Z, at_rest)
+        link = _joint(robot, f"{wheel}_{SUSPENSION}", strut, "base_link", Z, centres[i])
         for kind, (motion, axis) in GUIDED.items() if options.is_kinematic else ():
             link = _joint(robot, f"{wheel}_{kind}", motion, link, axis)
         link = _joint(robot, f"{wheel}_{STEERING}", "revolute", link, Z)

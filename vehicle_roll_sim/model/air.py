@@ -1,4 +1,4 @@
-"""Forces of the air on the body: drag, side force and lift."""
+"""Aerodynamic forces on the body: drag, side force and lift."""
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, square_root
@@ -25,7 +25,7 @@ def add_side_force_and_lift(vehicle, outputs):
     """Add side force and lift, in frame 1, to the forces on the body (N) and their moments (N m).
 
     With V the speed through the air along x and y and sin(beta) = v / V: side force -rho/2 A C V^2
-    sin(beta), lift rho/2 A C V^2 at the middle of each axle.
+    sin(beta), lift rho/2 A C V^2 on the centreline at each axle.
     """
     f, u, v = outputs.body_acceleration, outputs.air_velocity[0], outputs.air_velocity[1]
     square = u * u + v * v

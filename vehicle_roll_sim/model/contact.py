@@ -2,7 +2,7 @@
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math
-from vehicle_roll_sim.model.compliance_steer import (
+from vehicle_roll_sim.model.compliance import (
     MOST_ITERATIONS,
     begin_to_yield,
     has_yielded,
@@ -108,7 +108,7 @@ def contact_kinematics(state, vehicle, options, attitude, outputs):
 def contact_forces(state, vehicle, tires, options, outputs):
     """Transient or steady-state slip, and contact forces in frame 2 (N; eqs 3-6).
 
-    With compliance steer, slip and forces are computed until the wheels have yielded to them.
+    With compliance, slip and forces are computed until the wheels have yielded to them.
     """
     terms_of_loads(tires, outputs)
     rolling_radii(state[at.WHEEL_SPEED], tires, outputs)
@@ -122,7 +122,7 @@ def contact_forces(state, vehicle, tires, options, outputs):
         else:
             transient_slip(state, vehicle, tires, outputs)
         forces_at_slips(tires, outputs)
-        if not yields or has_yielded(iteration, vehicle, outputs):
+        if not yields or has_yielded(iteration, vehicle, tires, outputs):
             break
     if yields:
         note_compliance_steer(outputs)

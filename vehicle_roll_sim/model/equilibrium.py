@@ -26,8 +26,16 @@ def static_tire_compression(
 ) -> np.ndarray:
     """xti of each tire (m; eq. 20 with the factor g that the paper omits); see `tire.spring`."""
     load = (sprung_mass * share + unsprung_mass) * gravity
-    root = np.sqrt(tire_stiffness**2 + 4 * tire_stiffness * progression * load)
-    return 2 * load / (tire_stiffness + root)
+    return progressive_compression(load / tire_stiffness, progression)
+
+
+def progressive_compression(linear, progression) -> np.ndarray:
+    """Compression x of each tire (m) from x (1 + p x), its load over its stiffness (m).
+
+    linear: the latter, which is the compression without progression, also where it is negative, as
+    in `tire.spring`. progression: p (1/m).
+    """
+    return 2 * linear / (1.0 + np.sqrt(1.0 + 4 * progression * np.maximum(linear, 0.0)))
 
 
 def static_tire_load(compression, tire_stiffness, progression) -> np.ndarray:

@@ -35,7 +35,7 @@ def actual_inclinations(attitude, vehicle, options, outputs):
 
 @kernel
 def leaning_wheels(tilted, attitude, vehicle, outputs):
-    """The same. tilted: None if no axle tilts relative to the body."""
+    """Inclination of every wheel. tilted: None if no axle tilts relative to the body."""
     s_roll, _, s_pitch, c_pitch = attitude
     for i in range(not_unrolled(WHEEL_COUNT)):
         lean = s_roll if tilted is None else math.sin(outputs.tire_tilt[i])

@@ -106,10 +106,11 @@ frame (m/s)."""
 STOPS = ("bump_stop", "rebound_stop")
 DETAIL_CURVES = ("spring", "damper", "toe_change", "spring_travel", "damper_travel")
 DETAILS = record_dtype(
-    *("struts", "steering", "compliance"),
+    *("struts", "steering", "compliance", "camber_yields"),
     *per_wheel(*(f"{stop}_{of}" for stop in STOPS for of in ("clearance", "stiffness"))),
     *per_wheel(*(f"{stop}_progression" for stop in STOPS)),
     *per_wheel("toe", "roll_steer", "lateral_force_steer", "aligning_moment_steer", "ackermann"),
+    *per_wheel("lateral_force_camber"),
     *per_wheel("spring_compression_at_rest"),
     *((f"{curve}_knots", (AXLE_COUNT, KNOTS)) for curve in DETAIL_CURVES),
     *((f"{curve}_origins", (AXLE_COUNT, KNOTS + 1)) for curve in DETAIL_CURVES),
@@ -117,12 +118,12 @@ DETAILS = record_dtype(
 )
 """What a vehicle may have beyond linear springs and dampers and parallel steering.
 
-struts, steering, compliance: 1 if the terms of the forces of the struts, of the steering angles and
-of compliance steer are computed, else 0. toe: to the left (rad). ackermann: share of Ackermann
-geometry, times y over the wheelbase. spring, damper: force (N) over compression (m) and its rate
-(m/s), toe_change: angle of a left wheel (rad) over travel (m), spring_travel, damper_travel:
-compression of spring and damper since rest (m) over travel (m), at one wheel of each axle, as
-polynomials between knots like the curves over wheel travel.
+struts, steering, compliance, camber_yields: 1 if the terms of the forces of the struts, of the
+steering angles, of compliance and of compliance camber are computed, else 0. toe: to the left
+(rad). ackermann: share of Ackermann geometry, times y over the wheelbase. spring, damper: force (N)
+over compression (m) and its rate (m/s), toe_change: angle of a left wheel (rad) over travel (m),
+spring_travel, damper_travel: compression of spring and damper since rest (m) over travel (m), at
+one wheel of each axle, as polynomials between knots like the curves over wheel travel.
 """
 
 VEHICLE = record_dtype(
@@ -149,8 +150,8 @@ VEHICLE = record_dtype(
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel.
 
-tire_stiffness: at zero compression (N/m); see `tire.spring`. side_and_lift: 1 if side force and
-lift of the air are computed, else 0.
+tire_stiffness: at zero compression (N/m); see `tire.spring`. side_and_lift: 1 if aerodynamic side
+force and lift are computed, else 0.
 travel_knots, travel_origins, travel_curves: of each axle the ends of the intervals of travel (m,
 inf for those that are not used), and for each interval the travel from which the polynomials of its
 curves are counted (m), and their coefficients, lowest power first.

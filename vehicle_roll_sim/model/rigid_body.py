@@ -60,13 +60,13 @@ def mass_matrix(vehicle, options, outputs):
         a[DWZ, DWY] += y * mu * ls
         a[DWZ, DWZ] += mu * (x * x + y * y)
         if options.asymmetric_link_load_transfer:
-            # of Fdz, per lateral acceleration
+            # share of Fdz per lateral acceleration
             share = mu * (ls - vehicle.roll_centre_depth[i]) / half_track(i, vehicle)
             beside = share * middle(i, vehicle)
             a[DW, DV] -= share  # (31) with the sum of Fdz
             a[DW, DWX] -= share * ls
             a[DW, DWZ] -= share * x
-            a[DWX, DV] -= beside  # (32) with its moment, of a roll centre beside the c.g.
+            a[DWX, DV] -= beside  # (32) with its moment, if the roll centre is beside the c.g.
             a[DWX, DWX] -= beside * ls
             a[DWX, DWZ] -= beside * x
             a[DWY, DV] += x * share  # (33) with their moment

@@ -69,9 +69,14 @@ the c.g. to the wheel centre, from there to the contact point (m). path, contact
 of wheel centre and contact point by the travel (m/m).
 """
 
-COMPLIANCE_TERMS = record_dtype(*per_wheel("sine", "cosine", "angle", "gap", "step"))
-"""Work space of model/compliance_steer.
+COMPLIANCE_TERMS = record_dtype(
+    *per_wheel("sine", "cosine", "angle", "gap", "step"),
+    *per_wheel("inclination", "inclination_sine", "inclination_cosine"),
+    *per_wheel("lean", "lean_gap", "lean_step"),
+)
+"""Work space of model/compliance.
 
-sine, cosine: of the direction of a wheel without compliance steer. angle: of compliance steer
-(rad). gap: between that of the forces and this one (rad). step: change of the angle (rad).
+sine, cosine: of the direction of a wheel without compliance. angle: of compliance steer (rad). gap:
+between that of the forces and this one (rad). step: change of the angle (rad). inclination: without
+compliance (rad). lean: compliance camber (rad), with gap and step likewise.
 """

@@ -10,12 +10,13 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+from vehicle_roll_sim.studies.cluster import computing
 from vehicle_roll_sim.studies.folder import Report, run_study
 from vehicle_roll_sim.studies.search import Bracket
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study_file import study_of
 from vehicle_roll_sim.studies.subset_simulation import Estimate
-from vehicle_roll_sim.studies.tables import PARQUET, check_format
+from vehicle_roll_sim.studies.tables import PARQUET, check_format, columns_of
 
 
 @dataclasses.dataclass(frozen=True)
@@ -32,15 +33,14 @@ class StudyResult:
     thresholds: list[Bracket] | None
     estimate: Estimate | None
     files: list[Path]
-    rows: list[dict] = dataclasses.field(repr=False)
+    values: dict[str, np.ndarray | list] = dataclasses.field(repr=False)
 
     def __getitem__(self, name: str) -> np.ndarray:
         known(name, self.columns)
-        values = [row[name] for row in self.rows]
-        return np.array([np.nan if value is None else value for value in values])
+        return np.array(self.values[name])
 
     def __len__(self) -> int:
-        return len(self.rows)
+        return len(self.values["run"])
 
     def to_numpy(self) -> np.ndarray:
         """The runs as a structured array, shape (runs,); unknown metrics are nan."""
@@ -57,13 +57,15 @@ def study(
     *,
     format: str = PARQUET,
     progress: Callable[[int, bool], object] = lambda runs, kept: None,
+    dask: str | None = None,
 ) -> StudyResult:
     """Run a study, or complete an interrupted one, like `vehicle_roll_sim study`.
 
     given: a study file, or a mapping of the same keys, in which `vehicle` may also be a Vehicle.
     out: folder of the results. format: of the tables, parquet or csv. progress: called after each
-    chunk with its number of runs, and whether they were in the folder already. Returns a
-    StudyResult. Raises InputError.
+    chunk with its number of runs, and whether they were in the folder already. dask: address of a
+    Dask scheduler, whose workers compute the runs. Returns a StudyResult. Raises InputError, and
+    ConnectionError if the scheduler is lost.
     """
     if isinstance(given, Mapping):
         source = Source(given)
@@ -73,11 +75,22 @@ def study(
         raise InputError("given", given, "a study file, or a mapping of its keys")
     checked, folder = study_of(source), path_of(out, "out")
     check_format(format, "format")
-    return _result(run_study(checked, folder, format, "out", progress))
+    with computing(dask, "dask") as compute:
+        return _result(run_study(checked, folder, format, "out", progress, compute))
 
 
 def _result(report: Report) -> StudyResult:
     found = report.results
+    kinds = columns_of(found)
+    values = {
+        name: np.empty(len(found.runs)) if kind is float else [] for name, kind in kinds.items()
+    }
+    for i, row in enumerate(found.runs):
+        for name, column in values.items():
+            if isinstance(column, list):
+                column.append(row[name])
+            else:
+                column[i] = np.nan if row[name] is None else row[name]
     return StudyResult(
-        found.columns, report.summary, found.brackets, found.estimate, report.files, found.rows
+        tuple(kinds), report.summary, found.brackets, found.estimate, report.files, values
     )

@@ -17,7 +17,10 @@ PLANT = (VEHICLE, TIRES, OPTIONS, LIMITS, COMMAND)
 
 @functools.cache
 def address_of_advance() -> int:
-    """One for all simulations, whose arguments have the same types; there must have been one."""
+    """The address for all simulations: their arguments have the same types.
+
+    At least one simulation must have been made before.
+    """
     plant = tuple(np.zeros(1, kind) for kind in PLANT)
     memory = (np.zeros(1, OUTPUTS), no_events(), np.zeros((STAGE_VECTORS, STATE_SIZE)))
     return address_of(advance, (np.zeros(STATE_SIZE), plant[-1], 0, 0, 1, plant, *memory))

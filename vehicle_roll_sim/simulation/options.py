@@ -143,7 +143,7 @@ class Options:
         return dataclasses.replace(self, **chosen)
 
     def _check_mass(self, vehicle: Vehicle) -> None:
-        """The 8 DOF models are symmetric about the middle, and without products of inertia."""
+        """The 8 DOF models assume a symmetric body without products of inertia."""
         for name in OF_FOURTEEN_DOF if self.has_eight_dof else ():
             value = getattr(vehicle, name)
             if value:

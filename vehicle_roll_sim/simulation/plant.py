@@ -17,8 +17,7 @@ from vehicle_roll_sim.vehicle.plausibility import doubts, warn
 
 
 class Plant(NamedTuple):
-    """The records of one simulated vehicle, in arrays of shape (1,), tires
-    (2,).
+    """The records of one simulated vehicle, in arrays of shape (1,), for tires (2,).
 
     vehicle: VEHICLE, with the gravity of its road. tires: TIRE, of front and rear axle. options:
     OPTIONS.
@@ -42,13 +41,14 @@ class Plant(NamedTuple):
         if has_moments:
             check_one_rolling_resistance(vehicle)
         record = vehicle.record()
-        use_details(record, vehicle, options)
+        tires = vehicle.tires(has_moments)
+        use_details(record, tires, vehicle, options)
         if options.contact_patch_shift == ON:
             record["tire_lateral_compliance"] = vehicle.contact_patch_compliance(has_moments)
         if road:
             gravity = road.gravity(GRAVITY)
             record["gravity"], record["gravity_along"], record["gravity_across"] = gravity
-        return cls(record, vehicle.tires(has_moments), options.record())
+        return cls(record, tires, options.record())
 
     def arguments(self, *others: np.ndarray) -> tuple:
         """The records, and `others` after them, in the form in which kernels take them."""

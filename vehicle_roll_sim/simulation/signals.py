@@ -112,7 +112,7 @@ OUTPUT_SIGNALS = {
     "mass_matrix": Signal(
         "kg, kg m, kg m^2", BODY, "mass matrix of these six after elimination (work space)"
     ),
-    "compliance_terms": Signal("", WHEEL, "compliance steer of the wheels (work space)"),
+    "compliance_terms": Signal("", WHEEL, "compliance of the wheels (work space)"),
     "commanded_steering": Signal("rad", BODY, "steering commands, front and rear"),
     "air_velocity": Signal(
         "m/s", BODY, "velocity of the sprung c.g. through the air, forward and to the left"

@@ -68,7 +68,7 @@ class Modes:
         return rates[-1], ((rates[:-1:2] - rates[1::2]) / widths[:, np.newaxis]).T
 
     def _rates(self, states: np.ndarray, command: Command) -> np.ndarray:
-        """Rates of the model's states at state vectors, shape (k, n); nan for one not finite."""
+        """Rates of the model's states at state vectors, shape (k, n); nan if one is not finite."""
         records = dataclasses.replace(command, brake_torque=NO_FORCE).records()
         plant = self._plant.arguments(self._limits, records)
         outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)

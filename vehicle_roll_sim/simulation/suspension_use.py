@@ -9,6 +9,7 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.suspension_details import has_any
 from vehicle_roll_sim.vehicle.suspension_parameters import (
     AXLES,
+    COMPLIANCE_CAMBER,
     MOTION_RATIOS,
     OF_COMPLIANCE,
     OF_STEERING,
@@ -29,7 +30,7 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
     options: with `on` or `off` in place of `auto`.
     """
     for name in OF_SIDE_AND_LIFT if options.has_eight_dof else ():
-        _refuse(vehicle, name, f"a 14 DOF model; {options.model} has no such force of the air")
+        _refuse(vehicle, name, f"a 14 DOF model; {options.model} has no such aerodynamic force")
     for axle in AXLES:
         for name in () if options.is_kinematic else GUIDANCE:
             _refuse(vehicle, f"{axle}_{name}", "model 2, whose wheels are guided")
@@ -40,6 +41,14 @@ def check_details_are_used(vehicle: Vehicle, options: Options) -> None:
                 _refuse(vehicle, f"{axle}_{name}", f"a 14 DOF model; {options.model} has numbers")
         if options.tire_moments != ON:
             _refuse(vehicle, f"{axle}_aligning_moment_steer", "tire_moments on")
+
+
+def _check_tires_incline(vehicle: Vehicle, tires: np.ndarray) -> None:
+    """Raise InputError for compliance camber if nothing depends on the inclination of the wheel."""
+    for axle, tire in zip(AXLES, tires, strict=True):
+        if tire["plain"]:
+            needed = "a tire that depends on inclination, or tire_moments on and a tire with them"
+            _refuse(vehicle, f"{axle}_{COMPLIANCE_CAMBER}", needed)
 
 
 def _refuse(vehicle: Vehicle, name: str, needed: str) -> None:
@@ -57,7 +66,11 @@ def steers_each_wheel(vehicle: Vehicle, options: Options) -> bool:
     return has_any(vehicle, names) or bool(vehicle.ackermann_percentage)
 
 
-def use_details(record: np.ndarray, vehicle: Vehicle, options: Options) -> None:
-    """Check the details of a vehicle, and set what depends on the model in its VEHICLE record."""
+def use_details(record: np.ndarray, tires: np.ndarray, vehicle: Vehicle, options: Options) -> None:
+    """Check the details of a vehicle, and set what depends on the model in its VEHICLE record.
+
+    tires: TIRE records of front and rear axle.
+    """
     check_details_are_used(vehicle, options)
+    _check_tires_incline(vehicle, tires)
     record["details"]["steering"] = steers_each_wheel(vehicle, options)

@@ -8,7 +8,10 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, Parameter, number_of, unknown_name
 from vehicle_roll_sim.files.yaml_file import Place
+from vehicle_roll_sim.simulation.options import options_for
+from vehicle_roll_sim.studies.chunks import unknown_metrics
 from vehicle_roll_sim.studies.factors import Distribution, Factor
+from vehicle_roll_sim.studies.quantities import MODEL
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study import DESIGNS, GRID, MOST_RUNS, RANDOM, SALTELLI, SOBOL, Study
 from vehicle_roll_sim.vehicle.suspension_parameters import AXLES
@@ -107,14 +110,12 @@ def _check_search(
     for names, key in ((study.factors, "factors"), (study.fixed, "fixed")):
         if search.factor in names:
             raise InputError(where, search.factor, f"a quantity that is not among {key}")
-    if search.event not in study.events:
-        raise unknown_name(search.event, study.events, source.where("search", "event"))
+    _check_event(source, study, "search", search.event)
 
 
 def _check_rare(source: Source, study: Study) -> None:
     where = source.where("rare", "event")
-    if study.rare.event not in study.events:
-        raise unknown_name(study.rare.event, study.events, where)
+    _check_event(source, study, "rare", study.rare.event)
     if not study.events[study.rare.event].is_bounded:
         raise InputError(where, study.rare.event, "an event with a bound, above or below")
     if study.gridded or not study.drawn:
@@ -124,6 +125,19 @@ def _check_rare(source: Source, study: Study) -> None:
             raise source.refused((name,), source.values[name], "no value together with rare")
 
 
+def _check_event(source: Source, study: Study, key: str, name: str) -> None:
+    """The event of a search, or a rare one, is known and can happen with all models."""
+    where = source.where(key, "event")
+    if name not in study.events:
+        raise unknown_name(name, study.events, where)
+    own = options_for(study.vehicle).model
+    metric = study.events[name].metric
+    for model in study.gridded.get(MODEL, (study.fixed.get(MODEL, own),)):
+        if metric in unknown_metrics(model):
+            problem = f"{name} is unknown to model {model}, which has no {metric}"
+            raise InputError(where, name, "an event that all models have", problem)
+
+
 def _correlation(source: Source, study: Study) -> np.ndarray:
     """The matrix of correlations of the drawn factors."""
     names = list(study.drawn)
@@ -131,6 +145,9 @@ def _correlation(source: Source, study: Study) -> np.ndarray:
     given = source.values.get("correlations", [])
     if not isinstance(given, list | tuple):
         raise source.refused(("correlations",), given, "a list of [factor, factor, correlation]")
+    if given and not names:
+        allowed = "none, or factors with a distribution"
+        raise source.refused(("correlations",), given, allowed, "no factor has a distribution")
     for index, entry in enumerate(given):
         place = ("correlations", index)
         if not isinstance(entry, list | tuple) or len(entry) != 3:

@@ -1,7 +1,7 @@
 """Figures of a study: maps over two factors, curves over one, histograms and scatter."""
 
 import collections
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +10,7 @@ from vehicle_roll_sim.analysis.drawing import DrawnFigure, add_title, new_figure
 from vehicle_roll_sim.analysis.pens import COLOURS
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.studies.quantities import unit_of
-from vehicle_roll_sim.studies.results import Results, magnitudes
+from vehicle_roll_sim.studies.results import Results
 from vehicle_roll_sim.studies.statistics import probability
 from vehicle_roll_sim.studies.study import NEVER
 
@@ -19,6 +19,8 @@ WIDTH, HEIGHT = 6.4, 4.2
 MOST_OUTPUTS = 6
 MOST_FACTORS = 9
 """Panels of a scatter figure."""
+MOST_DOTS = 20_000
+"""Most runs in a scatter figure; of more, a random sample is drawn, always the same."""
 OUTER = (0.05, 0.95)
 """Quantiles of the band about a curve."""
 
@@ -34,25 +36,25 @@ def draw(results: Results, folder: Path) -> list[Path]:
 
 def _figures(results: Results) -> Iterator[tuple[str, DrawnFigure]]:
     study = results.study
-    if study.rare or not results.rows:
+    if study.rare or not len(results.runs):
         return
     if study.search:
         if results.brackets is not None:
             values = np.array([each.threshold for each in results.brackets])
-            points = [each.point for each in results.brackets]
+            points = {n: [each.point[n] for each in results.brackets] for n in study.factors}
             unit = unit_of(study.search.factor, study.manoeuvre)
             label = _labelled(f"lowest {study.search.factor} with {study.search.event}", unit)
             yield from _of_values(results, points, values, "thresholds", label)
         return
-    for name, event in study.events.items():
-        happened = np.array([event.happened(row) for row in results.rows], float)
+    columns = results.columns
+    for name, happened in columns.happened.items():
         label = f"probability of {name}" if study.drawn else f"{name} (1: happened)"
         if study.gridded:
-            yield from _of_values(results, results.rows, happened, name, label, is_event=True)
+            yield from _of_values(results, columns.inputs, happened, name, label, is_event=True)
     for name in study.outputs[:MOST_OUTPUTS]:
         magnitude = f"|{name}|" if name.startswith("peak_") and name not in NEVER else name
         label = _labelled(magnitude, METRIC_UNITS[name])
-        yield from _of_values(results, results.rows, magnitudes(results.rows, name), name, label)
+        yield from _of_values(results, columns.inputs, columns.magnitudes[name], name, label)
 
 
 def _labelled(name: str, unit: str) -> str:
@@ -61,39 +63,42 @@ def _labelled(name: str, unit: str) -> str:
 
 def _of_values(
     results: Results,
-    points: list[dict],
+    points: dict[str, Sequence],
     values: np.ndarray,
     name: str,
     label: str,
     is_event: bool = False,
 ) -> Iterator[tuple[str, DrawnFigure]]:
-    """The figures of one value of each point: of an event 0 or 1, nan for none."""
+    """The figures of one value of each point: of an event 0 or 1, nan for none.
+
+    points: the values of the factors, by name.
+    """
     study = results.study
     if np.isnan(values).all():
         return
-    numeric = [factor for factor in study.gridded if study.is_numeric[factor]]
+    numeric = [factor for factor in study.gridded if study.kinds[factor] is float]
     texts = [factor for factor in study.gridded if factor not in numeric]
     labels = {each: _labelled(each, unit_of(each, study.manoeuvre)) for each in study.factors}
-    groups = _grouped([*numeric, *texts], points, values)
+    groups = _grouped([points[each] for each in (*numeric, *texts)], values)
     if len(numeric) == 2 and not texts:
         yield f"map_{name}", _map([labels[each] for each in numeric], groups, label, is_event)
     elif len(numeric) == 1 and len(texts) <= 1:
         axes = [labels[each] for each in (*numeric, *texts)]
         yield f"curve_{name}", _curves(axes, groups, label, is_event)
     elif not is_event:
-        factors = [factor for factor in study.factors if study.is_numeric[factor]]
-        across = {labels[n]: [point[n] for point in points] for n in factors[:MOST_FACTORS]}
+        factors = [factor for factor in study.factors if study.kinds[factor] is float]
+        across = {labels[each]: points[each] for each in factors[:MOST_FACTORS]}
         if across:
             yield f"scatter_{name}", _scatter(across, values, label)
     if not study.gridded:
         yield f"histogram_{name}", _histogram(values[~np.isnan(values)], label)
 
 
-def _grouped(factors: list[str], points: list[dict], values: np.ndarray) -> dict:
-    """The values by those of the factors, without nan."""
+def _grouped(factors: list[Sequence], values: np.ndarray) -> dict[tuple, list[float]]:
+    """The values by those of the factors, without nan; nothing without factors."""
     groups = collections.defaultdict(list)
-    for point, value in zip(points, values, strict=True):
-        group = groups[tuple(point[factor] for factor in factors)]
+    for key, value in zip(zip(*factors, strict=True), values, strict=bool(factors)):
+        group = groups[key]
         if not np.isnan(value):
             group.append(value)
     return groups
@@ -155,14 +160,21 @@ def _band(group: list[float], is_event: bool) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def _scatter(across: dict[str, list], values: np.ndarray, label: str) -> DrawnFigure:
+def _scatter(across: dict[str, Sequence], values: np.ndarray, label: str) -> DrawnFigure:
     """A panel for each factor. across: its values, by the label of its axis."""
     columns = min(len(across), 3)
     rows = -(-len(across) // columns)
     figure = new_figure(3.0 * columns + 1.0, 2.6 * rows)
+    shown = np.arange(len(values))
+    if len(values) > MOST_DOTS:
+        generator = np.random.default_rng(0)
+        shown = generator.choice(len(values), MOST_DOTS, replace=False)
+        add_title(figure, f"{MOST_DOTS} of {len(values)} runs")
     panels = figure.subplots(rows, columns, sharey=True, squeeze=False)
     for axes, (name, places) in zip(panels.flat, across.items(), strict=False):
-        axes.plot(places, values, ".", color=COLOURS[2], markersize=3, alpha=0.6)
+        axes.plot(
+            np.take(places, shown), values[shown], ".", color=COLOURS[2], markersize=3, alpha=0.6
+        )
         axes.set_xlabel(name)
         axes.grid(alpha=0.3)
     for axes in panels.flat[len(across) :]:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from vehicle_roll_sim.files.output_file import replaced_file
+from vehicle_roll_sim.studies.chunks import Compute, one_by_one
 from vehicle_roll_sim.studies.figures import draw
 from vehicle_roll_sim.studies.results import Results, results_of
 from vehicle_roll_sim.studies.source import Source
@@ -33,15 +34,17 @@ def run_study(
     chosen: str = PARQUET,
     field: str = "folder",
     progress: Progress = lambda runs, kept: None,
+    compute: Compute = one_by_one,
 ) -> Report:
     """Make the runs that are not in the folder yet, then write tables, summary and figures.
 
     chosen: format of the tables. field: names the folder in messages. progress: called after each
-    chunk with its number of runs and whether they were in the folder. Raises InputError.
+    chunk with its number of runs and whether they were in the folder. compute: computes chunks.
+    Raises InputError.
     """
     store = Store(folder)
     with store.opened(study, field):
-        results = results_of(study, store, progress)
+        results = results_of(study, store, progress, compute)
         files = write_tables(results, folder, chosen)
         summary, drawn = _reported(results, folder)
     return Report(results, summary, [*files, *drawn])
@@ -54,7 +57,7 @@ def show_study(folder: Path, field: str = "folder") -> Report:
     """
     store = Store(folder)
     source = Source(store.identity(field)["study"], path=folder / IDENTITY)
-    results = results_of(study_of(source, is_to_run=False), store, only_kept=True)
+    results = results_of(study_of(source, is_to_run=False), store, compute=None)
     return Report(results, *_reported(results, folder))
 
 

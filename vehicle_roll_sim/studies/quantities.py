@@ -16,7 +16,7 @@ from vehicle_roll_sim.vehicle.tire.keys import SIMULATED
 
 TIRES = {"tire": ("front", "rear"), "front_tire": ("front",), "rear_tire": ("rear",)}
 """Sections whose names are coefficients of tire files, and the axles that they concern."""
-PAYLOAD = "payload"
+PAYLOAD, MODEL = "payload", "options.model"
 SECTIONS = ("vehicle", *TIRES, PAYLOAD, "road", "manoeuvre", "options")
 
 

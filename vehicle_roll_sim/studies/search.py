@@ -2,7 +2,7 @@
 
 import dataclasses
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
@@ -46,7 +46,7 @@ def brackets(
     search: Search,
     event: Event,
     points: Sequence[dict],
-    run: Callable[[list[dict]], list[dict]],
+    run: Callable[[list[dict]], Iterable[dict]],
 ) -> list[Bracket]:
     """Scan the range in equal steps, then bisect the first step in which the event appears.
 

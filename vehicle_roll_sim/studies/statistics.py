@@ -1,5 +1,6 @@
 """Probabilities, quantiles and shares of the variance, with their 95 % intervals."""
 
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -27,11 +28,17 @@ def probability(events: int, runs: int) -> Interval:
     return Interval(events / runs, float(interval.low), float(interval.high))
 
 
-def quantile(values: np.ndarray, share: float) -> Interval:
-    """The value (n,) below which a share of all lies, with its percentile bootstrap interval."""
+def quantiles(values: np.ndarray, shares: Sequence[float]) -> list[Interval]:
+    """The values (n,) below which these shares of all lie, with percentile bootstrap intervals."""
+    again = np.array([np.quantile(values[drawn], shares) for drawn in _resamples(len(values))])
+    found = np.quantile(values, shares)
+    return [_interval(value, spread) for value, spread in zip(found, again.T, strict=True)]
+
+
+def _resamples(size: int) -> Iterator[np.ndarray]:
+    """Indices of RESAMPLES samples with replacement, one at a time: all together are large."""
     generator = np.random.default_rng(SEED)
-    drawn = generator.integers(len(values), size=(RESAMPLES, len(values)))
-    return _interval(np.quantile(values, share), np.quantile(values[drawn], share, axis=1))
+    return (generator.integers(size, size=size) for _ in range(RESAMPLES))
 
 
 class SobolIndices(NamedTuple):
@@ -48,24 +55,23 @@ def sobol_indices(values: np.ndarray, factors: int) -> list[SobolIndices]:
     as in Jansen (1999), table 2 f; with percentile bootstrap intervals. nan if nothing varies.
     """
     first, second, *mixed = np.split(values, factors + 2)
-    drawn = np.random.default_rng(SEED).integers(len(first), size=(RESAMPLES, len(first)))
     indices = []
     for each in mixed:
         whole = _indices(first, second, each)
-        again = _indices(first[drawn], second[drawn], each[drawn])
-        pairs = zip(whole, again, strict=True)
+        drawn = _resamples(len(first))
+        again = np.array([_indices(first[one], second[one], each[one]) for one in drawn])
+        pairs = zip(whole, again.T, strict=True)
         indices.append(SobolIndices(*(_interval(value, spread) for value, spread in pairs)))
     return indices
 
 
 def _indices(first: np.ndarray, second: np.ndarray, mixed: np.ndarray) -> tuple:
-    """First-order and total index along the last axis."""
-    mean = (first.mean(axis=-1) + second.mean(axis=-1)) / 2.0
-    variance = np.var(np.concatenate([first, second], axis=-1), axis=-1)
+    """First-order and total index."""
+    mean = (first.mean() + second.mean()) / 2.0
+    variance = np.var(np.concatenate([first, second]))
     with np.errstate(invalid="ignore", divide="ignore"):
-        centred = second - mean[..., np.newaxis]
-        alone = (centred * (mixed - first)).mean(axis=-1) / variance
-        return alone, ((first - mixed) ** 2).mean(axis=-1) / (2.0 * variance)
+        alone = ((second - mean) * (mixed - first)).mean() / variance
+        return alone, ((first - mixed) ** 2).mean() / (2.0 * variance)
 
 
 def _interval(value: float, again: np.ndarray) -> Interval:

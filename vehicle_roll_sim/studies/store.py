@@ -13,11 +13,13 @@ from pathlib import Path
 
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.text_file import read_text
-from vehicle_roll_sim.input_errors import InputError, NotWrittenError
+from vehicle_roll_sim.input_errors import InputError
 from vehicle_roll_sim.studies.study import Study
 
 IDENTITY, CHUNKS, LOCK = "study.json", "chunks", ".lock"
 PARTIAL = ".partial-*"
+TEXTS = ("version", "vehicle")
+"""What the definition of a study has besides its values."""
 LARGEST = 100_000_000
 """Bytes of a file of the folder."""
 ELSEWHERE = "another folder, or the unchanged study: results of different studies are not mixed"
@@ -35,11 +37,12 @@ class Store:
 
         field: names the folder in messages. Raises InputError for the folder of another study.
         """
-        with _refused(self.folder):
-            if not (self.folder / IDENTITY).exists():
-                self._check_new(field)
-            self._chunks.mkdir(parents=True, exist_ok=True)
-            with (self.folder / LOCK).open("w") as lock:
+        with contextlib.ExitStack() as stack:
+            with _refused(self.folder, field):
+                if not (self.folder / IDENTITY).exists():
+                    self._check_new(field)
+                self._chunks.mkdir(parents=True, exist_ok=True)
+                lock = stack.enter_context((self.folder / LOCK).open("w"))
                 try:
                     fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
                 except BlockingIOError:
@@ -48,7 +51,7 @@ class Store:
                 self._check(study, field)
                 for path in (*self.folder.glob(PARTIAL), *self._chunks.glob(PARTIAL)):
                     path.unlink()  # of a process that was killed
-                yield
+            yield
 
     def _check_new(self, field: str) -> None:
         """Raise InputError for a folder of something else; a study may have just begun in it."""
@@ -67,7 +70,7 @@ class Store:
             self._write(path, study.identity)
             return
         before, now = self.identity(field), study.identity
-        for key in ("version", "vehicle"):
+        for key in TEXTS:
             if before.get(key) != now[key]:
                 what = "version of the program" if key == "version" else "vehicle"
                 problem = f"{self.folder} has the results of another {what}"
@@ -101,12 +104,15 @@ class Store:
     def _read(self, path: Path) -> dict:
         try:
             content = json.loads(read_text(path, LARGEST))
-            if not isinstance(content, dict) or not content.keys() & {"rows", "study"}:
+            if not isinstance(content, dict) or not ("rows" in content or _is_identity(content)):
                 raise ValueError
         except (ValueError, RecursionError) as error:
             if isinstance(error, InputError):
                 raise
-            allowed = "the file as it was written; if you delete it, its runs are computed again"
+            other = "if you delete it, its runs are computed again"
+            if path.name == IDENTITY:
+                other = "otherwise begin the study in another folder"
+            allowed = f"the file as it was written; {other}"
             raise InputError(f"file {path}", "", allowed, "it was changed") from None
         return content
 
@@ -123,11 +129,16 @@ class Store:
             os.close(folder)
 
 
+def _is_identity(content: dict) -> bool:
+    study = content.get("study")
+    return isinstance(study, dict) and all(isinstance(content.get(n), str) for n in TEXTS)
+
+
 @contextlib.contextmanager
-def _refused(folder: Path) -> Iterator[None]:
-    """Report what the operating system refuses."""
+def _refused(folder: Path, field: str) -> Iterator[None]:
+    """Convert an OSError in the context to an InputError naming `field`."""
     try:
         yield
     except OSError as error:
-        wanted = "a writable location"
-        raise NotWrittenError(f"folder {folder}", "", wanted, error.strerror) from None
+        wanted = "a folder that is writable or can be created"
+        raise InputError(field, str(folder), wanted, f"{folder}: {error.strerror}") from None

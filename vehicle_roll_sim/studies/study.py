@@ -182,13 +182,10 @@ class Study:
         return (*self.factors, *((self.search.factor,) if self.search else ()))
 
     @property
-    def is_numeric(self) -> dict[str, bool]:
-        """Whether the values of an input are numbers, by name."""
+    def kinds(self) -> dict[str, type]:
+        """Whether the values of an input are float, bool or str, by name."""
         lists = {n: each.values for n, each in self.factors.items() if isinstance(each, Levels)}
-        return {
-            name: all(isinstance(value, float) for value in lists.get(name, ()))
-            for name in self.inputs
-        }
+        return {name: type(lists[name][0]) if name in lists else float for name in self.inputs}
 
     @property
     def samples(self) -> int:

@@ -14,7 +14,7 @@ from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.studies import design_checks
 from vehicle_roll_sim.studies.factors import DISTRIBUTIONS, MOST_VALUES, Factor, Grid, Levels
-from vehicle_roll_sim.studies.quantities import PAYLOAD, quantity
+from vehicle_roll_sim.studies.quantities import MODEL, PAYLOAD, quantity
 from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study import EVENTS, Event, Rare, Search, Settings, Study
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -26,7 +26,6 @@ KEYS = (
     *parameters_of(Settings),
     *("outputs", "events", "search", "rare"),
 )
-MODEL = "options.model"
 A_FACTOR = "a list of values, lowest, highest and count, or a distribution with its parameters"
 
 

@@ -1,13 +1,14 @@
 """The summary of a study as Markdown: failures, probabilities, quantiles, thresholds, indices."""
 
-import collections
+import itertools
 from collections.abc import Iterator
 
 import numpy as np
 
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
-from vehicle_roll_sim.studies.results import Results, magnitudes
-from vehicle_roll_sim.studies.statistics import Interval, probability, quantile, sobol_indices
+from vehicle_roll_sim.studies.quantities import quantity
+from vehicle_roll_sim.studies.results import Results
+from vehicle_roll_sim.studies.statistics import Interval, probability, quantiles, sobol_indices
 from vehicle_roll_sim.studies.study import SALTELLI, Study
 from vehicle_roll_sim.studies.tables import cell
 
@@ -38,28 +39,33 @@ def _head(results: Results) -> str:
         "# Study",
         "",
         f"- manoeuvre: {said['manoeuvre']}, vehicle: {said.get('vehicle', 'reference')}",
-        *(f"- fixed: {name} = {value}" for name, value in study.fixed.items()),
+        *(f"- fixed: {name} = {_fixed(name, value, study)}" for name, value in study.fixed.items()),
         f"- design: {study.design}, factors: {', '.join(study.factors) or 'none'}",
-        f"- runs: {len(results.rows)}{'' if results.is_complete else ', more are to come'}",
+        f"- runs: {len(results.runs)}{'' if results.is_complete else ', more to come'}",
     ]
     return "\n".join(lines)
 
 
+def _fixed(name: str, value, study: Study) -> str:
+    """A fixed value in words, also one that is None."""
+    return str(value) if value is not None else quantity(name, study.manoeuvre, name).none
+
+
 def _failures(results: Results) -> Iterator[str]:
-    reasons = collections.Counter(row["reason"] for row in results.rows if row["reason"])
+    reasons = results.columns.reasons
     if reasons:
         rows = [(count, reason) for reason, count in reasons.most_common(MOST_REASONS)]
-        yield f"## Runs that failed: {sum(reasons.values())}"
+        yield f"## Runs that failed: {reasons.total()}"
         yield table(("runs", "reason"), rows)
         yield "They are left out of probabilities and quantiles."
 
 
 def _probabilities(results: Results) -> Iterator[str]:
     """The probability of each event, or whether it happened, at each point of the grid."""
-    study = results.study
+    study, happened = results.study, results.columns.happened
     rows = [
-        (*levels.values(), len(group), *(_share(study, each, group) for each in study.events))
-        for levels, group in _grid_points(results)
+        (*levels.values(), len(own), *(_share(each[own], study) for each in happened.values()))
+        for levels, own in _grid_points(results)
     ]
     yield "## Probabilities" if study.drawn else "## Events"
     yield "\n".join(f"- {name}: {event}" for name, event in study.events.items())
@@ -71,29 +77,29 @@ def _probabilities(results: Results) -> Iterator[str]:
         )
 
 
-def _share(study: Study, name: str, rows: list[dict]) -> str:
+def _share(happened: np.ndarray, study: Study) -> str:
     """The share of runs in which an event happened, of those that did not fail."""
-    outcomes = [study.events[name].happened(row) for row in rows]
-    known = [happened for happened in outcomes if happened is not None]
-    if not known:
+    known = happened[~np.isnan(happened)]
+    if not len(known):
         return "unknown"
     if not study.drawn:
-        return "yes" if all(known) else "no"
-    return _with_interval(probability(sum(known), len(known)))
+        return "yes" if known.all() else "no"
+    return _with_interval(probability(int(known.sum()), len(known)))
 
 
-def _grid_points(results: Results) -> Iterator[tuple[dict, list[dict]]]:
-    """The values of the gridded factors, and the runs with them that are drawn independently.
+def _grid_points(results: Results) -> Iterator[tuple[dict, np.ndarray]]:
+    """The values of the gridded factors, and the indices of the runs with them.
 
-    For Sobol indices these are the first two blocks; the others mix their values.
+    For Sobol indices, only runs of the first two blocks: the others mix the values of both.
     """
     study = results.study
-    groups = collections.defaultdict(list)
-    for row in results.rows:
-        groups[tuple(row[name] for name in study.gridded)].append(row)
-    for values, rows in groups.items():
-        independent = rows[: 2 * study.settings.runs] if study.design == SALTELLI else rows
-        yield dict(zip(study.gridded, values, strict=True)), independent
+    positions, draws = np.divmod(results.columns.numbers, study.samples)
+    independent = 2 * study.settings.runs if study.design == SALTELLI else study.samples
+    for position, values in enumerate(itertools.product(*study.gridded.values())):
+        begin, end = np.searchsorted(positions, (position, position + 1))
+        own = np.arange(begin, end)[draws[begin:end] < independent]
+        if len(own):
+            yield dict(zip(study.gridded, values, strict=True)), own
 
 
 def _quantiles(results: Results) -> Iterator[str]:
@@ -101,12 +107,12 @@ def _quantiles(results: Results) -> Iterator[str]:
     if not results.study.drawn:
         return
     rows = []
-    for levels, group in _grid_points(results):
-        for name in results.study.outputs:
-            values = magnitudes(group, name)
+    for levels, own in _grid_points(results):
+        for name, magnitudes in results.columns.magnitudes.items():
+            values = magnitudes[own]
             values = values[~np.isnan(values)]
             if len(values):
-                found = [_with_interval(quantile(values, share)) for share in QUANTILES]
+                found = map(_with_interval, quantiles(values, QUANTILES))
                 rows.append((*levels.values(), name, METRIC_UNITS[name], len(values), *found))
     if rows:
         yield "## Quantiles"
@@ -123,8 +129,7 @@ def _indices(results: Results) -> Iterator[str]:
     """Sobol indices of the outputs, for grids with a single point."""
     yield "## Sobol indices"
     rows = []
-    for name in results.study.outputs:
-        values = magnitudes(results.rows, name)
+    for name, values in results.columns.magnitudes.items():
         if results.study.gridded or np.isnan(values).any():
             why = "the design has a grid" if results.study.gridded else "not all runs have a value"
             yield f"No indices of {name}: {why}."
@@ -158,8 +163,9 @@ def _rare(results: Results) -> Iterator[str]:
     yield f"{results.study.events[name]}"
     if not estimate.is_reached:
         yield (
-            f"Not reached in {len(estimate.levels)} levels: the probability is below "
-            f"{estimate.probability:.2g}."
+            f"Not reached in {len(estimate.levels)} levels: it is less likely than the last of "
+            f"them, whose probability is {estimate.probability:.2g} (95 % interval {low:.2g} to "
+            f"{high:.2g})."
         )
         return
     rows = [

@@ -1,17 +1,22 @@
 """The runs and thresholds of a study as Parquet or CSV files."""
 
+import itertools
 import math
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.table_file import write_rows
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+from vehicle_roll_sim.studies.chunks import CONDITION, REASON
 from vehicle_roll_sim.studies.results import Results
 
 PARQUET, CSV = FORMATS = ("parquet", "csv")
 VERSION = "2.6"
 """Of the Parquet format."""
+GROUP = 20_000
+"""Rows of a Parquet file that are in memory, and in the file, together."""
 
 
 def check_format(chosen: str, field: str) -> None:
@@ -31,57 +36,60 @@ def write_tables(results: Results, folder: Path, chosen: str) -> list[Path]:
 
     The same rows give the same bytes. In CSV files metrics of runs that failed are empty.
     """
-    tables = {"runs": (results.columns, [tuple(row.values()) for row in results.rows])}
+    tables = {"runs": (columns_of(results), results.runs.rows())}
     if results.brackets is not None:
         tables["thresholds"] = _thresholds(results)
     files = []
-    for name, (columns, rows) in tables.items():
+    for name, (kinds, rows) in tables.items():
         files.append(folder / f"{name}.{chosen}")
         if chosen == CSV:
-            write_rows(files[-1], columns, rows)
+            write_rows(files[-1], list(kinds), rows)
         else:
-            _write_parquet(files[-1], columns, rows)
+            _write_parquet(files[-1], kinds, rows)
     return files
 
 
-def _thresholds(results: Results) -> tuple[tuple, list[tuple]]:
+def columns_of(results: Results) -> dict[str, type]:
+    """The columns of the runs by name, and what their values are."""
+    inputs = results.study.kinds
+    texts = dict.fromkeys((CONDITION, REASON), str)
+    return {"run": int, **inputs, **texts, **dict.fromkeys(METRIC_UNITS, float)}
+
+
+def _thresholds(results: Results) -> tuple[dict[str, type], Iterator[tuple]]:
     """Columns and rows: the factors, the threshold, the value below it and what it took."""
-    columns = (*results.study.factors, "threshold", "below", "runs", "failed_runs")
-    rows = [
+    study = results.study
+    found = {"threshold": float, "below": float, "runs": int, "failed_runs": int}
+    rows = (
         (*each.point.values(), each.threshold, each.below, len(each.happened), each.failed)
         for each in results.brackets
-    ]
-    return columns, rows
+    )
+    return {name: study.kinds[name] for name in study.factors} | found, rows
 
 
-def _write_parquet(path: Path, columns: tuple, rows: list[tuple]) -> None:
+def _write_parquet(path: Path, kinds: dict[str, type], rows: Iterable[Sequence]) -> None:
     import pyarrow
     from pyarrow import parquet
 
-    arrays = {
-        name: pyarrow.array([row[i] for row in rows], _type_of(pyarrow, [row[i] for row in rows]))
-        for i, name in enumerate(columns)
+    types = {
+        int: pyarrow.int64(),
+        float: pyarrow.float64(),
+        str: pyarrow.string(),
+        bool: pyarrow.bool_(),
     }
-    fields = [
-        pyarrow.field(name, array.type, metadata={"unit": METRIC_UNITS.get(name, "")})
-        for name, array in arrays.items()
-    ]
-    table = pyarrow.Table.from_arrays(list(arrays.values()), schema=pyarrow.schema(fields))
-    with replaced_file(path) as partial:
-        parquet.write_table(table, partial, version=VERSION, compression="snappy")
-
-
-def _type_of(pyarrow, values: list):
-    """The type of a column: text, whole numbers, true and false, or numbers."""
-    present = [value for value in values if value is not None]
-    for kind, of_column in (
-        (bool, pyarrow.bool_()),
-        (int, pyarrow.int64()),
-        (str, pyarrow.string()),
+    schema = pyarrow.schema(
+        pyarrow.field(name, types[kind], metadata={"unit": METRIC_UNITS.get(name, "")})
+        for name, kind in kinds.items()
+    )
+    rows = iter(rows)
+    with (
+        replaced_file(path) as partial,
+        parquet.ParquetWriter(partial, schema, version=VERSION, compression="snappy") as file,
     ):
-        if present and all(type(value) is kind for value in present):
-            return of_column
-    return pyarrow.float64()
+        while group := list(itertools.islice(rows, GROUP)):
+            columns = zip(*group, strict=True)
+            arrays = [pyarrow.array(v, each.type) for v, each in zip(columns, schema, strict=True)]
+            file.write_table(pyarrow.Table.from_arrays(arrays, schema=schema))
 
 
 def cell(value: float) -> str:

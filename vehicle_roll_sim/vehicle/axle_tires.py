@@ -21,7 +21,7 @@ class FromTire(NamedTuple):
 
 
 def radius_of(axle: str, tire: Tire) -> FromTire:
-    """The radius (m) that the vehicle file leaves to its tire file.
+    """The radius (m) from the tire file, if the vehicle file gives none.
 
     Raises InputError if the tire file does not have it.
     """
@@ -29,7 +29,7 @@ def radius_of(axle: str, tire: Tire) -> FromTire:
 
 
 def progression_of(axle: str, tire: Tire) -> FromTire:
-    """The progression (1/m) of a spring that is that of its tire file; see `model.tire.spring`.
+    """The progression (1/m) from the tire file, which goes with its stiffness; see `tire.spring`.
 
     Raises InputError if the tire file has no stiffness.
     """
@@ -40,7 +40,7 @@ def progression_of(axle: str, tire: Tire) -> FromTire:
 
 
 def stiffness_of(axle: str, tire: Tire, pressure: float | None, progression: float) -> FromTire:
-    """The stiffness at zero compression (N/m) that the vehicle file leaves to its tire file.
+    """The stiffness at zero compression (N/m) from the tire file, if the vehicle file gives none.
 
     pressure: inflation pressure (Pa), None for that of the file. progression: 1/m. Raises
     InputError if the tire file does not have it.
@@ -50,7 +50,7 @@ def stiffness_of(axle: str, tire: Tire, pressure: float | None, progression: flo
     source = "VERTICAL_STIFFNESS of the tire file"
     if progression:
         stiffness *= vertical.initial_share(nominal, progression, tire.coefficients["FNOMIN"])
-        source += " at nominal load, less by its progression at zero load"
+        source += " at nominal load, converted to zero load"
     return FromTire(stiffness, source)
 
 

@@ -19,7 +19,7 @@ from vehicle_roll_sim.vehicle.tire_file import Tire
 LINEAR = {"spring_stiffness": "stiffness_at_rest", "damping": "mean_damping"}
 """Parameters of each axle that may be tables, and the values of linear models in their place."""
 NEUTRAL = {"tire_progression": 0.0}
-"""Values of tires of which neither the vehicle file nor the tire file need say anything."""
+"""Values of tires that neither the vehicle file nor the tire file has to give."""
 
 
 class AxleValues:

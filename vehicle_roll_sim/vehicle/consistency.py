@@ -40,6 +40,7 @@ def check_consistency(vehicle: DerivedValues) -> None:
     """Raise InputError for values that are inconsistent with one another."""
     _check_roll_centres(vehicle)
     _check_inertias(vehicle)
+    _check_offset(vehicle)
     _check_anti_roll_bars(vehicle)
     _check_carriers(vehicle)
     check_suspension(vehicle)
@@ -176,6 +177,17 @@ def _check_products(vehicle: DerivedValues) -> None:
         given = next(name for name in PRODUCTS if vehicle.inertias[name])
         limit = "products of inertia that a rigid body with these moments of inertia can have"
         raise InputError(given, vehicle.inertias[given], limit)
+
+
+def _check_offset(vehicle: DerivedValues) -> None:
+    """The c.g. must be between left and right wheels, which all then carry a part of it."""
+    offset, most = vehicle.cg_offset or 0.0, min(vehicle.per_wheel("track")) / 2
+    if not abs(offset) < most:
+        limit = f"less than half the smaller track, {most:g} m, to either side"
+        name = "cg_offset" if "cg_offset" in vehicle.given else "total_cg_offset"
+        name = "payload" if vehicle.payload else name
+        problem = f"it puts the sprung c.g. {offset:g} m to the left of the middle"
+        raise InputError(name, offset, limit, problem)
 
 
 def _check_fits_on_its_wheels(vehicle: DerivedValues) -> None:

@@ -6,6 +6,7 @@ import numpy as np
 
 from vehicle_roll_sim.model.equilibrium import (
     axle_load_share,
+    progressive_compression,
     static_strut_length,
     static_tire_compression,
     static_tire_load,
@@ -169,9 +170,14 @@ class DerivedValues(AxleValues):
 
     @functools.cached_property
     def static_loaded_radius(self) -> np.ndarray:
-        """Distance from each wheel centre to its contact point at rest, shape (4,) (m)."""
-        flattening = self.static_tire_compression * np.cos(self.per_wheel("camber"))
-        return self.per_wheel("tire_radius") - flattening
+        """Distance from each wheel centre to its contact point at rest, shape (4,) (m).
+
+        In model 2 the force of the tire's spring is the load times the cosine of the inclination.
+        """
+        compression = self.static_tire_compression
+        progression = self.per_wheel("tire_progression")
+        linear = compression * (1.0 + progression * compression) * np.cos(self.per_wheel("camber"))
+        return self.per_wheel("tire_radius") - progressive_compression(linear, progression)
 
     @functools.cached_property
     def static_wheel_height(self) -> np.ndarray:

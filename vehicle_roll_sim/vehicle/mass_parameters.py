@@ -94,14 +94,14 @@ class Masses:
         alternative="cg_height",
     )
     cg_offset: float | None = parameter(
-        "distance of the c.g. of the sprung mass to the left of the middle (14 DOF models); "
+        "distance of the c.g. of the sprung mass to the left of the centreline (14 DOF models); "
         "by default 0",
         **_OFFSET,
         default=None,
     )
     total_cg_offset: float | None = parameter(
-        "distance of the c.g. of the whole vehicle to the left of the middle, instead of that of "
-        "the sprung mass (14 DOF models)",
+        "distance of the c.g. of the whole vehicle to the left of the centreline, instead of that "
+        "of the sprung mass (14 DOF models)",
         **_OFFSET,
         default=None,
     )

@@ -30,7 +30,7 @@ class Load:
         "height of its c.g. above ground, before it loads the springs", **_PLACE
     )
     left_of_middle: float = parameter(
-        "distance of its c.g. to the left of the middle", **_PLACE, default=0.0
+        "distance of its c.g. to the left of the centreline", **_PLACE, default=0.0
     )
     roll_inertia: float = parameter("its own moment of inertia about x", **_OWN_INERTIA)
     pitch_inertia: float = parameter("its own moment of inertia about y", **_OWN_INERTIA)

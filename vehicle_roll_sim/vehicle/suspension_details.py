@@ -7,7 +7,12 @@ import numpy as np
 from vehicle_roll_sim.model.equilibrium import static_suspension_compression
 from vehicle_roll_sim.model.records import DETAILS, LR, STOPS, WHEEL_COUNT
 from vehicle_roll_sim.model.work_space import COEFFICIENTS
-from vehicle_roll_sim.vehicle.suspension_parameters import AXLES, OF_COMPLIANCE, OF_STRUTS
+from vehicle_roll_sim.vehicle.suspension_parameters import (
+    AXLES,
+    COMPLIANCE_CAMBER,
+    OF_COMPLIANCE,
+    OF_STRUTS,
+)
 from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
 
 FINEST = 4 * np.finfo(float).eps
@@ -178,6 +183,7 @@ def details_of(vehicle, gravity: float) -> np.ndarray:
     details = record[0]
     details["struts"] = has_any(vehicle, OF_STRUTS)
     details["compliance"] = has_any(vehicle, OF_COMPLIANCE)
+    details["camber_yields"] = has_any(vehicle, (COMPLIANCE_CAMBER,))
     for axle, wheel in AXLES.items():
         both = slice(wheel, wheel + WHEEL_COUNT // 2)
         for name in OF_AXLES:

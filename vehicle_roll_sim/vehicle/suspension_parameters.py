@@ -10,6 +10,7 @@ from vehicle_roll_sim.model.records import LF, LR, STOPS
 
 AXLES = {"front": LF, "rear": LR}
 """The left wheel of each axle; both wheels of an axle have the same parameters."""
+COMPLIANCE_CAMBER = "lateral_force_camber"
 LARGEST_VELOCITY = 20.0
 """m/s: of the points of a damper's table."""
 _FORCE = {"unit": "N", "minimum": -1e7, "maximum": 1e7}
@@ -74,6 +75,11 @@ _DECLARED = {
         "compliance steer of a {} wheel per aligning moment, both positive to the left",
         {"unit": "rad/(N m)", "minimum": 0.0, "maximum": 1e-1},
     ),
+    COMPLIANCE_CAMBER: (
+        "compliance camber of a {} wheel (top to the right positive) per lateral force (left "
+        "positive); positive if the wheel yields to the force",
+        {"unit": "rad/N", "minimum": -1e-4, "maximum": 1e-4},
+    ),
 }
 MOTION_RATIOS = ("spring_motion_ratio", "damper_motion_ratio")
 OF_STRUTS = (
@@ -82,7 +88,7 @@ OF_STRUTS = (
     *(f"{stop}_{of}" for stop in STOPS for of in ("clearance", "stiffness", "progression")),
 )
 OF_STEERING = ("toe", "roll_steer")
-OF_COMPLIANCE = ("lateral_force_steer", "aligning_moment_steer")
+OF_COMPLIANCE = ("lateral_force_steer", "aligning_moment_steer", COMPLIANCE_CAMBER)
 
 
 def of_axle(axle: str, name: str):
@@ -111,6 +117,7 @@ class SuspensionDetails:
     front_roll_steer: float | None = of_axle("front", "roll_steer")
     front_lateral_force_steer: float | None = of_axle("front", "lateral_force_steer")
     front_aligning_moment_steer: float | None = of_axle("front", "aligning_moment_steer")
+    front_lateral_force_camber: float | None = of_axle("front", "lateral_force_camber")
     rear_rebound_damping: float | None = of_axle("rear", "rebound_damping")
     rear_spring_motion_ratio: Curve | None = of_axle("rear", "spring_motion_ratio")
     rear_damper_motion_ratio: Curve | None = of_axle("rear", "damper_motion_ratio")
@@ -124,6 +131,7 @@ class SuspensionDetails:
     rear_roll_steer: float | None = of_axle("rear", "roll_steer")
     rear_lateral_force_steer: float | None = of_axle("rear", "lateral_force_steer")
     rear_aligning_moment_steer: float | None = of_axle("rear", "aligning_moment_steer")
+    rear_lateral_force_camber: float | None = of_axle("rear", "lateral_force_camber")
     ackermann_percentage: float | None = parameter(
         "share of Ackermann geometry in the steering of the front wheels: 0 is parallel, with 100 "
         "their axes meet on that of the rear axle; by default 0",

@@ -23,7 +23,7 @@ back: its slope stays above an eighth of the chord's even if it begins and ends 
 SAMPLES = np.linspace(0.0, 1.0, 65)
 """Where the slope of a piece is examined, as shares of its length."""
 KEPT = 100
-"""Number of curves that are kept, for further vehicles with them."""
+"""Number of curves that are kept for further vehicles with the same ones."""
 ROUNDING = 1e-12
 """Relative tolerance of that examination."""
 
@@ -166,7 +166,7 @@ def common_knots(curves: Sequence[TravelCurve]) -> np.ndarray:
 
 @dataclasses.dataclass(frozen=True)
 class _Same:
-    """Curves, equal to others that are the same."""
+    """Curves that compare equal to others with the same values."""
 
     curves: tuple = dataclasses.field(compare=False)
     keys: tuple

@@ -75,13 +75,13 @@ class Tires:
     )
     front_tire_progression: float | None = parameter(
         "progression p of the vertical force k x (1 + p x) of a front tire; by default that of the "
-        "tire file with its stiffness, else 0",
+        "tire file if the stiffness is from there too, else 0",
         **_PROGRESSION,
         default=None,
     )
     rear_tire_progression: float | None = parameter(
         "progression p of the vertical force k x (1 + p x) of a rear tire; by default that of the "
-        "tire file with its stiffness, else 0",
+        "tire file if the stiffness is from there too, else 0",
         **_PROGRESSION,
         default=None,
     )

@@ -1,8 +1,12 @@
 """Base class of test series: runs of a manoeuvre to the left and to the right."""
 
 import abc
+import contextlib
 import dataclasses
 from collections.abc import Iterator
+from contextvars import ContextVar
+
+import numpy as np
 
 from vehicle_roll_sim.manoeuvres.base import SIDES, Manoeuvre
 from vehicle_roll_sim.manoeuvres.driving import history_of
@@ -13,6 +17,7 @@ from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 COMPLETE = "complete"
+_KEPT: ContextVar[list["DrivenRun"] | None] = ContextVar("kept runs", default=None)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -52,11 +57,37 @@ class Series(abc.ABC):
         """The conclusion from the rows, in one line."""
 
 
+@dataclasses.dataclass(frozen=True)
+class DrivenRun:
+    """A run of a series: the manoeuvre as driven, all rows, and its EVENTS record."""
+
+    manoeuvre: Manoeuvre
+    history: History
+    events: np.record
+
+
+@contextlib.contextmanager
+def kept_runs() -> Iterator[list[DrivenRun]]:
+    """Within the context, the runs of every series are added to the list that it yields.
+
+    Otherwise only their rows of results are kept. There is one run for each row, in the same order.
+    """
+    kept: list[DrivenRun] = []
+    before = _KEPT.set(kept)
+    try:
+        yield kept
+    finally:
+        _KEPT.reset(before)
+
+
 def driven(manoeuvre: Manoeuvre, vehicle: Vehicle, options: Options) -> tuple[Simulation, History]:
     """Drive a manoeuvre, completed by `for_vehicle`, in a new simulation."""
     simulation = Simulation(vehicle, options)
     simulation.reset(manoeuvre.speed)
-    return simulation, history_of(simulation, manoeuvre.driver(), manoeuvre.duration)
+    history = history_of(simulation, manoeuvre.driver(), manoeuvre.duration)
+    if (kept := _KEPT.get()) is not None:
+        kept.append(DrivenRun(manoeuvre, history, simulation.events.copy()))
+    return simulation, history
 
 
 def ending_of(simulation: Simulation) -> str:

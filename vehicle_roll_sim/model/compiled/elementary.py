@@ -116,7 +116,7 @@ def cosine(x):
 def arctan_of_hypotenuse(x, y):
     """atan sqrt(tan^2 x + y^2) (x in rad), as atan[sqrt(sin^2 x + y^2 cos^2 x) / |cos x|].
 
-    Sine and cosine from the sine of half of what x is beyond a multiple of pi.
+    Sine and cosine follow from the sine of half the remainder of x by the nearest multiple of pi.
     """
     half_turns = nearest(x * HALF_TURNS)
     rest = (x - half_turns * PI) - half_turns * PI_REST

@@ -72,14 +72,14 @@ def link_moment(i, vehicle, options, outputs):
 
 @kernel
 def half_track(i, vehicle):
-    """Distance of wheel i to the left of the middle of its axle (m)."""
+    """Distance of wheel i to the left of the centreline (m)."""
     other = i + 1 if i % 2 == 0 else i - 1
     return (vehicle.y[i] - vehicle.y[other]) / 2
 
 
 @term
 def middle(i, vehicle):
-    """Distance of the middle of the axle of wheel i to the left of the c.g. (m)."""
+    """Distance of the centreline, at the axle of wheel i, to the left of the c.g. (m)."""
     other = i + 1 if i % 2 == 0 else i - 1
     return (vehicle.y[i] + vehicle.y[other]) / 2
 

@@ -69,7 +69,7 @@ def stop_force(compression, stiffness, progression):
 def apart_from_rest(i, state, vehicle):
     """How far the travel of wheel i exceeds that of the other wheel of its axle (m).
 
-    At rest 0, also if the c.g. is beside the middle and the springs are compressed unequally.
+    0 at rest, even if the c.g. is off the centreline and the springs are compressed unequally.
     """
     other = i + 1 if i % 2 == 0 else i - 1
     xs, at_rest = state[at.SUSPENSION_COMPRESSION], vehicle.static_suspension_compression

@@ -104,7 +104,7 @@ def overturning_wave(gamma, fz, fy, tire):
 
 @term
 def overturning_moment(gamma, fz, fy, with_wave, tire):
-    """Mx (N m; E69). QSX1-QSX11 and QSX12-QSX14 are alternatives; a file gives one of them.
+    """Mx (N m; E69). QSX1-QSX11 and QSX12-QSX14 are alternatives; a file gives one set.
 
     with_wave: None if QSX4 and QSX10 are 0.
     """

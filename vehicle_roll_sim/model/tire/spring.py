@@ -1,4 +1,4 @@
-"""The tire as a spring: its vertical force over compression, and the reverse.
+"""The tire as a spring: its vertical force over compression, and the inverse.
 
     F = k x (1 + p x),  E = k x^2 (1/2 + p x / 3)
 

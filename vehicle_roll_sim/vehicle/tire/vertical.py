@@ -6,8 +6,8 @@ A file of 6.1 or 6.2 has
 
 at standstill and without other forces, with r: compression, Cz: VERTICAL_STIFFNESS, which is the
 slope at the nominal load F0 and nominal pressure. The simulation has the force k r (1 + p r), the
-same with p = Q_FZ2 / (q1 R0); it is linear where Q_FZ2 is below 0, since the force would decrease
-again at large compression.
+same with p = Q_FZ2 / (q1 R0). With Q_FZ2 below 0 it is linear, since the force would decrease again
+at large compression.
 """
 
 import math
@@ -89,12 +89,12 @@ def progression(c: dict[str, float]) -> float:
 
 
 def initial_share(stiffness: float, progression: float, load: float) -> float:
-    """Stiffness at zero compression over that at a load (N), of a spring with progression (1/m).
+    """Ratio of the stiffness at zero compression to that at a load (N); progression: 1/m.
 
     stiffness: at the load (N/m).
     """
     ratio = 2.0 * progression * load / stiffness
-    return math.sqrt(1.0 + ratio * ratio) - ratio
+    return 1.0 / (math.sqrt(1.0 + ratio * ratio) + ratio)
 
 
 def vertical_notes(
@@ -124,7 +124,7 @@ def _acts(entry: Entry) -> bool:
 
 
 def _number(entry: Entry) -> float:
-    """Its value; nan if it is no number, which does not matter for a key without effect."""
+    """The value; nan if it is not a number, which does not matter for a key without effect."""
     try:
         return entry.number()
     except InputError:

@@ -1,0 +1,189 @@
+"""`vehicle_roll_sim view`: a page that shows recorded runs in a browser."""
+
+import argparse
+import dataclasses
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values
+from vehicle_roll_sim.command_line.commands import COMMANDS
+from vehicle_roll_sim.command_line.recorded_runs import (
+    add_names,
+    add_runs,
+    check_output,
+    files_of,
+    labels_of,
+    output_of,
+    part_of,
+    part_settings,
+    run_from,
+)
+from vehicle_roll_sim.command_line.signals import PROGRAM
+from vehicle_roll_sim.command_line.vehicle_options import (
+    add_vehicle_options,
+    chosen_options,
+    chosen_vehicle,
+)
+from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
+from vehicle_roll_sim.files.output_file import check_page_format
+from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, manoeuvre_named
+from vehicle_roll_sim.manoeuvres.double_lane_change import DoubleLaneChange
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.sampled_events import events_of
+from vehicle_roll_sim.runs.summary import line
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
+from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.vehicle_file import TIRES
+from vehicle_roll_sim.viewer.browser import CAMERAS, THEMES, need_browser, write_picture
+from vehicle_roll_sim.viewer.page import MOST_RUNS, write_page
+from vehicle_roll_sim.viewer.recording import ViewedRun
+from vehicle_roll_sim.viewer.scene import scene_of
+
+WITH_CONES = tuple(name for name, each in STANDARD.items() if isinstance(each, DoubleLaneChange))
+OF_VEHICLE = ("vehicle", *TIRES, "set", "model")
+"""Options that describe the vehicle of a CSV file, which does not name it."""
+AT_REST = 1e-6
+"""m: tolerance of the c.g. height at which a run begins."""
+
+
+@dataclasses.dataclass(frozen=True)
+class PictureSettings:
+    """The picture that is taken of the page."""
+
+    png: float = parameter(
+        "also write a picture of the page at this time, named like the page but with .png; needs "
+        "Chromium or Chrome",
+        "s",
+        0.0,
+        1e10,
+    )
+    camera: str = parameter("camera of the picture", choices=CAMERAS, default=CAMERAS[0])
+    theme: str = parameter("colours of the picture", choices=THEMES, default=THEMES[0])
+
+
+def view_command(words: list[str], program: str) -> int:
+    """Run the command with the arguments after its name; return the exit status."""
+    arguments = _parser(program).parse_args(words)
+    files = files_of(arguments, "RUN", MOST_RUNS, "the number of colours")
+    settings, picture = part_settings(arguments), declared_values(arguments, PictureSettings)
+    output = _output(arguments, files, picture)
+    labels = labels_of(arguments.label, files)
+    read = [run_from(file, arguments.namespace, "RUN", with_forces=True) for file in files]
+    chosen = _chosen(arguments, [told is None for _, told in read])
+    runs, notes, cones = [], [], []
+    for file, label, (history, told) in zip(files, labels, read, strict=True):
+        vehicle, options = (told.simulation.vehicle, told.simulation.options) if told else chosen
+        angle = told.simulation.rollover_angle if told else math.radians(DEFAULT_ROLLOVER_DEGREES)
+        if "stop_roll" in settings:
+            angle = math.radians(settings["stop_roll"])
+        if told is None:
+            notes.append(_note(label, arguments.vehicle))
+            _warn_of_another_vehicle(file, history, vehicle)
+        part, scene = part_of(history, settings, file), scene_of(vehicle, options)
+        runs.append(ViewedRun(part, events_of(history, angle), label, scene))
+        if arguments.manoeuvre and not len(cones):
+            cones = _cones(arguments.manoeuvre, vehicle, options)
+    if "png" in picture:
+        _check_time(picture["png"], runs)
+    title = arguments.title if arguments.title is not None else ", ".join(labels)
+    write_page(output, runs, title, cones, notes)
+    print(line("page", output))
+    if "png" in picture:
+        write_picture(output, output.with_suffix(".png"), **_shot(picture))
+        print(line("picture", output.with_suffix(".png")))
+    return 0
+
+
+def _parser(program: str) -> argparse.ArgumentParser:
+    parser = OneLineParser(
+        prog=program,
+        description=COMMANDS["view"],
+        epilog="The vehicle options are for CSV files. A bag states its vehicle and the roll angle "
+        "at which its run stops.",
+    )
+    add_runs(parser, "RUN")
+    group = parser.add_argument_group("results")
+    group.add_argument(
+        "--out",
+        metavar="FILE",
+        help="page to write, in HTML (default for a single run: its name with .html)",
+    )
+    add_names(group, "page", "the labels of the runs")
+    group.add_argument(
+        "--manoeuvre",
+        metavar="NAME",
+        help="show the cones of this manoeuvre: " + ", ".join(WITH_CONES),
+    )
+    add_declared(parser, PictureSettings, "picture")
+    add_vehicle_options(parser)
+    others = [name for name in parameters_of(Options) if name != "model"]
+    add_declared(parser, Options, "vehicle", without=others)
+    return parser
+
+
+def _output(arguments: argparse.Namespace, files: list[Path], picture: dict) -> Path:
+    """Where the page goes, checked, and the picture with it."""
+    output = output_of(arguments.out, "--out", ".html", files)
+    check_page_format(output, "--out")
+    check_output(output, "--out", files)
+    if "png" in picture:
+        check_output(output.with_suffix(".png"), "--png", files)
+        need_browser("--png")
+    elif picture:
+        raise InputError(f"--{next(iter(picture))}", "", "together with --png", "no picture")
+    if arguments.manoeuvre is not None and arguments.manoeuvre not in WITH_CONES:
+        raise InputError("--manoeuvre", arguments.manoeuvre, "one of " + ", ".join(WITH_CONES))
+    return output
+
+
+def _chosen(
+    arguments: argparse.Namespace, are_of_options: list[bool]
+) -> tuple[Vehicle, Options] | None:
+    """The vehicle that the options describe, if a run needs it; raises InputError."""
+    if any(are_of_options):
+        vehicle = chosen_vehicle(arguments)
+        return vehicle, chosen_options(arguments, vehicle)
+    for name in OF_VEHICLE:
+        if value := getattr(arguments, name):
+            option = "--" + name.replace("_", "-")
+            raise InputError(option, value, "only for CSV files", "the bag describes its vehicle")
+    return None
+
+
+def _note(label: str, vehicle: str | None) -> str:
+    drawn = "the reference vehicle" if vehicle is None else vehicle
+    return f"{label}: drawn with the dimensions of {drawn}, since a CSV file has none of its own."
+
+
+def _warn_of_another_vehicle(path: Path, history: History, vehicle: Vehicle) -> None:
+    """Print a warning if the c.g. is not at the height of the vehicle when a run begins."""
+    time, height = history["time"][0], float(history["z"][0])
+    if time == 0.0 and abs(height - vehicle.cg_height) > AT_REST:
+        print(
+            f"{PROGRAM}: warning: {path}: the sprung c.g. is at {height:g} m at first, but at "
+            f"{vehicle.cg_height:g} m in the vehicle drawn: give --vehicle or --set",
+            file=sys.stderr,
+        )
+
+
+def _cones(name: str, vehicle: Vehicle, options: Options) -> np.ndarray:
+    """The cones of a manoeuvre with its default settings, (n, 2) (m)."""
+    return manoeuvre_named(name).for_vehicle(vehicle, options).cones
+
+
+def _check_time(time: float, runs: list[ViewedRun]) -> None:
+    """Raise InputError if no run has that time (s)."""
+    begin = min(float(run.history["time"][0]) for run in runs)
+    end = max(float(run.history["time"][-1]) for run in runs)
+    if not begin <= time <= end:
+        raise InputError("--png", time, f"a time of the runs, {begin:g} to {end:g} s")
+
+
+def _shot(picture: dict) -> dict:
+    """The arguments of `write_picture`."""
+    values = dataclasses.asdict(PictureSettings(**picture))
+    return {"time": values["png"], "camera": values["camera"], "theme": values["theme"]}

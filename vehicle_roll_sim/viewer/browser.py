@@ -1,0 +1,67 @@
+"""Pictures of a page, taken with an installed Chromium or Chrome."""
+
+import os
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+from urllib.parse import urlencode
+
+from vehicle_roll_sim.files.output_file import replaced_file
+from vehicle_roll_sim.input_errors import InputError, NotWrittenError
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+CAMERAS = ("chase", "rear", "top")
+THEMES = ("light", "dark")
+SIZE = (1280, 900)
+"""Pixels of a picture."""
+LONGEST = 120.0
+"""s: time that the browser may take."""
+SETTLED = 2000
+"""ms of the page's own time before the picture is taken."""
+OPTIONS = (
+    *("--headless=new", "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader"),
+    *("--enable-unsafe-swiftshader", "--hide-scrollbars", "--force-device-scale-factor=1"),
+    *("--no-first-run", "--disable-extensions", "--disable-background-networking"),
+    "--disable-dev-shm-usage",  # which is small in containers
+)
+"""The picture does not depend on a graphics card, and nothing is fetched."""
+
+
+def browser() -> str | None:
+    """The path of the first browser found, or None."""
+    return next((found for name in BROWSERS if (found := shutil.which(name))), None)
+
+
+def need_browser(field: str) -> None:
+    """Raise InputError naming `field` if there is no browser."""
+    if browser() is None:
+        allowed = "install Chromium or Chrome (Debian: apt install chromium)"
+        raise InputError(field, "", allowed, f"none of {', '.join(BROWSERS)} is installed")
+
+
+def options_of_browser() -> list[str]:
+    """The options for a headless browser; root has no sandbox."""
+    return [*OPTIONS, *(["--no-sandbox"] if os.geteuid() == 0 else [])]
+
+
+def write_picture(page: Path, path: Path, time: float, camera: str, theme: str) -> None:
+    """Write a PNG of a page at a time (s); raises NotWrittenError if the browser fails."""
+    shown = urlencode({"time": repr(time), "camera": camera, "theme": theme})
+    with tempfile.TemporaryDirectory() as profile, replaced_file(path) as partial:
+        words = [
+            str(browser()),
+            *options_of_browser(),
+            f"--user-data-dir={profile}",
+            f"--window-size={SIZE[0]},{SIZE[1]}",
+            f"--virtual-time-budget={SETTLED}",
+            f"--screenshot={partial}",
+            f"{page.resolve().as_uri()}#{shown}",
+        ]
+        try:
+            subprocess.run(words, capture_output=True, timeout=LONGEST, check=True)
+        except (OSError, subprocess.SubprocessError) as error:
+            reason = f"{words[0]} failed ({type(error).__name__})"
+            raise NotWrittenError("--png", "", "a browser that works", reason) from None
+        if not partial.stat().st_size:
+            raise NotWrittenError("--png", "", "a browser that works", f"{words[0]} wrote nothing")

@@ -1,0 +1,37 @@
+/** Which of many runs are shown; a change reloads the page with another address. */
+
+/** Places of the runs to show: those of the address, #runs=1,3 counted from 1, else the first. */
+function chosenRuns({ runs, shown, most }) {
+  const said = new URLSearchParams(location.hash.slice(1)).get("runs") || "";
+  const places = said.split(",").map((each) => Number(each) - 1);
+  const known = [...new Set(places)].filter((each) => Number.isInteger(each) && each in runs);
+  return known.length ? known.slice(0, most) : shown;
+}
+
+/** The worst event of a run, in a word. */
+function outcome(run) {
+  if (run.rollover !== null) return "rollover";
+  return run.events.some((each) => each.isSevere) ? "lift-off" : "";
+}
+
+/** A box to tick for each run, if there are more than can be shown at once. */
+function offerRuns(parent, { runs, most }, chosen) {
+  parent.hidden = runs.length <= most;
+  if (parent.hidden) return;
+  parent.querySelector("summary").textContent = `Runs: ${chosen.length} of ${runs.length} shown`;
+  runs.forEach((run, place) => {
+    const box = element("input", "", { type: "checkbox", checked: chosen.includes(place) });
+    box.disabled = box.checked ? chosen.length === 1 : chosen.length === most;
+    box.addEventListener("change", () => {
+      const now = box.checked ? [...chosen, place] : chosen.filter((each) => each !== place);
+      const address = new URLSearchParams(location.hash.slice(1));
+      address.set("runs", now.map((each) => each + 1).join(","));
+      location.hash = address;
+      location.reload();
+    });
+    const label = element("label"), item = element("li"), what = outcome(run);
+    label.append(box, ` ${run.label}${what ? ` (${what})` : ""}`);
+    item.append(label);
+    parent.querySelector("ul").append(item);
+  });
+}

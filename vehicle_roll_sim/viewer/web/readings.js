@@ -1,0 +1,102 @@
+/** Lamps, numbers at the cursor, legend and events: the page apart from the picture and the plots. */
+
+/** Label, unit, digits and value (of a run, at a time) of each number. */
+const NUMBERS = [
+  ["time", "s", 3, (run, time) => time],
+  ["speed", "km/h", 1, (run, time) => 3.6 * run.at("u", time)],
+  ["roll", "deg", 2, (run, time) => DEGREES * run.at("roll", time)],
+  ["roll rate", "deg/s", 1, (run, time) => DEGREES * run.at("roll_rate", time)],
+  ["lateral acc.", "m/s²", 2, (run, time) => run.at("lateral_acceleration", time)],
+  ["load transfer", "", 3, (run, time) => run.loadTransfer(time)],
+];
+
+function element(kind, text, settings = {}) {
+  const made = Object.assign(document.createElement(kind), settings);
+  if (text) made.textContent = text;
+  return made;
+}
+
+class Lamps {
+  constructor(parent) {
+    this.lamps = [...WHEELS, "rollover"].map((name) => {
+      const lamp = element("li", name, { className: "lamp" });
+      lamp.title = name === "rollover" ? "lit from the rollover on" : `lit while wheel ${name} is off the ground`;
+      parent.append(lamp);
+      return lamp;
+    });
+  }
+
+  show(run, time) {
+    this.lit = [...run.lifted(time), run.hasRolledOver(time)];
+    this.lamps.forEach((lamp, k) => {
+      lamp.classList.toggle("on", this.lit[k]);
+      const [on, off] = k < WHEELS.length ? ["lifted", "on the ground"] : ["yes", "no"];
+      lamp.setAttribute("aria-label", `${lamp.textContent}: ${this.lit[k] ? on : off}`);
+    });
+  }
+}
+
+class Numbers {
+  constructor(parent) {
+    this.values = NUMBERS.map(([label, unit]) => {
+      const row = element("div"), value = element("dd");
+      row.append(element("dt", label), value, element("dd", unit));
+      parent.append(row);
+      return value;
+    });
+  }
+
+  show(run, time) {
+    NUMBERS.forEach(([, , digits, of], k) => {
+      this.values[k].textContent = shown(of(run, time), digits);
+    });
+  }
+}
+
+/** Buttons of the runs; the chosen one is followed. */
+function legend(parent, recordings, onChoose) {
+  const buttons = recordings.map((run) => {
+    const button = element("button", "", { type: "button", title: `Follow ${run.label}` });
+    button.append(element("span", "", { className: `swatch run-${run.index}` }), element("span", run.label));
+    button.addEventListener("click", () => choose(run.index));
+    const item = element("li");
+    item.append(button);
+    parent.append(item);
+    return button;
+  });
+  const choose = (index) => {
+    buttons.forEach((each, k) => each.setAttribute("aria-pressed", String(k === index)));
+    onChoose(index);
+  };
+  parent.hidden = recordings.length < 2;
+  return choose;
+}
+
+/** Marks of the events on the time line, and the list of them. */
+function eventMarks(recordings, range, onSeek) {
+  const line = $("marks"), list = $("event-list");
+  for (const run of recordings) {
+    for (const { time, name, isSevere } of run.events) {
+      const who = recordings.length > 1 ? `${run.label}: ` : "";
+      const text = `${who}${name}, ${shown(time, 3)} s`;
+      const mark = element("button", "", { type: "button", title: text });
+      mark.setAttribute("aria-label", text);
+      mark.classList.toggle("severe", isSevere);
+      mark.style.left = `${(100 * (time - range[0])) / (range[1] - range[0])}%`;
+      const entry = element("li"), button = element("button", text, { type: "button" });
+      entry.append(button);
+      for (const each of [mark, button]) each.addEventListener("click", () => onSeek(time));
+      line.append(mark);
+      list.append(entry);
+    }
+  }
+  $("events").hidden = !list.children.length;
+}
+
+/** The text for screen readers at a time. */
+function spoken(run, time) {
+  const up = WHEELS.filter((_, k) => run.lifted(time)[k]);
+  const roll = shown(DEGREES * run.at("roll", time), 1);
+  const wheels = up.length ? `${up.join(", ")} off the ground` : "all wheels on the ground";
+  return `${shown(time, 2)} s: roll ${roll} degrees, ${wheels}${run.hasRolledOver(time) ? ", rolled over" : ""}`;
+}

@@ -1,0 +1,94 @@
+"use strict";
+
+/** Names of the wheels, in the order of all quantities with one value for each wheel. */
+const WHEELS = ["lf", "rf", "lr", "rr"];
+/** m: a tire compression below this counts as none; more than the rounding of 32-bit numbers. */
+const NO_COMPRESSION = 1e-6;
+const DEGREES = 180 / Math.PI;
+
+/** Bytes of a base64 text. */
+function bytesOf(text) {
+  return Uint8Array.from(atob(text), (each) => each.charCodeAt(0)).buffer;
+}
+
+/** One run: columns over time, linear between samples. */
+class Recording {
+  constructor(told, index) {
+    const { label, vehicle, events, curves } = told;
+    Object.assign(this, { index, label, vehicle, events, curves });
+    this.time = new Float64Array(bytesOf(told.time));
+    const rows = this.time.length, values = new Float32Array(bytesOf(told.values));
+    this.columns = {};
+    told.columns.forEach((name, k) => {
+      this.columns[name] = values.subarray(k * rows, (k + 1) * rows);
+    });
+    this.begin = this.time[0];
+    this.end = this.time[rows - 1];
+    this.rollover = told.rollover === null ? Infinity : told.rollover;
+    this.hasHeave = !this.columns.z.every(Number.isNaN);
+  }
+
+  /** The sample at or before a time, and the fraction of the way to the next. */
+  place(time) {
+    const last = this.time.length - 1;
+    if (time >= this.end) return [last, 0];
+    if (time <= this.begin) return [0, 0];
+    let low = 0, high = last;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.time[middle] <= time) low = middle;
+      else high = middle;
+    }
+    return [low, (time - this.time[low]) / (this.time[high] - this.time[low])];
+  }
+
+  /** A column at a time; NaN where it has no data. */
+  at(name, time) {
+    const values = this.columns[name];
+    if (!values) return NaN;
+    const [k, share] = this.place(time);
+    return share ? values[k] + share * (values[k + 1] - values[k]) : values[k];
+  }
+
+  /** A column at all wheels. */
+  wheels(quantity, time) {
+    return WHEELS.map((wheel) => this.at(`${quantity}_${wheel}`, time));
+  }
+
+  /** Whether each wheel is off the ground: its tire is not compressed or, if unknown, not loaded. */
+  lifted(time) {
+    const loads = this.wheels("normal_force", time);
+    return this.wheels("tire_compression", time).map((compression, i) =>
+      Number.isNaN(compression) ? loads[i] <= 0 : compression <= NO_COMPRESSION);
+  }
+
+  /** Whether the vehicle has rolled over by then. */
+  hasRolledOver(time) {
+    return time >= this.rollover;
+  }
+
+  /** (right - left) / total of the normal loads, 0 if no tire carries load. */
+  loadTransfer(time) {
+    const [lf, rf, lr, rr] = this.wheels("normal_force", time);
+    const total = lf + rf + lr + rr;
+    return total === 0 ? 0 : (rf + rr - lf - lr) / total;
+  }
+}
+
+/** Linear interpolation in an equidistant table; outside it, its end values. */
+function tabulated(places, values, at) {
+  const last = places.length - 1, share = ((at - places[0]) / (places[last] - places[0])) * last;
+  const inside = Math.min(Math.max(share, 0), last), k = Math.min(Math.floor(inside), last - 1);
+  return values[k] + (inside - k) * (values[k + 1] - values[k]);
+}
+
+/** A number as text with about four digits, and at most `digits` decimals. */
+function brief(value, digits) {
+  const whole = Math.floor(Math.log10(Math.max(Math.abs(value), 1))) + 1;
+  return shown(value, Math.max(0, Math.min(digits, 4 - whole)));
+}
+
+/** A number as text, "–" if there is none. */
+function shown(value, digits) {
+  return Number.isFinite(value) ? value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1") : "–";
+}
