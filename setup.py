@@ -50,6 +50,8 @@ setup(
         "recorder": ["rosbags>=0.11.6,<0.12"],
         "control": ["control>=0.10"],
         "gym": ["gymnasium>=1.1"],
+        "logs": ["pint>=0.24"],
+        "mdf": ["asammdf>=8"],
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
         "cluster": ["distributed>=2026.8"],

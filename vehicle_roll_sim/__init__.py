@@ -7,6 +7,7 @@ _HOMES = {
     "Condition": "model.integration.events",
     **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),
     "RollPlane": "model.roll_plane",
+    "compare": "offline.comparing",
     "linearize": "offline.linearizing",
     "replay": "offline.replaying",
     "run": "offline.running",

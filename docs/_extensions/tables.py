@@ -18,6 +18,7 @@ from vehicle_roll_sim.learning.actions import ACTIONS, ENDING
 from vehicle_roll_sim.learning.observations import OBSERVATIONS
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.live.command_limits import CommandLimits
+from vehicle_roll_sim.logs.quantities import QUANTITIES
 from vehicle_roll_sim.messages import topics
 from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, MOTION_LABELS
@@ -222,6 +223,21 @@ def observation_table() -> str:
     return table(("observation", "numbers", "unit", "bound", "meaning"), *rows)
 
 
+def quantity_table() -> str:
+    """What a log may have; those of the four wheels in one row."""
+    rows = (
+        (name, each.unit, each.meaning)
+        for name, each in zip(abridged(QUANTITIES), _of_one_wheel(), strict=True)
+    )
+    return table(("quantity", "SI unit", "meaning"), *rows)
+
+
+def _of_one_wheel() -> list:
+    """The quantities; of those of the wheels the first."""
+    others = tuple(f"_{wheel}" for wheel in WHEELS[1:])
+    return [each for name, each in QUANTITIES.items() if not name.endswith(others)]
+
+
 SET = (*topics.STATE_SET, topics.ROLL_CENTRE)
 TABLES: dict[str, Callable[[], str]] = {
     "commands": command_table,
@@ -241,6 +257,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "manoeuvres": manoeuvre_table,
     "actions": action_table,
     "observations": observation_table,
+    "quantities": quantity_table,
     "plausibility": lambda: table(("quantity", "usual"), *usual_values()),
     "combinations": lambda: table(("quantity", "usual"), *usual_combinations()),
     "vehicle": lambda: parameter_table(preset()),
