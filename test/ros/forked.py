@@ -19,8 +19,10 @@ PROGRAM = Path(__file__).with_name("fork_server.py")
 READ_LATER = {
     *("ROS_DOMAIN_ID", "ROS_LOG_DIR", "ROS_AUTOMATIC_DISCOVERY_RANGE", "AMENT_PREFIX_PATH"),
     *("COVERAGE_PROCESS_CONFIG", "PYTEST_CURRENT_TEST"),
+    "PYGAME_HIDE_SUPPORT_PROMPT",
 }
-"""Variables that nothing reads while it is imported: a forked process may have its own."""
+"""Variables that nothing reads while it is imported: a forked process may have its own. The last is
+set by gymnasium, when a test in this process imports it."""
 LARGEST = 2**16
 """Bytes read at a time."""
 

@@ -11,14 +11,18 @@ pytestmark = pytest.mark.unmeasured
 
 @pytest.fixture
 def refused():
-    """Message of a manoeuvre that finds two simulators: one line, no summary, status 1."""
+    """Message of a manoeuvre that finds two simulators: one line, no summary, status 1.
+
+    On a busy machine it may take a while to find whether both live: a line says so.
+    """
 
     def check(manoeuvre, *names: str) -> None:
         status, out, err = manoeuvre.finish()
         assert (status, out) == (1, ""), err
-        assert len(err.splitlines()) == 1, err
-        assert err.startswith(f"manoeuvre: error: 2 nodes publish /state: {', '.join(names)};")
-        assert "allowed: one simulator per namespace" in err
+        *waiting, line = err.splitlines()
+        assert all("in case one of them was killed" in each for each in waiting), err
+        assert line.startswith(f"manoeuvre: error: 2 nodes publish /state: {', '.join(names)};")
+        assert "allowed: one simulator per namespace" in line
 
     return check
 
