@@ -243,7 +243,7 @@ def test_what_an_interrupted_study_has_done_can_be_shown(study, tmp_path, by_for
     with pytest.raises(KeyboardInterrupt):
         run_study(study(), tmp_path, "csv", progress=stop)
     report = show_study(tmp_path)
-    assert "- runs: 5, more are to come" in report.summary
+    assert "- runs: 5, more to come" in report.summary
     assert json.loads((tmp_path / "study.json").read_text())["study"]["chunk"] == 5
 
 
