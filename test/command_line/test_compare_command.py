@@ -84,6 +84,8 @@ def test_what_cannot_be_compared_is_refused_in_one_line(log, refused, words, pro
 def test_a_setting_that_is_unknown_is_named(log):
     with pytest.raises(ValueError, match="name: 'cutof' is unknown"):
         compare("log.csv", "log_map.yaml", cutof=3.0)
+    with pytest.raises(ValueError, match="map: 3 is not allowed: the name of a file"):
+        compare("log.csv", 3)
 
 
 def test_help_says_that_the_executable_of_ros_is_another_one(capsys):
