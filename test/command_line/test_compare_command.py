@@ -67,7 +67,10 @@ def test_a_swapped_sign_is_a_warning_and_refused_if_strict(command, log):
         (WORDS[:2], "--map: missing: a map file"),
         ((*WORDS[:2], "--map", "no.yaml"), "file no.yaml: No such file"),
         (("compare", "no.csv", *WORDS[2:]), "file no.csv: No such file"),
-        (("compare", "log.xls", *WORDS[2:]), "LOG: 'log.xls' is not allowed: a bag, or a file"),
+        (
+            ("compare", "log.xls", *WORDS[2:]),
+            "error: LOG: 'log.xls' is not allowed: a bag, or a file",
+        ),
         ((*WORDS, "--cutoff", "30"), "--cutoff: 30.0 is not allowed: at most 20 Hz"),
         ((*WORDS, "--drive-by", "torques"), "--drive-by: 'torques' is not allowed: drive_torque"),
         ((*WORDS, "--begin", "20"), "--begin: 0 rows of speed from 20 s"),
