@@ -55,6 +55,7 @@ setup(
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
         "cluster": ["distributed>=2026.8"],
+        "film": ["selenium>=4.20", "pillow>=9.1"],
         "validation": ["mujoco>=3.2"],
         "test": [
             "pytest>=7.4",

@@ -21,7 +21,7 @@ from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.logs.quantities import QUANTITIES
 from vehicle_roll_sim.messages import topics
 from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariances
-from vehicle_roll_sim.messages.sets import COMMAND_LABELS, MOTION_LABELS
+from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, MOTION_LABELS
 from vehicle_roll_sim.messages.topics import Topic
 from vehicle_roll_sim.model.records import WHEELS, element_names
 from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, Argument
@@ -98,6 +98,7 @@ def label_table() -> str:
     labels |= {
         "`applied_command`": COMMAND_LABELS,
         "`applied_command` of vehicles with air forces": (*COMMAND_LABELS, *WIND),
+        "`applied_command` of vehicles with actuators, after these": DEMAND_LABELS,
         "`motion`": MOTION_LABELS,
     }
     labels["`tire_normal_forces`, `lift_off`"] = WHEELS

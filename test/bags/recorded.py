@@ -20,9 +20,11 @@ PERIOD = 0.01
 PERIOD_NS = 10_000_000
 
 
-def record(folder: Path, options=None, name: str = "j_turn", duration: float = 4.0) -> Simulation:
+def record(
+    folder: Path, options=None, name: str = "j_turn", duration: float = 4.0, vehicle=None
+) -> Simulation:
     """Drive a manoeuvre with its bag in `folder`; returns the simulation at its end."""
-    simulation, manoeuvre = Simulation(preset(), options), STANDARD[name]
+    simulation, manoeuvre = Simulation(vehicle or preset(), options), STANDARD[name]
     simulation.reset(manoeuvre.speed)
     manoeuvre = manoeuvre.for_vehicle(simulation.vehicle, simulation.options)
     with run_bag(simulation, manoeuvre.commanded, folder, PERIOD_NS, "--bag") as observer:

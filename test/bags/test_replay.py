@@ -5,6 +5,7 @@ import shutil
 
 import numpy as np
 import pytest
+from actuated import actuated
 from recorded import record
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
@@ -38,6 +39,19 @@ def test_an_offline_run_is_reproduced_to_the_bit(tmp_path, options, name, durati
     (result,) = replayed(tmp_path / "bag")
     assert result.is_exact
     assert (result.end, np.isnan(result.missing_from)) == (end, True)
+
+
+@pytest.mark.parametrize("more", [{}, {"side_force_area": 3.0}], ids=["in still air", "in air"])
+def test_a_run_with_actuators_is_reproduced_from_what_was_demanded(tmp_path, more):
+    bag, vehicle = tmp_path / "bag", actuated(**more)
+    simulation = record(bag, name="step_steer", duration=1.5, vehicle=vehicle)
+    (result,) = replayed(bag)
+    assert (result.is_exact, result.end) == (True, 1.5)
+    history = last_run(bag)[0]
+    assert history["steering"][-1] == simulation.outputs["commanded_steering"][0]
+    assert (history.wind is None) == (not more)
+    acting = simulation.actuation.records()["wheel_torque"][0]
+    assert history.commands[-1][1:5].tolist() == acting.tolist() != [0.0] * 4
 
 
 def test_a_run_of_model_2_is_reproduced_with_its_roll_centres(tmp_path):

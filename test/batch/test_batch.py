@@ -9,6 +9,7 @@ import sys
 
 import numpy as np
 import pytest
+from actuated import actuated
 from patience import PATIENCE
 
 from vehicle_roll_sim import (
@@ -48,6 +49,7 @@ VARIED = [
     {"manoeuvre": STANDARD["iso_double_lane_change"], "duration": 1.2, "step": 0.002},
     {"manoeuvre": J_TURN, "speed": 25.0, "road": Road(bank=-0.05), "step": 0.005},
     {"manoeuvre": J_TURN, "rollover_angle": 0.05, "vehicle": preset("van"), "step": 0.005},
+    {"manoeuvre": FISHHOOK, "duration": 1.5, "vehicle": actuated("suv")},
 ]
 """What distinguishes the runs of one batch."""
 

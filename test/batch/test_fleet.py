@@ -1,7 +1,11 @@
 """A fleet gives the bits of simulations that are stepped one by one."""
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
+from actuated import actuated
 
 from vehicle_roll_sim import Command, Condition, InputError, Options, Simulation, preset
 from vehicle_roll_sim.batch.fleet import Fleet
@@ -24,6 +28,10 @@ def fleet_of(simulations: list[Simulation], workers: int) -> Fleet:
 def test_a_fleet_gives_the_bits_of_simulations_with_their_own_models_and_commands(workers):
     options = [Options(model=name) for name in MODELS] + [Options(steady_state_slip=True)]
     simulations = [Simulation(preset("suv"), each, step=STEP) for each in options]
+    late = {"rear_steering_actuator_dead_time": 0.02, "brake_torque_actuator_dead_time": 0.0}
+    for longest in (0.01, 0.1):
+        delayed = actuated(**late | {"steering_actuator_dead_time": longest})
+        simulations.append(Simulation(delayed, step=STEP))
     simulations.append(Simulation(preset("van"), step=STEP, rollover_angle=0.03))
     for each in simulations:
         each.reset(22.0)
@@ -61,3 +69,19 @@ def test_a_number_of_threads_that_is_none_is_refused():
 def test_a_simulation_with_another_step_has_no_place():
     with pytest.raises(InputError, match=r"^step: 0.001 is not allowed: 0.0025 s, the step of the"):
         Fleet(1, STEP_NS, 1).place(0, Simulation(preset(), step=0.001))
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda fleet: pickle.loads(pickle.dumps(fleet))])
+def test_a_copied_fleet_goes_on_by_itself_to_the_same_bits(copied):
+    simulation = Simulation(preset(), step=STEP)
+    simulation.reset(22.0)
+    fleet = fleet_of([simulation, simulation], 2)
+    records, steps = np.repeat(TURN.records(), 2), np.full(2, 4)
+    fleet.step(records, steps)
+    other, before = copied(fleet), fleet.states.tobytes()
+    other.step(records, steps)
+    assert fleet.states.tobytes() == before
+    fleet.step(records, steps)
+    assert other.states.tobytes() == fleet.states.tobytes() == other.state_vectors.tobytes()
+    fleet.close()
+    other.close()

@@ -98,6 +98,12 @@ def test_it_shows_the_vehicle_that_the_options_describe(table, folder):
     assert shown == {name: float(value) for name, value in expected.items()}
 
 
+def test_the_rear_steering_does_not_take_the_actuator_of_the_front_one(table):
+    name = "steering_actuator_dead_time"
+    shown = values(table("--set", f"{name}=0.02"))
+    assert shown == {**{n: float(v) for n, v in NUMBERS.items()}, name: 0.02}
+
+
 def test_it_refuses_what_run_refuses(refused):
     refused(("parameters", "--set", "sprung_mass=-1"), "--set sprung_mass", "0.01")
     refused(("parameters", "--vehicle", "none.yaml"), "none.yaml")

@@ -98,6 +98,16 @@ def test_ctrl_c_says_what_is_done_and_the_same_command_continues(
         (["study", "turn.yaml", "--out", "/proc/x", "--format", "csv"], "--out: /proc/x: "),
         (["study", "--show", "x", "--format", "csv"], "nothing but the folder of a study"),
         (["study", "--show", "nowhere"], "--show: 'nowhere' is not allowed: the folder of a study"),
+        (
+            ["study", "turn.yaml", "--out", "x", "--runs", "1"],
+            "--runs: '1' is not allowed: together",
+        ),
+        (["study", "turn.yaml", "--out", "x", "--view", "x.pdf"], "--view: 'x.pdf' is not allowed"),
+        (["study", "turn.yaml", "--out", "x", "--view", "y/x.html"], "y does not exist"),
+        (
+            ["study", "turn.yaml", "--out", "x", "--view", "x.html", "--runs", "1,-2"],
+            "--runs: '1,-2' is not allowed: 1 to 30 whole numbers",
+        ),
         (["study", "--show", "x", "--out", "y"], "nothing but the folder of a study"),
         (
             ["study", "turn.yaml", "--out", ".", "--format", "csv"],

@@ -2,11 +2,13 @@
 
 import importlib.util
 import json
+import os
 import re
 import shutil
 
 import pytest
 
+from vehicle_roll_sim.command_line import view_pictures
 from vehicle_roll_sim.viewer import browser
 
 DATA = re.compile(r'<script type="application/json" id="data">(.*?)</script>', re.DOTALL)
@@ -67,7 +69,7 @@ def test_a_bag_is_drawn_with_its_own_vehicle_beside_a_csv_file(command, recorded
 @NEEDS_BAGS
 def test_the_vehicle_of_a_bag_is_not_changed_by_options(command, refused):
     assert command("run", *TURN, "--bag", "bag").status == 0
-    refused(("view", "bag", "--set", "front_track=1.7"), "--set", "only for CSV files", "the bag")
+    refused(("view", "bag", "--set", "front_track=1.7"), "--set", "only for CSV files", "the run")
     refused(("view", "bag", "--model", "2"), "--model", "only for CSV files")
 
 
@@ -142,12 +144,76 @@ def test_without_a_browser_no_picture_is_taken(refused, recorded, monkeypatch):
     refused(("view", "run.csv", "--png", "1"), "--png", "chromium", "install Chromium")
 
 
+@pytest.mark.parametrize(
+    ("option", "missing", "expected"),
+    [
+        ("--gif", "chromium", ("none of chromium", "install Chromium")),
+        ("--gif", "chromedriver", ("chromedriver is not installed", "apt install chromium-driver")),
+        ("--mp4", "ffmpeg", ("ffmpeg is not installed", "apt install ffmpeg")),
+        ("--gif", "selenium", ("no Python package selenium", "vehicle_roll_sim[film]")),
+    ],
+)
+def test_a_film_says_what_it_lacks(refused, recorded, monkeypatch, option, missing, expected):
+    monkeypatch.setattr(browser, "BROWSERS", ("chromium",))
+    monkeypatch.setattr(shutil, "which", lambda name: None if name == missing else "/bin/false")
+    there = importlib.util.find_spec("json")
+    spec = {"selenium": None if missing == "selenium" else there}
+    monkeypatch.setattr(importlib.util, "find_spec", spec.get)
+    refused(("view", "run.csv", option, f"film.{option[2:]}"), option, *expected)
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("--gif", "film.mp4"), ("--gif: 'film.mp4'", "a file name ending in .gif")),
+        (("--gif", "film.gif", "--fps", "30"), ("--fps", "30", "divides 100")),
+        (("--mp4", "none/film.mp4"), ("--mp4", "none does not exist")),
+        (("--png", "1", "--fps", "20"), ("--fps", "together with --mp4 or --gif")),
+        (("--mp4", "film.mp4", "--png", "1.6"), ("--png", "1.6", "0 to 1.5 s")),
+    ],
+)
+def test_films_that_make_no_sense_are_refused(refused, recorded, monkeypatch, words, expected):
+    monkeypatch.setattr(view_pictures, "need_for_film", lambda *names: None)
+    monkeypatch.setattr(browser, "browser", lambda: "/bin/false")
+    refused(("view", "run.csv", *words), *expected)
+
+
+def test_a_film_of_hours_is_refused(folder, refused, recorded, monkeypatch):
+    monkeypatch.setattr(view_pictures, "need_for_film", lambda *names: None)
+    lines = recorded.read_text().splitlines()
+    later = "3600" + lines[2][lines[2].index(",") :]
+    (folder / "long.csv").write_text("\n".join([*lines[:2], later, ""]))
+    words = ("view", "long.csv", "--gif", "film.gif")
+    refused(words, "--gif: '72001 pictures'", "at most 3000", "--fps")
+
+
 def test_a_browser_that_fails_leaves_no_picture(command, folder, recorded, monkeypatch):
     monkeypatch.setattr(browser, "browser", lambda: "/bin/false")
     result = command("view", "run.csv", "--png", "1")
     assert result.status == 1
     assert "--png: /bin/false failed" in result.err
     assert sorted(path.name for path in folder.iterdir()) == ["run.csv", "run.html"]
+
+
+def test_no_process_of_an_interrupted_browser_goes_on(command, folder, recorded, monkeypatch):
+    os.mkfifo(folder / "alive")
+    fake = folder / "browser"
+    fake.write_text(
+        f"#!/bin/sh\nexec 3>{folder}/alive\nsleep 1000 &\necho began >&3\nkill -INT $PPID\nwait\n"
+    )
+    fake.chmod(0o700)
+    monkeypatch.setattr(browser, "browser", lambda: str(fake))
+    alive = os.open(folder / "alive", os.O_RDONLY | os.O_NONBLOCK)
+    assert command("view", "run.csv", "--png", "1").status == 130
+    os.set_blocking(alive, True)
+    with os.fdopen(alive) as told:  # up to the end of the last process that has it open
+        assert told.read() == "began\n"
+    assert sorted(path.name for path in folder.iterdir()) == [
+        "alive",
+        "browser",
+        "run.csv",
+        "run.html",
+    ]
 
 
 @pytest.mark.unmeasured
@@ -160,3 +226,8 @@ def test_a_picture_is_taken_at_a_time(command, folder, recorded):
     assert content.startswith(b"\x89PNG")
     size = [int.from_bytes(content[k : k + 4], "big") for k in (16, 20)]
     assert size == list(browser.SIZE)
+
+
+def test_a_namespace_is_for_bags(refused, recorded):
+    refused(("view", "run.csv", "--namespace", "car"), "--namespace", "no bag", "only for bags")
+    refused(("plot", "run.csv", "--namespace", "car"), "--namespace", "no bag", "only for bags")

@@ -1,5 +1,7 @@
 """The environment of one vehicle is a run of the simulator with an agent's commands added."""
 
+import copy
+import pickle
 import warnings
 
 import numpy as np
@@ -167,3 +169,16 @@ def test_a_brake_keeps_a_vehicle_on_its_wheels_that_tips_without():
     assert (without[-1][3], braked[-1][3]) == (True, False)
     returns = [sum(each[2] for each in found[1:]) for found in (without, braked)]
     assert returns[1] > returns[0] + 90.0
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))])
+def test_a_copy_in_the_middle_of_an_episode_goes_on_to_the_same_bits(copied):
+    env, action = environment(fixed=FISHHOOK), np.full(4, 0.1, np.float32)
+    env.reset(seed=3)
+    for _ in range(40):
+        env.step(action)
+    other = copied(env)
+    for _ in range(40):
+        mine, its = env.step(action), other.step(action)
+        assert (mine[0].tobytes(), *mine[1:]) == (its[0].tobytes(), *its[1:])
+    assert env.reset()[1] == other.reset()[1]

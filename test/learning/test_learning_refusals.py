@@ -37,6 +37,9 @@ REFUSED = {
     },
     "limits: 3 is not allowed: values by name": {"limits": 3},
     "limits.name: 'brake' is unknown": {"limits": {"brake": 1.0}},
+    "limits.name: 1 is unknown": {"limits": {1: 1.0}},
+    "step: b'x' is not allowed": {"step": b"x"},
+    "correlations: <object": {"correlations": object()},
     "reward: 1.0 is not allowed: a function": {"reward": 1.0},
 }
 
@@ -77,6 +80,20 @@ def test_a_reset_refuses_what_is_no_factor_and_values_out_of_range():
         env.reset(options={"manoeuvre.speed": -3.0})
 
 
+@pytest.mark.parametrize("options", [0, "", [], np.zeros(2)])
+def test_a_reset_refuses_options_that_are_no_mapping(options):
+    for env in (gymnasium.make("VehicleRoll-v0").unwrapped, gymnasium.make_vec("VehicleRoll-v0")):
+        with pytest.raises(InputError, match=r"^options: .* is not allowed: values by name"):
+            env.reset(options=options)
+
+
+@pytest.mark.parametrize("seed", [1.5, "ab", [1], np.array([1, 2]), {1: 2, 2: 3}])
+def test_seeds_are_whole_numbers_as_many_as_environments(seed):
+    env = gymnasium.make_vec("VehicleRoll-v0", 2)
+    with pytest.raises(InputError, match=r"^seed: .* a whole number, or a list of 2 of them$"):
+        env.reset(seed=seed)
+
+
 @pytest.mark.parametrize(
     ("expected", "given"),
     [
@@ -91,10 +108,11 @@ def test_arguments_of_many_environments(expected, given):
     assert str(raised.value).startswith(expected)
 
 
-def test_a_reward_of_another_shape_is_refused():
-    env = gymnasium.make("VehicleRoll-v0", reward=lambda *_: 1.0).unwrapped
+@pytest.mark.parametrize(("reward", "returned"), [(1.0, r"shape \(\)"), (["a"], r"\['a'\]")])
+def test_a_reward_of_another_shape_or_kind_is_refused(reward, returned):
+    env = gymnasium.make("VehicleRoll-v0", reward=lambda *_: reward).unwrapped
     env.reset(seed=0)
-    with pytest.raises(InputError, match=r"^reward: returned shape \(\): an array of 1 numbers$"):
+    with pytest.raises(InputError, match=f"^reward: returned {returned}: an array of 1 numbers$"):
         env.step(np.zeros(4, np.float32))
 
 

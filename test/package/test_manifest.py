@@ -15,7 +15,7 @@ PACKAGE = "vehicle_roll_sim"
 NOT_OF_ROS = {
     *("numpy", "scipy", "yaml", "tqdm", "matplotlib"),
     *("numba", "rosbags", "mujoco", "control", "pandas", "pyarrow", "gymnasium", "distributed"),
-    *("pint", "asammdf"),
+    *("selenium", "PIL", "pint", "asammdf"),
 }
 """Libraries whose names in package.xml are rosdep keys, or that come from pip."""
 RUN_BY_LAUNCH_FILES = {"ros2launch", "robot_state_publisher", "ros2bag", "rosbag2_storage_mcap"}
@@ -26,6 +26,7 @@ ROSDEP_KEYS = {
     "yaml": "python3-yaml",
     "tqdm": "python3-tqdm",
     "matplotlib": "python3-matplotlib",
+    "PIL": "python3-pil",
     "numba": "python3-numba",
 }
 HAVE_NUMBA, HAVE_NOT = ("lyrical", "rolling"), ("jazzy", "kilted", "")

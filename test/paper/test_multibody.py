@@ -225,6 +225,12 @@ def test_a_run_in_the_engine_stops_where_one_of_the_model_does(programme, settin
     assert runs.engine["time"].tolist() == runs.model["time"].tolist()
 
 
+def test_the_engine_refuses_actuators():
+    vehicle = preset().with_values({"steering_actuator_range": 0.5})
+    with pytest.raises(InputError, match=r"^steering_actuator_range: 0.5 is not allowed: no value"):
+        Multibody(vehicle)
+
+
 @pytest.mark.parametrize(
     ("setting", "value"), [("speed", 1.0), ("step", 1.0), ("rollover_angle", 2.0)]
 )

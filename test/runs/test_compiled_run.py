@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from actuated import actuated
 
 from vehicle_roll_sim import Condition, InputError, Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
@@ -14,6 +15,7 @@ from vehicle_roll_sim.model.compiled.jit import CACHE
 from vehicle_roll_sim.model.integration.drive import drive
 from vehicle_roll_sim.runs import compiled_run as module
 from vehicle_roll_sim.runs.compiled_run import compiled_run
+from vehicle_roll_sim.runs.history import COMMANDS
 from vehicle_roll_sim.runs.run import run
 
 AT_03G = {"steering_at_03g": 20.0}
@@ -102,6 +104,22 @@ def test_wind_has_the_same_bits():
     assert one == other
 
 
+@pytest.mark.parametrize("name", ["nhtsa_fishhook", "steady_state_circle"])
+def test_actuators_have_the_same_bits(name):
+    simulation = Simulation(actuated(**SLOW))
+    one, other = both_ways(simulation, ready(name, simulation, duration=1.5))
+    assert one == other
+
+
+def test_the_commands_in_a_history_are_what_the_actuators_let_act():
+    """Here a lag of 0.05 s after a dead time of 0.03 s."""
+    braking = command_table({"time": [0.0, 0.3], "brake_torque_rf": [100.0, 100.0]})
+    history = compiled_run(Simulation(actuated()), braking, 0.3)
+    after = np.maximum(history["time"] - 0.03, 0.0)
+    found = history.commands[:, COMMANDS.index("brake_torque_rf")]
+    np.testing.assert_allclose(found, 100.0 * (1 - np.exp(-after / 0.05)), atol=1e-10)
+
+
 @pytest.mark.parametrize("model", ["1a", "2", "8dof"])
 def test_every_kind_of_model_has_the_same_bits(model):
     simulation = Simulation(preset(), Options(model=model), step=0.005)
@@ -152,10 +170,11 @@ def test_a_run_that_rolls_over_or_diverges_ends_alike():
     assert simulation.condition is Condition.DIVERGED
 
 
+@pytest.mark.parametrize("vehicle", [preset(), actuated()], ids=["plain", "with actuators"])
 @pytest.mark.parametrize("name", ["step_steer", "nhtsa_fishhook"])
-def test_a_run_goes_on_from_the_present_state(name):
+def test_a_run_goes_on_from_the_present_state(name, vehicle):
     """Even from the middle of a command period: the driver is asked at once."""
-    simulation, found = Simulation(preset()), []
+    simulation, found = Simulation(vehicle), []
     manoeuvre = ready(name, simulation)
     for driven in (run, compiled_run):
         simulation.reset(manoeuvre.speed)

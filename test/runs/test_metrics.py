@@ -2,6 +2,7 @@
 
 import itertools
 import math
+import warnings
 
 import numpy as np
 import pytest
@@ -157,6 +158,14 @@ def test_sideslip_is_the_angle_of_the_way_over_the_ground_whatever_the_attitude_
     velocity = attitudes.inv().apply(np.column_stack((ahead, left, [0.0, 1.0, -2.0, 0.0])))
     found = sideslip_angle(velocity.T, roll, pitch)
     np.testing.assert_allclose(found, np.arctan(left / ahead), rtol=ROUNDING)
+
+
+def test_sideslip_of_an_infinite_roll_angle_is_unknown_without_a_warning():
+    ones = np.ones(1)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for angle in (np.inf, -np.inf):
+            assert np.isnan(sideslip_angle((ones, ones, ones), angle * ones, 0 * ones))
 
 
 def test_sideslip_without_heave_and_pitch_or_in_standstill():

@@ -1,5 +1,8 @@
 """Study files: what is accepted, and one line for each kind of mistake."""
 
+from fractions import Fraction
+
+import numpy as np
 import pytest
 
 from vehicle_roll_sim.declaration import InputError
@@ -173,3 +176,15 @@ def test_a_search_for_an_event_that_a_model_does_not_have_is_refused(study, chan
 def test_what_only_draws_need_is_refused_without_them(study, name):
     with pytest.raises(InputError, match=f"{name}: nothing is drawn"):
         study(**{name: 3})
+
+
+@pytest.mark.parametrize("value", [object(), b"x", np.array([1, 2]), {(1, 2): 3}])
+@pytest.mark.parametrize("key", ["correlations", "step", "events", "search"])
+def test_a_value_from_python_that_json_does_not_have_is_refused_by_its_name(study, key, value):
+    with pytest.raises(InputError, match=f"^study: {key}: "):
+        study(**{key: value})
+
+
+def test_a_number_of_any_type_is_kept_as_a_number(study):
+    found = study(factors={"manoeuvre.speed": [Fraction(31, 2), np.int64(16), np.float32(0.5)]})
+    assert found.identity["study"]["factors"] == {"manoeuvre.speed": [15.5, 16, 0.5]}

@@ -10,6 +10,7 @@ from vehicle_roll_sim import Vehicle, load_tire, load_vehicle, preset
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.files.text_file import LARGEST_FILE
 from vehicle_roll_sim.model.records import VEHICLE
+from vehicle_roll_sim.vehicle.actuator_parameters import OF_ACTUATORS
 
 SOURCE = {
     "sprung_mass": 1440.0,
@@ -65,6 +66,15 @@ DETAILS = {
     "lateral_force_camber": 1e-6,
 }
 """Of each axle."""
+ACTUATOR = {
+    "time_constant": 0.1,
+    "frequency": 8.0,
+    "damping": 0.7,
+    "dead_time": 0.02,
+    "rate_limit": 1.0,
+    "range": 0.9,
+    "resolution": 0.001,
+}
 ABSENT = {
     "front_tire_radius": 0.3,
     "rear_tire_radius": 0.31,
@@ -112,6 +122,7 @@ ABSENT = {
     "rear_differential_preload": 60.0,
     "front_differential_locking": 0.2,
     "rear_differential_locking": 0.4,
+    **{name: ACTUATOR[name.partition("_actuator_")[-1]] for name in OF_ACTUATORS},
 }
 """What the reference vehicle does not have."""
 TABLES = {"steering_gear": ("steering_ratio", "[[0, 0], [1, 0.1], [6, 0.5]]")} | {
@@ -146,6 +157,8 @@ def needed_by(name: str) -> list[str]:
     """Parameters without which this one is refused."""
     if name.startswith("pressure_centre"):
         return ["side_force_area"]
+    if name.endswith("_actuator_damping"):
+        return [name.replace("damping", "frequency")]
     axle, _, of = name.partition("_differential_")
     needed = {"preload": ["damping"], "locking": ["damping", "preload"]}.get(of, [])
     return [f"{axle}_differential_{each}" for each in needed]
@@ -187,6 +200,7 @@ WRONG = [
     pytest.param(name, value, id=f"{name}={value}")
     for name, declared in PARAMETERS.items()
     if name.removeprefix("rear_") not in DETAILS  # declared with that of the front axle
+    and (name not in OF_ACTUATORS or name.startswith("steering_"))  # likewise
     for value in (
         *(".nan", ".inf", "-.inf", "many", "'1440'", "true", "[1, 2]", "{a: 1}", "", "1e99"),
         repr(beyond(declared.minimum, -1.0)),

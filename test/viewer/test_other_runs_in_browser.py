@@ -11,6 +11,7 @@ from vehicle_roll_sim.model.kinematic.guidance import carriers, look_up, paths
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.viewer.recording import ViewedRun
+from vehicle_roll_sim.viewer.study_map import Quantity, StudyMap
 
 pytestmark = pytest.mark.unmeasured
 
@@ -116,6 +117,35 @@ def test_of_many_runs_the_reader_chooses_those_to_show(opened):
     assert page(ticked) == [False, False, True, False, True]
     legend = "[...document.querySelectorAll('#legend button')].map((each) => each.innerText.trim())"
     assert page(legend) == ["run 2", "run 4"]
+    assert page.complaints == []
+
+
+def test_a_point_on_the_map_of_a_study_opens_its_run(opened):
+    """Five runs, of which the page has two; they differ in speed, one has an unknown event."""
+    speeds = np.array([SLOW, 16.0, 18.0, 20.0, FAST])
+    happened = np.array([0.0, 0.0, np.nan, 1.0, 1.0])
+    quantities = [
+        *(Quantity("speed (m/s)", speeds), Quantity("roll (rad)", speeds / 100)),
+        Quantity(HOSTILE, happened, ("no", "yes")),
+    ]
+    study = StudyMap(np.arange(5), quantities, {0: 0, 4: 1}, (0, 1, 2))
+    runs = [viewed(fishhook(SLOW), "run 0"), viewed(fishhook(FAST), "run 4")]
+    page = opened(*runs, shown=[0], study=study)
+    legend = "[...document.querySelectorAll('#legend button')].map((each) => each.innerText.trim())"
+    assert page(legend) == ["run 0"]
+    assert page("document.querySelectorAll('#map > svg circle').length") == 5
+    assert page("document.querySelectorAll('#map circle.unknown').length") == 1
+    slow, fast = page.driver.find_elements("css selector", "#map [role=button]")
+    assert slow.location["x"] < fast.location["x"]
+    assert slow.location["y"] > fast.location["y"]
+    assert fast.get_attribute("aria-label").startswith("Open run 4: speed (m/s) 22, roll")
+    fast.click()
+    page.wait_for("document.querySelector('#legend button')?.innerText.trim() === 'run 4'")
+    assert page.at(1e9)["lamps"] == [True] * 5
+    page.driver.find_elements("css selector", "#map [role=button]")[0].send_keys("\ue008\ue007")
+    page.wait_for("document.querySelectorAll('#legend button').length === 2")
+    assert page(legend) == ["run 4", "run 0"]
+    assert page("window.hacked") is None
     assert page.complaints == []
 
 

@@ -4,6 +4,7 @@ import base64
 import hashlib
 import html
 import json
+import os
 import re
 
 import numpy as np
@@ -13,8 +14,9 @@ from viewed_runs import FAST, SLOW, fishhook, of_columns, viewed, viewed_history
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.viewer import page as pages
-from vehicle_roll_sim.viewer.page import MOST_RUNS, SCRIPTS, page
+from vehicle_roll_sim.viewer.page import MOST_RUNS, SCRIPTS, page, write_page
 from vehicle_roll_sim.viewer.scene import TRAVELS
+from vehicle_roll_sim.viewer.study_map import MOST_POINTS, Quantity, StudyMap
 
 SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)
@@ -115,6 +117,14 @@ def test_what_is_written_in_names_ends_no_element_and_fills_no_place():
     assert re.search("<title>(.*)</title>", text)[1] == html.escape(HOSTILE)
 
 
+def test_bytes_of_a_file_name_that_are_no_text_can_be_written(tmp_path):
+    name = os.fsdecode(b"gr\xf6sse")
+    write_page(tmp_path / "page.html", [viewed_history(of_columns(3), name)], name, notes=[name])
+    text = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "<title>gr?sse</title>" in text
+    assert data_of(text)["runs"][0]["label"] == name
+
+
 def test_unknown_and_infinite_values_are_no_obstacle():
     odd = of_columns(4, roll=np.nan, x=np.inf, lateral_acceleration=1e300)
     found = columns_of(data_of(page([viewed_history(odd)], "odd"))["runs"][0])
@@ -145,3 +155,19 @@ def test_a_vehicle_is_drawn_at_its_numbers():
     guide = wheels[1]["guide"]
     assert guide["travel"] == TRAVELS.tolist()
     assert guide["left"][len(TRAVELS) // 2] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_the_map_of_a_large_study_keeps_the_runs_that_open_and_about_as_many_points_as_it_may():
+    count = 7 * MOST_POINTS
+    values = np.linspace(0.0, 1.0, count)
+    values[5] = np.inf
+    opens = {5: 0, count - 3: 1}
+    study = StudyMap(np.arange(count), [Quantity("share", values)], opens, (0, 0, 0))
+    told = data_of(page([viewed(fishhook())] * 2, "", study=study))["study"]
+    points = {each["run"]: each["place"] for each in told["points"]}
+    assert told["count"] == count
+    assert MOST_POINTS <= len(points) <= MOST_POINTS + 2
+    assert {run: place for run, place in points.items() if place is not None} == opens
+    places = dict(zip(points, told["quantities"][0]["values"], strict=True))
+    assert places[5] is None
+    assert places[count - 3] == pytest.approx(values[-3], rel=1e-5)

@@ -8,6 +8,7 @@ import numpy as np
 
 from vehicle_roll_sim.bags.reading import RecordedRun
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.messages.run_messages import demand_in, wind_in
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import STILL_AIR, Command
@@ -97,10 +98,10 @@ def _state(simulation: Simulation) -> np.ndarray:
 
 
 def _command(values: np.ndarray) -> Command:
-    """The command in the values of an `applied_command`."""
-    _, steering, rear_steering, *rest = map(float, values)
+    """The command that was given, from the values of an `applied_command`."""
+    steering, rear_steering, *rest = map(float, demand_in(values))
     torque, brake, force = (rest[k * WHEEL_COUNT : (k + 1) * WHEEL_COUNT] for k in range(3))
-    wind = rest[3 * WHEEL_COUNT :] or STILL_AIR
+    wind = tuple(map(float, wind_in(values))) or STILL_AIR
     return Command(steering, rear_steering, torque, brake, force, wind=wind)
 
 

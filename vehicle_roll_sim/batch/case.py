@@ -81,8 +81,8 @@ class Outcome:
     "diverged at ..." if it was broken off, or "failed: ..." if the user's own driver raised an
     exception; "" otherwise. condition: RUNNING if the run was completed, else why it stopped; None
     if it was refused or failed. final_state: STATE record at the end, such as `final_state.u`; nan
-    without a condition, and where the model does not have a state. history: rows of the run if they
-    were asked for, else None.
+    without a condition, and where the model does not have a state. history, events: rows of the run
+    and EVENTS record of all its steps if the history was asked for, else None.
     """
 
     metrics: dict[str, float]
@@ -90,6 +90,7 @@ class Outcome:
     condition: Condition | None
     final_state: np.record
     history: History | None = None
+    events: np.record | None = None
 
 
 def no_state() -> np.ndarray:

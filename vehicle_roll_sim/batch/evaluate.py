@@ -91,5 +91,5 @@ def _driven(case: Case, keeps_history: bool) -> Outcome:
         failure,
         simulation.condition,
         simulation.state.copy(),
-        history if keeps_history else None,
+        *((history, simulation.events.copy()) if keeps_history else ()),
     )

@@ -7,12 +7,14 @@ import numpy as np
 
 from vehicle_roll_sim.batch.evaluate import checked_workers
 from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.model.actuators import ACTUATORS, COMMAND_SIZE
 from vehicle_roll_sim.model.compiled.jit import interruptible, kernel_argument, silently
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import EVENTS, Condition
 from vehicle_roll_sim.model.integration.integrator import STAGE_VECTORS
 from vehicle_roll_sim.model.integration.step_each import CONDITION, NOW, PROGRESS_SIZE, step_each
-from vehicle_roll_sim.model.records import OUTPUTS, STATE, STATE_SIZE
+from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
+from vehicle_roll_sim.simulation.actuators import Actuation
 from vehicle_roll_sim.simulation.advance_address import PLANT, address_of_advance
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -26,22 +28,38 @@ class Fleet:
 
     Attributes, arrays with one element or row for each place, which the next call overwrites:
     `states` (STATE records), `outputs` (OUTPUTS), `events` (EVENTS), `state_vectors`, shape (count,
-    STATE_SIZE), and `output_vectors`, the same numbers as flat vectors.
+    STATE_SIZE), and `output_vectors`, the same numbers as flat vectors. A copied or pickled fleet
+    is independent of the original and has its own threads.
     """
 
     def __init__(self, count: int, step_ns: int, workers: int | None = None):
         self.step_ns = step_ns
         self.states, self.outputs = np.zeros(count, STATE), np.full(count, np.nan, OUTPUTS)
         self.events = np.full(count, np.nan, EVENTS)
-        self.state_vectors = self.states.view(np.float64).reshape(count, STATE_SIZE)
-        self.output_vectors = self.outputs.view(np.float64).reshape(count, -1)
         self._plant = tuple(np.zeros(count, kind) for kind in PLANT)
         self._stages = np.zeros((count, STAGE_VECTORS, STATE_SIZE))
+        self._actuators = np.zeros(count, ACTUATORS)
+        self._acting = np.zeros((count, 0), COMMAND)
         self._progress = np.zeros((count, PROGRESS_SIZE), np.int64)
-        self._arguments = ()
         threads = min(checked_workers(workers), count)
         self._bounds = [count * i // threads for i in range(threads + 1)]
+        self._complete()
+
+    def _complete(self) -> None:
+        """Add what a copy cannot take over: views of own arrays, addresses and threads."""
+        count, threads = len(self), len(self._bounds) - 1
+        self.state_vectors = self.states.view(np.float64).reshape(count, STATE_SIZE)
+        self.output_vectors = self.outputs.view(np.float64).reshape(count, -1)
+        self._arguments = ()
         self._pool = ThreadPoolExecutor(threads, "fleet") if threads > 1 else None
+
+    def __getstate__(self) -> dict:
+        added = ("state_vectors", "output_vectors", "_arguments", "_pool")
+        return {name: value for name, value in vars(self).items() if name not in added}
+
+    def __setstate__(self, state: dict) -> None:
+        vars(self).update(state)
+        self._complete()
 
     def __len__(self) -> int:
         return len(self.states)
@@ -75,8 +93,17 @@ class Fleet:
         of_fleet = (*self._plant[:-1], self.states, self.outputs, self.events, self._stages)
         for kept, given in zip(of_fleet, (*plant, *memory), strict=True):
             kept[i] = given if kept is self._stages else given[0]
+        self._place_actuators(i, simulation.actuation)
         self._progress[i] = simulation.time_ns, simulation.condition
         self._arguments = ()
+
+    def _place_actuators(self, i: int, given: Actuation) -> None:
+        """Copy actuators, with room for the longest memory of all places."""
+        missing = len(given.memory) - self._acting.shape[1]
+        if missing > 0:
+            self._acting = np.pad(self._acting, ((0, 0), (0, missing)))
+        self._actuators[i] = given.actuators[0]
+        self._acting[i, : len(given.memory)] = given.memory
 
     def step(self, commands: np.ndarray, steps: np.ndarray) -> None:
         """Advance each simulation until it must stop, at most by its number of steps.
@@ -95,12 +122,14 @@ class Fleet:
             done.result()
 
     def _as_arguments(self) -> tuple:
-        """Address, memory and plants in the form in which `step_each` takes them."""
+        """Address, memory, plants and actuators in the form in which `step_each` takes them."""
         if not self._arguments:
             outputs, events = kernel_argument(self.outputs), kernel_argument(self.events)
             memory = (self.state_vectors, outputs, events, self._stages)
             plants = tuple(map(kernel_argument, self._plant))
-            self._arguments = (address_of_advance(), memory, plants)
+            numbers = self._acting.view(np.float64).reshape(*self._acting.shape, COMMAND_SIZE)
+            actuation = (kernel_argument(self._actuators), self._acting, numbers)
+            self._arguments = (address_of_advance(), memory, plants, actuation)
         return self._arguments
 
     def close(self) -> None:

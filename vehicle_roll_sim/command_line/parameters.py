@@ -4,6 +4,7 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.vehicle_options import add_vehicle_options, chosen_vehicle
 from vehicle_roll_sim.declaration import parameters_of
+from vehicle_roll_sim.vehicle.actuator_parameters import OF_ACTUATORS
 from vehicle_roll_sim.vehicle.derived_values import AXLES
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -53,7 +54,7 @@ def value_of(vehicle: Vehicle, name: str) -> tuple[float | tuple | None, str]:
     if vehicle.origin and vehicle.origin.derived.get(name) is not None:
         return vehicle.origin.derived[name], "from the mass of the whole vehicle and its payload"
     axle, _, measure = name.partition("_")
-    if axle not in AXLES:
+    if axle not in AXLES or name in OF_ACTUATORS:
         return None, ""
     if "roll_centre" in measure:
         other = "height" if measure.endswith("depth") else "depth"

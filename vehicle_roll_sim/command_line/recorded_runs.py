@@ -1,19 +1,21 @@
-"""Recorded runs as arguments of a command: CSV files of `run --csv`, and bags."""
+"""Recorded runs as arguments of a command: CSV files of `run --csv`, bags, and runs of studies."""
 
 import argparse
 import dataclasses
 import math
 import os
+import re
+import sys
 from pathlib import Path
 
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.command_line import signals
+from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.files.output_file import check_writable
 from vehicle_roll_sim.runs.history import History
-from vehicle_roll_sim.simulation.description import Described
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
+from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES, Simulation
 
 LATEST = 1e10
 """s: later than any sample, even if times are counted from 1970."""
@@ -36,7 +38,8 @@ def add_runs(parser: argparse.ArgumentParser, metavar: str) -> None:
         "files",
         metavar=metavar,
         nargs="+",
-        help="a CSV file written by `run --csv`, or a bag; several are overlaid",
+        help="a CSV file written by `run --csv`, a bag, or DIR#N for run N of the study in the "
+        "folder DIR; several are overlaid",
     )
     parser.add_argument(
         "--namespace", metavar="NS", help="namespace of the vehicle, if the bag has several"
@@ -60,10 +63,15 @@ def add_names(group: argparse._ArgumentGroup, what: str, default: str) -> None:
 
 
 def files_of(arguments: argparse.Namespace, field: str, most: int, why: str) -> list[Path]:
-    """The files named by the arguments; raises InputError if there are more than `most`."""
+    """The files named by the arguments; raises InputError if there are more than `most`.
+
+    Likewise for a namespace without a bag.
+    """
     files = [named_file(text, field) for text in arguments.files]
     if len(files) > most:
         raise InputError(field, f"{len(files)} files", f"at most {most}, {why}")
+    if arguments.namespace is not None and not any(file.is_dir() for file in files):
+        raise InputError("--namespace", arguments.namespace, "only for bags", "there is no bag")
     return files
 
 
@@ -77,19 +85,53 @@ def part_settings(arguments: argparse.Namespace) -> dict[str, float]:
 
 def run_from(
     path: Path, namespace: str | None, field: str, with_forces: bool = False
-) -> tuple[History, Described | None]:
-    """The samples of a recorded run, and its simulation if a bag describes it.
+) -> tuple[History, Simulation | None]:
+    """The samples of a recorded run, and its simulation if a bag or a study describes it.
 
     with_forces: with the horizontal tire forces, which `last_run` leaves out of bags. Raises
-    InputError naming `field` or the file if `path` is neither a CSV nor a bag.
+    InputError naming `field` or the file if `path` is nothing of these.
     """
+    if of_study := _run_of_study(path):
+        return _driven_again(*of_study, field)
     if path.is_dir():
+        signals.import_interruptibly("studies.store")
+        from vehicle_roll_sim.studies.store import IDENTITY
+
+        if (path / IDENTITY).exists():
+            raise InputError(field, str(path), f"one run of the study, such as {path}#0")
         need_library(field)
         with signals.exit_on_signal():
             from vehicle_roll_sim.bags.reading import last_run  # its library is optional
 
-        return last_run(path, namespace, with_forces)
+        history, told = last_run(path, namespace, with_forces)
+        return history, told.simulation if told else None
     return History.read_csv(path), None
+
+
+def _run_of_study(path: Path) -> tuple[Path, int] | None:
+    """Folder and number if a path is DIR#N, with the folder DIR and nothing of that name."""
+    named = re.fullmatch(r"(.+)#([0-9]{1,9})", str(path), re.DOTALL)
+    if named is None or path.exists() or not Path(named[1]).is_dir():
+        return None
+    return Path(named[1]), int(named[2])
+
+
+def _driven_again(folder: Path, number: int, field: str) -> tuple[History, Simulation]:
+    """The samples of a run of a study, and its simulation; raises InputError."""
+    signals.import_interruptibly("studies.driven_again")
+    from vehicle_roll_sim.studies.driven_again import drive_again, kept_results
+
+    results = kept_results(folder, field)
+    with signals.exit_on_signal():
+        compile_model()
+    (run,) = drive_again(results, [number], field)
+    if not run.is_same:
+        print(
+            f"{signals.PROGRAM}: warning: {folder}: driven again, run {number} differs from the "
+            "table of the study, as happens on another kind of machine",
+            file=sys.stderr,
+        )
+    return run.outcome.history, run.case.simulation()
 
 
 def part_of(history: History, settings: dict[str, float], path: Path) -> History:
@@ -130,5 +172,6 @@ def labels_of(given: list[str] | None, files: list[Path]) -> list[str]:
 
 
 def name_of(path: Path) -> str:
-    """The name of a file or folder without its suffix."""
-    return Path(os.path.abspath(path)).stem
+    """The name of a file or folder without its suffix; that of a run of a study with its number."""
+    path = Path(os.path.abspath(path))
+    return path.name if _run_of_study(path) else path.stem

@@ -5,7 +5,7 @@ import sys
 from tqdm import tqdm
 
 from vehicle_roll_sim.arguments import OneLineParser, named_file
-from vehicle_roll_sim.command_line import signals
+from vehicle_roll_sim.command_line import signals, study_page
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.plausibility_option import add_strict, warn_or_refuse
@@ -19,14 +19,19 @@ def study_command(words: list[str], program: str) -> int:
     """Run the command with the arguments after its name; return the exit status."""
     arguments = _parser(program).parse_args(words)
     signals.import_interruptibly("studies.folder", "studies.cluster")
-    from vehicle_roll_sim.studies import folder, tables
+    from vehicle_roll_sim.studies import driven_again, folder, tables
 
+    page = study_page.page_of(arguments, named_file(arguments.out, "--out"))
+    numbers = study_page.runs_of(arguments)
     if arguments.show is not None:
         others = (arguments.study, arguments.out, arguments.format, arguments.dask)
         if any(each is not None for each in others):
             raise InputError("--show", arguments.show, "nothing but the folder of a study")
-        report = folder.show_study(named_file(arguments.show, "--show"), "--show")
+        shown = named_file(arguments.show, "--show")
+        report = folder.show_study(shown, "--show")
         print(report.summary, line("results", arguments.show), sep="\n")
+        if page:
+            _write_page(page, driven_again.kept_results(shown, "--view"), numbers, shown)
         return 0
     path, out = named_file(arguments.study, "STUDY.yaml"), named_file(arguments.out, "--out")
     for field, given in (("STUDY.yaml", path), ("--out", out)):
@@ -37,7 +42,14 @@ def study_command(words: list[str], program: str) -> int:
     report = _run(folder, path, out, chosen, arguments)
     print(report.summary, line("results", out), sep="\n")
     _check_runs(path, report.results)
+    if page:
+        _write_page(page, report.results, numbers, out)
     return 0
+
+
+def _write_page(page, results, numbers, out) -> None:
+    study_page.write_study_page(page, results, numbers, f"study {out.name}")
+    print(line("page", page))
 
 
 def _check_runs(path, results) -> None:
@@ -91,6 +103,7 @@ def _parser(program: str) -> OneLineParser:
     group.add_argument("--format", metavar="FORMAT", help=about)
     about = "show the results in this folder: write summary and figures again, without any runs"
     group.add_argument("--show", metavar="DIR", help=about)
+    study_page.add_page_options(group)
     about = "compute the runs on workers of the Dask scheduler at this address, such as HOST:8786"
     group.add_argument("--dask", metavar="ADDRESS", help=about)
     add_strict(parser.add_argument_group("vehicle"))

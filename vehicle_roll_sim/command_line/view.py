@@ -1,14 +1,13 @@
 """`vehicle_roll_sim view`: a page that shows recorded runs in a browser."""
 
 import argparse
-import dataclasses
 import math
 import sys
 from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.arguments import OneLineParser, add_declared, declared_values
+from vehicle_roll_sim.arguments import OneLineParser, add_declared
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.recorded_runs import (
     add_names,
@@ -27,7 +26,8 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_options,
     chosen_vehicle,
 )
-from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
+from vehicle_roll_sim.command_line.view_pictures import add_pictures, pictures_of
+from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.files.output_file import check_page_format
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, manoeuvre_named
 from vehicle_roll_sim.manoeuvres.double_lane_change import DoubleLaneChange
@@ -38,7 +38,6 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import TIRES
-from vehicle_roll_sim.viewer.browser import CAMERAS, THEMES, need_browser, write_picture
 from vehicle_roll_sim.viewer.page import MOST_RUNS, write_page
 from vehicle_roll_sim.viewer.recording import ViewedRun
 from vehicle_roll_sim.viewer.scene import scene_of
@@ -50,34 +49,19 @@ AT_REST = 1e-6
 """m: tolerance of the c.g. height at which a run begins."""
 
 
-@dataclasses.dataclass(frozen=True)
-class PictureSettings:
-    """The picture that is taken of the page."""
-
-    png: float = parameter(
-        "also write a picture of the page at this time, named like the page but with .png; needs "
-        "Chromium or Chrome",
-        "s",
-        0.0,
-        1e10,
-    )
-    camera: str = parameter("camera of the picture", choices=CAMERAS, default=CAMERAS[0])
-    theme: str = parameter("colours of the picture", choices=THEMES, default=THEMES[0])
-
-
 def view_command(words: list[str], program: str) -> int:
     """Run the command with the arguments after its name; return the exit status."""
     arguments = _parser(program).parse_args(words)
     files = files_of(arguments, "RUN", MOST_RUNS, "the number of colours")
-    settings, picture = part_settings(arguments), declared_values(arguments, PictureSettings)
-    output = _output(arguments, files, picture)
+    settings, output = part_settings(arguments), _output(arguments, files)
+    pictures = pictures_of(arguments, output, files)
     labels = labels_of(arguments.label, files)
     read = [run_from(file, arguments.namespace, "RUN", with_forces=True) for file in files]
     chosen = _chosen(arguments, [told is None for _, told in read])
     runs, notes, cones = [], [], []
     for file, label, (history, told) in zip(files, labels, read, strict=True):
-        vehicle, options = (told.simulation.vehicle, told.simulation.options) if told else chosen
-        angle = told.simulation.rollover_angle if told else math.radians(DEFAULT_ROLLOVER_DEGREES)
+        vehicle, options = (told.vehicle, told.options) if told else chosen
+        angle = told.rollover_angle if told else math.radians(DEFAULT_ROLLOVER_DEGREES)
         if "stop_roll" in settings:
             angle = math.radians(settings["stop_roll"])
         if told is None:
@@ -87,14 +71,13 @@ def view_command(words: list[str], program: str) -> int:
         runs.append(ViewedRun(part, events_of(history, angle), label, scene))
         if arguments.manoeuvre and not len(cones):
             cones = _cones(arguments.manoeuvre, vehicle, options)
-    if "png" in picture:
-        _check_time(picture["png"], runs)
+    begin = min(float(run.history["time"][0]) for run in runs)
+    end = max(float(run.history["time"][-1]) for run in runs)
+    pictures.check_times(begin, end)
     title = arguments.title if arguments.title is not None else ", ".join(labels)
     write_page(output, runs, title, cones, notes)
     print(line("page", output))
-    if "png" in picture:
-        write_picture(output, output.with_suffix(".png"), **_shot(picture))
-        print(line("picture", output.with_suffix(".png")))
+    pictures.write(begin, end)
     return 0
 
 
@@ -102,8 +85,8 @@ def _parser(program: str) -> argparse.ArgumentParser:
     parser = OneLineParser(
         prog=program,
         description=COMMANDS["view"],
-        epilog="The vehicle options are for CSV files. A bag states its vehicle and the roll angle "
-        "at which its run stops.",
+        epilog="The vehicle options are for CSV files. A bag or study states its vehicle and the "
+        "roll angle at which its run stops.",
     )
     add_runs(parser, "RUN")
     group = parser.add_argument_group("results")
@@ -118,23 +101,18 @@ def _parser(program: str) -> argparse.ArgumentParser:
         metavar="NAME",
         help="show the cones of this manoeuvre: " + ", ".join(WITH_CONES),
     )
-    add_declared(parser, PictureSettings, "picture")
+    add_pictures(parser)
     add_vehicle_options(parser)
     others = [name for name in parameters_of(Options) if name != "model"]
     add_declared(parser, Options, "vehicle", without=others)
     return parser
 
 
-def _output(arguments: argparse.Namespace, files: list[Path], picture: dict) -> Path:
-    """Where the page goes, checked, and the picture with it."""
+def _output(arguments: argparse.Namespace, files: list[Path]) -> Path:
+    """Where the page goes, checked."""
     output = output_of(arguments.out, "--out", ".html", files)
     check_page_format(output, "--out")
     check_output(output, "--out", files)
-    if "png" in picture:
-        check_output(output.with_suffix(".png"), "--png", files)
-        need_browser("--png")
-    elif picture:
-        raise InputError(f"--{next(iter(picture))}", "", "together with --png", "no picture")
     if arguments.manoeuvre is not None and arguments.manoeuvre not in WITH_CONES:
         raise InputError("--manoeuvre", arguments.manoeuvre, "one of " + ", ".join(WITH_CONES))
     return output
@@ -150,7 +128,7 @@ def _chosen(
     for name in OF_VEHICLE:
         if value := getattr(arguments, name):
             option = "--" + name.replace("_", "-")
-            raise InputError(option, value, "only for CSV files", "the bag describes its vehicle")
+            raise InputError(option, value, "only for CSV files", "the run describes its vehicle")
     return None
 
 
@@ -173,17 +151,3 @@ def _warn_of_another_vehicle(path: Path, history: History, vehicle: Vehicle) -> 
 def _cones(name: str, vehicle: Vehicle, options: Options) -> np.ndarray:
     """The cones of a manoeuvre with its default settings, (n, 2) (m)."""
     return manoeuvre_named(name).for_vehicle(vehicle, options).cones
-
-
-def _check_time(time: float, runs: list[ViewedRun]) -> None:
-    """Raise InputError if no run has that time (s)."""
-    begin = min(float(run.history["time"][0]) for run in runs)
-    end = max(float(run.history["time"][-1]) for run in runs)
-    if not begin <= time <= end:
-        raise InputError("--png", time, f"a time of the runs, {begin:g} to {end:g} s")
-
-
-def _shot(picture: dict) -> dict:
-    """The arguments of `write_picture`."""
-    values = dataclasses.asdict(PictureSettings(**picture))
-    return {"time": values["png"], "camera": values["camera"], "theme": values["theme"]}

@@ -44,7 +44,7 @@ class VehicleRollEnv(gymnasium.Env):
         Returns the observation, shape (m,), and the info: `time` and `drawn`.
         """
         super().reset(seed=seed)
-        info = self._episodes.begin(0, self.np_random, options or {})
+        info = self._episodes.begin(0, self.np_random, {} if options is None else options)
         return self._episodes.observe()[0], info
 
     def step(self, action):

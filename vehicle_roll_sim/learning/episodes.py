@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from vehicle_roll_sim.batch.fleet import Fleet
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, shown
 from vehicle_roll_sim.learning.actions import Actions, check_action_names, shares_of
 from vehicle_roll_sim.learning.commands import Drivers, periods_of
 from vehicle_roll_sim.learning.observations import USUAL, Observer, Signals
@@ -132,11 +132,14 @@ class Episodes:
         return np.where(going, self._rewards(actions), 0.0)
 
     def _rewards(self, actions: np.ndarray) -> np.ndarray:
-        rewards = self._reward(Signals(self._fleet), actions, self.rolled_over)
-        if np.shape(rewards) != (len(self._fleet),):
-            allowed = f"an array of {len(self._fleet)} numbers"
-            raise InputError("reward", "", allowed, f"returned shape {np.shape(rewards)}")
-        return rewards
+        given = self._reward(Signals(self._fleet), actions, self.rolled_over)
+        allowed = f"an array of {len(self._fleet)} numbers"
+        if np.shape(given) != (len(self._fleet),):
+            raise InputError("reward", "", allowed, f"returned shape {np.shape(given)}")
+        try:
+            return np.asarray(given, np.float64)
+        except (TypeError, ValueError):
+            raise InputError("reward", "", allowed, f"returned {shown(given)}") from None
 
     def _note_rows(self, places: np.ndarray) -> None:
         """Keep a row for the metrics of each place that has moved."""

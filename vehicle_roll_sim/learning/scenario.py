@@ -61,7 +61,13 @@ class Scenario:
             manoeuvres, fixed = STRAIGHT, {AMPLITUDE: 0.0, **fixed}
         names = [manoeuvres] if isinstance(manoeuvres, str) else manoeuvres
         names = names_of("manoeuvre", names, STANDARD)
-        self._studies = [_study(name, fixed, given) for name in names]
+        self.__setstate__([_study(name, fixed, given) for name in names])
+
+    def __getstate__(self) -> list[Study]:
+        return self._studies
+
+    def __setstate__(self, studies: list[Study]) -> None:
+        self._studies = studies
         self._simulation_of = functools.lru_cache(maxsize=KEPT)(self._new_simulation)
 
     @property
@@ -79,7 +85,7 @@ class Scenario:
         drawn = {n: each[generator.integers(len(each))] for n, each in study.gridded.items()}
         if study.drawn:
             scores = generator.standard_normal((1, len(study.drawn)))
-            drawn |= {name: float(values[0]) for name, values in drawn_at(study, scores).items()}
+            drawn |= {name: float(value) for name, (value,) in drawn_at(study, scores).items()}
         for name, value in mapping_of("options", chosen, EXAMPLE).items():
             if name not in drawn:
                 raise unknown_name(str(name), drawn, "options")

@@ -75,7 +75,7 @@ class VehicleRollVectorEnv(VectorEnv):
         observations, shape (n, m), and the infos.
         """
         seeds = self._seeds(seed)
-        chosen = mapping_of("options", options or {}, EXAMPLE)
+        chosen = mapping_of("options", {} if options is None else options, EXAMPLE)
         mask = self._mask(chosen.pop(MASK, None))
         if not mask.all() and None in self._generators:
             raise InputError(MASK, mask, "not in the first reset, which is of all environments")
@@ -91,8 +91,8 @@ class VehicleRollVectorEnv(VectorEnv):
             return [None] * self.num_envs
         if isinstance(seed, int | np.integer):
             return [int(seed) + i for i in range(self.num_envs)]
-        if len(seed) != self.num_envs:
-            raise InputError("seed", "", f"{self.num_envs} seeds", f"{len(seed)} seeds")
+        if not isinstance(seed, Sequence) or isinstance(seed, str) or len(seed) != self.num_envs:
+            raise InputError("seed", seed, f"a whole number, or a list of {self.num_envs} of them")
         return list(seed)
 
     def _mask(self, mask) -> np.ndarray:

@@ -15,7 +15,7 @@ class Session:
 
     period_ns: publish period (ns), a multiple of the step. initial_speed: m/s. controller: speed
     controller; by default one with the default torque limits. `applied`: the command applied in
-    the last period.
+    the last period; that of a vehicle with actuators passes through them.
     """
 
     def __init__(

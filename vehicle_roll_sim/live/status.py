@@ -74,7 +74,7 @@ def step_trouble(session: Session) -> str:
     """A text if the step has become unstable since the start, else ''."""
     simulation = session.simulation
     step = simulation.step_ns / NANOSECONDS
-    largest = simulation.largest_stable_step(session.applied)
+    largest = simulation.largest_stable_step(simulation.acting(session.applied))
     return f"the step, {step:g} s, is unstable here above {largest:.2g} s" if step > largest else ""
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vehicle_roll_sim.messages.sets import COMMAND_LABELS
+from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS
 from vehicle_roll_sim.messages.topics import ROLL_CENTRE, STATE_SET
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
@@ -27,8 +27,12 @@ TIRE_FORCES = tuple(topic for topic in STATE_SET if topic.name.startswith("tire_
 OF_TIRES = {topic.name for topic in TIRE_FORCES}
 HORIZONTAL = ("longitudinal", "lateral")
 
-COMMAND_SIZES = (len(COMMAND_LABELS), len(COMMAND_LABELS) + len(WIND))
-"""Numbers of values of an `applied_command`, without wind and with it."""
+COMMAND_SIZES = tuple(
+    len(COMMAND_LABELS) + wind + demand
+    for wind in (0, len(WIND))
+    for demand in (0, len(DEMAND_LABELS))
+)
+"""Numbers of values of an `applied_command`, with and without wind and what was demanded."""
 NEEDED = {"x", "y", "yaw", "u", "v", "yaw_rate", "roll", "roll_rate"}
 """States that every model publishes."""
 
@@ -63,8 +67,8 @@ class RunMessages:
         sets = self._complete_sets()
         given, end = [command for _, command, *_ in sets.values()], len(COMMAND_LABELS)
         commands = np.array([values[end - len(COMMANDS) : end] for values in given])
-        has_wind = all(len(values) > end for values in given)
-        wind = np.array([values[end:] for values in given]) if has_wind else None
+        winds = [wind_in(values) for values in given]
+        wind = np.array(winds) if all(map(len, winds)) else None
         rows = [_row(road, *parts) for parts in sets.values()]
         self._add_forces(rows, sets)
         return History(rows, commands, self._roll_centres(sets), wind)
@@ -117,6 +121,19 @@ def _used(name: str, message):
     if name in OF_TIRES:
         return message.wrench.force.x, message.wrench.force.y
     return message.data
+
+
+def wind_in(values: np.ndarray) -> np.ndarray:
+    """The wind among the values of an `applied_command`, shape (2,), or none, shape (0,)."""
+    further = values[len(COMMAND_LABELS) :]
+    return further[: len(further) % len(DEMAND_LABELS)]
+
+
+def demand_in(values: np.ndarray) -> np.ndarray:
+    """The values after the time that were demanded: of actuators, or applied as they were."""
+    further = values[len(COMMAND_LABELS) :]
+    has_actuators = len(further) >= len(DEMAND_LABELS)
+    return (further if has_actuators else values[: len(COMMAND_LABELS)])[-len(DEMAND_LABELS) :]
 
 
 def _has_sent_after(start: int, kept: list[tuple[int, object]]) -> bool:

@@ -32,7 +32,10 @@ COMMAND_LABELS = (
     *(f"brake_torque_{wheel}" for wheel in WHEELS),
     *(f"normal_force_{wheel}" for wheel in WHEELS),
 )
-"""Those of vehicles with air forces are followed by WIND."""
+"""Those of vehicles with air forces are followed by WIND, those of vehicles with actuators by
+DEMAND_LABELS at last."""
+DEMAND_LABELS = tuple(f"demanded_{name}" for name in COMMAND_LABELS[1:])
+"""What was demanded of the actuators in the period that ends with the set."""
 MOTION_LABELS = (
     *("time", "steering", "rear_steering", "u", "v", "yaw_rate"),
     *("roll", "roll_rate", "lateral_acceleration"),
@@ -63,9 +66,9 @@ TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE)}
 class Messages:
     """The messages of a set, encoded by `encode`; each has a method that updates and returns it.
 
-    applied: the command of the last period, to be updated by the owner. All stamped messages of a
-    set share the time passed to `set_time`. named: for each topic without a header, the names of
-    its numbers and a view of the numbers, which are as recent as its message.
+    applied: the command given for the last period, to be updated by the owner. All stamped messages
+    of a set share the time passed to `set_time`. named: for each topic without a header, the names
+    of its numbers and a view of the numbers, which are as recent as its message.
     """
 
     def __init__(
@@ -80,9 +83,12 @@ class Messages:
         self._frame_prefix, self._encode = frame_prefix, encode
         self._whole_body = not simulation.options.has_eight_dof
         self.named: dict[str, tuple[tuple[str, ...], np.ndarray]] = {}
-        wind = WIND if simulation.feels_wind else ()
+        further = (
+            *(WIND if simulation.feels_wind else ()),
+            *(DEMAND_LABELS if simulation.has_actuators else ()),
+        )
         self._state = self._labelled("state", ("time", *simulation.state_names))
-        self._command = self._labelled("applied_command", (*COMMAND_LABELS, *wind))
+        self._command = self._labelled("applied_command", (*COMMAND_LABELS, *further))
         self._loads = self._labelled("tire_normal_forces", WHEELS)
         self._motion = self._labelled("motion", MOTION_LABELS)
         self._roll_centre = self._labelled("roll_centre", ROLL_CENTRES)
@@ -167,15 +173,12 @@ class Messages:
         return bytes(self._state)
 
     def applied_command(self) -> bytes:
-        command = self.applied
+        demand = self.applied
         self._command.numbers[:] = (
             self.simulation.time,
-            command.steering,
-            command.rear_steering,
-            *command.wheel_torque,
-            *command.brake_torque,
-            *command.normal_force,
-            *(command.wind if self.simulation.feels_wind else ()),
+            *_numbers(self.simulation.acting(demand)),
+            *(demand.wind if self.simulation.feels_wind else ()),
+            *(_numbers(demand) if self.simulation.has_actuators else ()),
         )
         return bytes(self._command)
 
@@ -224,7 +227,7 @@ class Messages:
         return bytes(message)
 
     def motion(self) -> bytes:
-        state, command = self.simulation.state_vector, self.applied
+        state, command = self.simulation.state_vector, self.simulation.acting(self.applied)
         self._motion.numbers[:] = (
             self.simulation.time,
             command.steering,
@@ -251,3 +254,9 @@ class Messages:
             numbers[TRANSLATION] = state["x"], state["y"], height
             numbers[ROTATION] = turn
         return self._dated(self._transforms)
+
+
+def _numbers(command: Command) -> tuple[float, ...]:
+    """What COMMAND_LABELS name after the time."""
+    forces = (*command.wheel_torque, *command.brake_torque, *command.normal_force)
+    return (command.steering, command.rear_steering, *forces)

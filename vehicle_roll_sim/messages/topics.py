@@ -75,7 +75,8 @@ STATE_SET = (
         "applied_command",
         ARRAY,
         meaning="the commands that were applied in the period that ends with this set, after "
-        "limits and timeouts",
+        "limits and timeouts; with actuators what they let act at its end, and then what was "
+        "demanded of them",
     ),
     Topic(
         "odom",

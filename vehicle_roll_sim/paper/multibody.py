@@ -36,6 +36,7 @@ from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_STEP,
     Simulation,
 )
+from vehicle_roll_sim.vehicle.actuator_parameters import refuse_actuators
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import unwarned
 
@@ -85,6 +86,7 @@ class Multibody(Simulation):
         step: float = DEFAULT_STEP,
         rollover_angle: float = DEFAULT_ROLLOVER_ANGLE,
     ):
+        refuse_actuators(vehicle, "no value with the multibody engine, which has no actuators")
         with unwarned():  # Simulation warns
             plant = Plant.of(vehicle, MULTIBODY)
         (car,), self._seen_tires = plant.vehicle, kernel_argument(as_one(plant.tires))

@@ -37,6 +37,7 @@ from vehicle_roll_sim.runs.run import (
     DEFAULT_SAMPLE,
     HELD_PERIOD,
     add_commands,
+    add_hold,
     in_whole_steps,
     records_by_time,
 )
@@ -72,8 +73,12 @@ def compiled_run(
     loop.drive()
     history = loop.history()
     if with_commands:
-        is_held = isinstance(driver, Timetable)
-        records = loop.driven[: loop.count] if is_held else records_by_time(history, driver)
+        if simulation.has_actuators or isinstance(driver, Timetable):
+            records = loop.driven[: loop.count]
+        else:
+            records = records_by_time(history, driver)
+        if simulation.has_actuators:
+            add_hold(records, history)
         add_commands(history, records, simulation.feels_wind)
     return history
 
@@ -96,6 +101,8 @@ class _Loop:
         self.rows = np.empty((most, len(COLUMNS) + len(ROLL_CENTRES)))
         self.rows[0] = np.concatenate((row_of(simulation), roll_centres_of(simulation)))
         self.driven, self.held = np.zeros(most, COMMAND), np.zeros(1, COMMAND)
+        if simulation.has_actuators:
+            self.driven[0] = simulation.actuation.records()[0]
         self.count = 1
 
     def drive(self) -> None:

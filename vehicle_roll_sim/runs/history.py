@@ -57,7 +57,7 @@ COMMANDS = (
 """Names of the commands other than the steering.
 
 If commands are held over periods, those of the period that ends with the row; else those at the
-time of the row.
+time of the row. If the vehicle has actuators, what they let act at the time of the row.
 """
 ROLL_CENTRES = tuple(
     f"{axle}_roll_centre_{measure}" for measure in ("height", "place") for axle in ("front", "rear")

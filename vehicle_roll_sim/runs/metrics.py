@@ -130,12 +130,14 @@ def sideslip_angle(velocity: Sequence[np.ndarray], roll: np.ndarray, pitch: np.n
     """Sideslip angle (rad): from the heading to the course over ground, left positive, shape (n,).
 
     velocity: u, v and w along the body axes (m/s). roll, pitch: rad. nan for w and pitch, as in a
-    model without heave and pitch, counts as 0. The result is nan at standstill.
+    model without heave and pitch, counts as 0. The result is nan at standstill and at
+    an infinite roll angle.
     """
     u, v, w = velocity
     w, pitch = np.nan_to_num(w), np.nan_to_num(pitch)
-    ahead = np.cos(pitch) * u + np.sin(pitch) * (np.sin(roll) * v + np.cos(roll) * w)
-    left = np.cos(roll) * v - np.sin(roll) * w
+    with np.errstate(invalid="ignore"):
+        ahead = np.cos(pitch) * u + np.sin(pitch) * (np.sin(roll) * v + np.cos(roll) * w)
+        left = np.cos(roll) * v - np.sin(roll) * w
     moves = np.hypot(ahead, left) >= STANDSTILL
     return np.arctan(np.divide(left, ahead, out=np.full(np.shape(ahead), np.nan), where=moves))
 

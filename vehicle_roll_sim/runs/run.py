@@ -59,7 +59,7 @@ def run(
     steps_at = [] if period else in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
     rows, held = [row_of(simulation)], None
     centres = [roll_centres_of(simulation)]
-    driven = [Command() if period else None]
+    driven = [_driven(simulation, Command() if period else None)]
     if observer:
         observer.on_set()
     while simulation.time_ns < end and simulation.condition is Condition.RUNNING:
@@ -77,37 +77,41 @@ def run(
         if has_moved and (ended or simulation.time_ns % every == 0):
             rows.append(row_of(simulation))
             centres.append(roll_centres_of(simulation))
-            driven.append(held)
+            driven.append(_driven(simulation, held))
         if observer and (ended or simulation.time_ns % period == 0):
             observer.on_set()
         progress((simulation.time_ns - now) / NANOSECONDS)
     history = History(rows)
     if simulation.options.is_kinematic:
         history.roll_centres = np.array(centres)
-    return _with_commands(history, driven, driver, simulation.feels_wind)
-
-
-def _with_commands(
-    history: History,
-    driven: list[Command | None],
-    driver: Programme | Feedback,
-    feels_wind: bool,
-) -> History:
-    """Add the commands to the history; driven: the command of each row, None if not held."""
-    if None in driven:
+    if driven[0] is None:
         records = records_by_time(history, driver)
     else:
-        records = np.concatenate([command.records() for command in driven])
-    add_commands(history, records, feels_wind)
+        records = np.concatenate(driven)
+        if simulation.has_actuators:
+            add_hold(records, history)
+    add_commands(history, records, simulation.feels_wind)
     return history
+
+
+def _driven(simulation: Simulation, held: Command | None) -> np.ndarray | None:
+    """What has driven a simulation to the present: one COMMAND record, None if not known here."""
+    if simulation.has_actuators:
+        return simulation.actuation.records()
+    return held.records() if held else None
 
 
 def records_by_time(history: History, programme: Programme) -> np.ndarray:
     """COMMAND records of a programme at the rows, with its speed hold as a torque."""
     records = np.broadcast_to(programme(history["time"]), len(history.rows)).copy()
+    add_hold(records, history)
+    return records
+
+
+def add_hold(records: np.ndarray, history: History) -> None:
+    """Add the torque of the speed hold to COMMAND records, one for each row."""
     hold = records["speed_hold_gain"] * (records["speed_hold_target"] - history["u"])
     records["wheel_torque"][:, LR:] += hold[:, np.newaxis]
-    return records
 
 
 def add_commands(history: History, records: np.ndarray, feels_wind: bool) -> None:

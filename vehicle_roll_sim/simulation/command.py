@@ -168,14 +168,17 @@ def command_at(driver: Programme | Feedback, time: float, state) -> Command:
         records = answer.records() if isinstance(answer, Command) else _checked(answer, 1)
     else:
         records = records_of(driver, lambda: np.array([time]))
-    answer = records[0]
-    hold = answer["speed_hold_gain"] * (answer["speed_hold_target"] - state["u"])
-    torque = answer["wheel_torque"].copy()
-    torque[LR:] += hold
+    return held_command(records[0], state["u"])
+
+
+def held_command(record: np.record, speed: float) -> Command:
+    """The command in a COMMAND record, its speed hold replaced by the torque at a speed (m/s)."""
+    torque = record["wheel_torque"].copy()
+    torque[LR:] += record["speed_hold_gain"] * (record["speed_hold_target"] - speed)
     return Command(
-        float(answer["steering"]),
-        float(answer["rear_steering"]),
+        float(record["steering"]),
+        float(record["rear_steering"]),
         tuple(torque.tolist()),
-        *(tuple(answer[name].tolist()) for name in ("brake_torque", "normal_force")),
-        wind=tuple(answer["wind"].tolist()),
+        *(tuple(record[name].tolist()) for name in ("brake_torque", "normal_force")),
+        wind=tuple(record["wind"].tolist()),
     )

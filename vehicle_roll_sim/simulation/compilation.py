@@ -18,7 +18,7 @@ from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE, WHEEL_COUNT
 from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.model.tire.radii import free_spin, loaded_radius
 from vehicle_roll_sim.simulation.command import Command
-from vehicle_roll_sim.simulation.driving import compile_loop
+from vehicle_roll_sim.simulation.driving import compile_actuators, compile_loop
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
@@ -86,6 +86,7 @@ def call_every_kernel() -> None:
     idle = jit.kernel_argument(Command().records())
     smooth_derivatives(simulation.state_vector.copy(), idle, plant, seen, rates)
     compile_loop(simulation)
+    compile_actuators(simulation)
     evaluate(preset().tire, 1.0, 0.0, 0.0)
     tire = jit.kernel_argument(preset().tire.record())[0]
     loaded_radius(1.0, free_spin(1.0, 1.0, tire), 0.0, 0.0, 0.0, tire)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from vehicle_roll_sim.model.compiled.jit import interruptible, silently
+from vehicle_roll_sim.model.integration.actuated import advance_actuated
 from vehicle_roll_sim.model.integration.drive import CLOCK_SIZE, NOW, STEP, WATCH_SIZE, drive
 from vehicle_roll_sim.model.records import COMMAND, MODEL_STATE_SIZE
 from vehicle_roll_sim.simulation.advance_address import address_of_advance
@@ -24,7 +25,8 @@ def drive_on(
     Returns the number of rows written, and whether the watched roll rate has dropped.
     """
     state, plant, outputs, events, stages = simulation.parts()
-    parts = (state, plant, outputs, simulation.output_vector, events, stages)
+    vectors = (simulation.output_vector, events, stages, simulation.actuation.arguments)
+    parts = (state, plant, outputs, *vectors)
     clock[STEP] = simulation.step_ns
     arguments = (address_of_advance(), parts, commands, held, clock, watch, places, rows, driven)
     with silently():  # divergence is detected from the result
@@ -39,3 +41,10 @@ def compile_loop(simulation: Simulation) -> None:
     rows, clock = np.empty((1, 1 + MODEL_STATE_SIZE + 1)), np.zeros(CLOCK_SIZE, np.int64)
     clock[NOW] = simulation.time_ns
     drive_on(simulation, one, one, clock, np.zeros(WATCH_SIZE), places, rows, one)
+
+
+def compile_actuators(simulation: Simulation) -> None:
+    """The same for the integration with actuators."""
+    state, *others = simulation.parts()
+    arguments = (state, np.zeros(1, COMMAND), 0, simulation.time_ns, simulation.step_ns, *others)
+    advance_actuated(address_of_advance(), arguments, simulation.actuation.arguments)

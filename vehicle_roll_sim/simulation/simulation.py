@@ -11,6 +11,7 @@ from vehicle_roll_sim.model.compiled.jit import (
     silently,
 )
 from vehicle_roll_sim.model.equilibrium import equilibrium
+from vehicle_roll_sim.model.integration.actuated import advance_actuated
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS, advance
 from vehicle_roll_sim.model.integration.events import (
     LIMITS,
@@ -31,7 +32,9 @@ from vehicle_roll_sim.model.records import (
 )
 from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
 from vehicle_roll_sim.model.tire.coefficients import as_one
-from vehicle_roll_sim.simulation.command import Command, Programme, records_of
+from vehicle_roll_sim.simulation.actuators import Actuation
+from vehicle_roll_sim.simulation.advance_address import address_of_advance
+from vehicle_roll_sim.simulation.command import Command, Programme, held_command, records_of
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.road import Road
@@ -87,6 +90,7 @@ class Simulation(Restorable):
     - `model_state`, `state_names`: the states of the chosen model and their names
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.integration.events)
     - `feels_wind`: whether the vehicle has air forces; commands of a wind are refused otherwise
+    - `has_actuators`, `actuation`: whether commands pass through actuators, and their state
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
     Units are SI and radians. The records are views of memory that the next step overwrites: copy
@@ -131,14 +135,18 @@ class Simulation(Restorable):
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
         self._records = (*plant, self._limits)
         self._plant = plant.arguments(self._limits, Command().records())
-        self._identity = identity(type(self).__name__, self._records, self.step_ns)
+        self.actuation = Actuation(vehicle, self.step_ns)
+        self.has_actuators = self.actuation.is_present
+        described = (*self._records, self.actuation.actuators)
+        self._identity = identity(type(self).__name__, described, self.step_ns)
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
         self._output_vector = self._outputs.view(np.float64)
         self._events = no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
-        self._memory = (self._state, self._outputs, self._events, self._stages)
+        self._own = (self._state, self._outputs, self._events, self._stages)
+        self._memory = (*self._own, self.actuation.memory)
         self.state, self.outputs, self.events = self._state[0], self._outputs[0], self._events[0]
         self._modes = Modes(plant, self._places)
         self._checks_step, self._checked_speed = check_step, None
@@ -213,6 +221,7 @@ class Simulation(Restorable):
     def _start(self, state: np.ndarray) -> None:
         self._state[:], self._events[:] = state, no_events()
         self._stages[KEPT] = self.state_vector
+        self.actuation.rest()
         self.time_ns = 0
         self.condition, self.implausible = Condition.RUNNING, None
         self._advance(Command().records(), 0)
@@ -259,6 +268,15 @@ class Simulation(Restorable):
         """
         return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
 
+    def acting(self, command: Command) -> Command:
+        """What acts at the present time, `command` being the last one that was given.
+
+        That is the command itself, but where the vehicle has actuators.
+        """
+        if not self.has_actuators:
+            return command
+        return held_command(self.actuation.records()[0], float(self.state["u"]))
+
     def parts(self) -> tuple:
         """State, plant, outputs, events and work space, in the form in which kernels take them."""
         outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
@@ -270,7 +288,7 @@ class Simulation(Restorable):
         All but the work space are arrays of one record. The next step overwrites the second group.
         """
         vehicle, tires, *others = self._records
-        return (vehicle, as_one(tires), *others), self._memory
+        return (vehicle, as_one(tires), *others), self._own
 
     def note_moved(self, until_ns: int, condition: int, culprit: int) -> None:
         """Note the time (ns), the condition and the culprit with which a kernel left the parts."""
@@ -281,6 +299,10 @@ class Simulation(Restorable):
     def _advance(self, commands: np.ndarray, steps: int) -> None:
         state, *others = self.parts()
         arguments = (state, commands, steps, self.time_ns, self.step_ns, *others)
+        kernel = advance
+        if self.has_actuators and steps:
+            kernel = advance_actuated
+            arguments = (address_of_advance(), arguments, self.actuation.arguments)
         with silently():  # divergence is detected from the result
-            taken, condition, culprit = interruptible(advance, arguments)
+            taken, condition, culprit = interruptible(kernel, arguments)
         self.note_moved(self.time_ns + taken * self.step_ns, condition, culprit)

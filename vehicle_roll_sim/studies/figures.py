@@ -43,7 +43,7 @@ def _figures(results: Results) -> Iterator[tuple[str, DrawnFigure]]:
             values = np.array([each.threshold for each in results.brackets])
             points = {n: [each.point[n] for each in results.brackets] for n in study.factors}
             unit = unit_of(study.search.factor, study.manoeuvre)
-            label = _labelled(f"lowest {study.search.factor} with {study.search.event}", unit)
+            label = labelled(f"lowest {study.search.factor} with {study.search.event}", unit)
             yield from _of_values(results, points, values, "thresholds", label)
         return
     columns = results.columns
@@ -52,12 +52,18 @@ def _figures(results: Results) -> Iterator[tuple[str, DrawnFigure]]:
         if study.gridded:
             yield from _of_values(results, columns.inputs, happened, name, label, is_event=True)
     for name in study.outputs[:MOST_OUTPUTS]:
-        magnitude = f"|{name}|" if name.startswith("peak_") and name not in NEVER else name
-        label = _labelled(magnitude, METRIC_UNITS[name])
+        label = magnitude_label(name)
         yield from _of_values(results, columns.inputs, columns.magnitudes[name], name, label)
 
 
-def _labelled(name: str, unit: str) -> str:
+def magnitude_label(name: str) -> str:
+    """How an axis names the magnitude of a metric."""
+    magnitude = f"|{name}|" if name.startswith("peak_") and name not in NEVER else name
+    return labelled(magnitude, METRIC_UNITS[name])
+
+
+def labelled(name: str, unit: str) -> str:
+    """A name with its unit, if it has one."""
     return f"{name} ({unit})" if unit else name
 
 
@@ -78,7 +84,7 @@ def _of_values(
         return
     numeric = [factor for factor in study.gridded if study.kinds[factor] is float]
     texts = [factor for factor in study.gridded if factor not in numeric]
-    labels = {each: _labelled(each, unit_of(each, study.manoeuvre)) for each in study.factors}
+    labels = {each: labelled(each, unit_of(each, study.manoeuvre)) for each in study.factors}
     groups = _grouped([points[each] for each in (*numeric, *texts)], values)
     if len(numeric) == 2 and not texts:
         yield f"map_{name}", _map([labels[each] for each in numeric], groups, label, is_event)

@@ -24,13 +24,15 @@ class Columns:
 
     numbers: of the runs. inputs: lists for values that are not numbers. magnitudes: of the outputs,
     nan for never and unknown; a peak has the sign of its direction only in the tables. happened:
-    1.0 or 0.0 by event, nan if that is unknown. reasons: number of failed runs by reason.
+    1.0 or 0.0 by event, nan if that is unknown. failed: whether a run did. reasons: number of
+    failed runs by reason.
     """
 
     numbers: np.ndarray
     inputs: dict[str, np.ndarray | list]
     magnitudes: dict[str, np.ndarray]
     happened: dict[str, np.ndarray]
+    failed: np.ndarray
     reasons: collections.Counter[str]
 
 
@@ -58,6 +60,7 @@ class Results:
         }
         magnitudes = {name: np.empty(count) for name in study.outputs}
         happened = {name: np.empty(count) for name in study.events}
+        failed = np.zeros(count, bool)
         reasons = collections.Counter()
         for i, row in enumerate(self.runs):
             numbers[i] = row["run"]
@@ -69,8 +72,9 @@ class Results:
                 event = study.events[name].happened(row)
                 column[i] = math.nan if event is None else event
             if row[REASON]:
+                failed[i] = True
                 reasons[row[REASON]] += 1
-        return Columns(numbers, inputs, magnitudes, happened, reasons)
+        return Columns(numbers, inputs, magnitudes, happened, failed, reasons)
 
 
 def results_of(

@@ -41,7 +41,7 @@ def study_of(source: Source, is_to_run: bool = True) -> Study:
     factors = reader.factors(fixed)
     numbers = {name: values[name] for name in parameters_of(Settings) if name in values}
     study = Study(
-        said=_said(values),
+        said={},
         manoeuvre=reader.manoeuvre,
         vehicle=reader.vehicle,
         fixed=fixed,
@@ -54,15 +54,22 @@ def study_of(source: Source, is_to_run: bool = True) -> Study:
         search=_declared(source, "search", Search),
         rare=_declared(source, "rare", Rare),
     )
-    return design_checks.checked(source, study, reader.quantity)
+    checked = design_checks.checked(source, study, reader.quantity)
+    return dataclasses.replace(checked, said=_said(values))
 
 
 def _said(values: Mapping) -> dict:
-    """The values as JSON has them."""
+    """The values, which have been checked, as JSON has them."""
     by_name = {
         key: "a Vehicle" if isinstance(each, Vehicle) else each for key, each in values.items()
     }
-    return json.loads(json.dumps(by_name, default=plain))
+    return json.loads(json.dumps(by_name, default=_number))
+
+
+def _number(value) -> float | bool | int:
+    """A number of another library, such as NumPy, or of another type, such as Fraction."""
+    number = plain(value)
+    return float(number) if number is value else number
 
 
 def _manoeuvre(source: Source) -> Manoeuvre:

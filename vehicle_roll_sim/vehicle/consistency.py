@@ -7,6 +7,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.model.variants import MODELS
+from vehicle_roll_sim.vehicle.actuator_parameters import check_actuators
 from vehicle_roll_sim.vehicle.air_parameters import check_air
 from vehicle_roll_sim.vehicle.axle_tires import of_file
 from vehicle_roll_sim.vehicle.chassis_parameters import ROLL_CENTRES
@@ -46,6 +47,7 @@ def check_consistency(vehicle: DerivedValues) -> None:
     check_suspension(vehicle)
     check_air(vehicle)
     check_differentials(vehicle)
+    check_actuators(vehicle)
     _check_fits_on_its_wheels(vehicle)
     _check_springs_carry_it(vehicle)
     for curves in vehicle.travel_curves.values():

@@ -15,6 +15,7 @@ from vehicle_roll_sim.declaration import (
     validated,
 )
 from vehicle_roll_sim.model.variants import PAPER
+from vehicle_roll_sim.vehicle.actuator_parameters import Actuators
 from vehicle_roll_sim.vehicle.chassis_parameters import Chassis
 from vehicle_roll_sim.vehicle.consistency import check_consistency, check_given
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
@@ -41,7 +42,15 @@ PER_AXLE = {
 
 @dataclasses.dataclass(frozen=True)
 class Vehicle(
-    DriveAndAir, SuspensionDetails, WheelTravel, Chassis, Tires, Struts, Masses, DerivedValues
+    Actuators,
+    DriveAndAir,
+    SuspensionDetails,
+    WheelTravel,
+    Chassis,
+    Tires,
+    Struts,
+    Masses,
+    DerivedValues,
 ):
     """A vehicle: the values of a vehicle file, and its tires.
 

@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import tempfile
 from pathlib import Path
@@ -48,7 +49,9 @@ def options_of_browser() -> list[str]:
 def write_picture(page: Path, path: Path, time: float, camera: str, theme: str) -> None:
     """Write a PNG of a page at a time (s); raises NotWrittenError if the browser fails."""
     shown = urlencode({"time": repr(time), "camera": camera, "theme": theme})
-    with tempfile.TemporaryDirectory() as profile, replaced_file(path) as partial:
+    # helpers of a browser that was just killed may still hold its profile
+    folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+    with folder as profile, replaced_file(path) as partial:
         words = [
             str(browser()),
             *options_of_browser(),
@@ -59,9 +62,25 @@ def write_picture(page: Path, path: Path, time: float, camera: str, theme: str) 
             f"{page.resolve().as_uri()}#{shown}",
         ]
         try:
-            subprocess.run(words, capture_output=True, timeout=LONGEST, check=True)
+            _run(words)
         except (OSError, subprocess.SubprocessError) as error:
             reason = f"{words[0]} failed ({type(error).__name__})"
             raise NotWrittenError("--png", "", "a browser that works", reason) from None
         if not partial.stat().st_size:
             raise NotWrittenError("--png", "", "a browser that works", f"{words[0]} wrote nothing")
+
+
+def _run(words: list[str]) -> None:
+    """Run a browser; if it takes too long or is interrupted, none of its processes goes on.
+
+    Raises OSError and SubprocessError.
+    """
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    with subprocess.Popen(words, process_group=0, **quiet) as process:
+        try:
+            status = process.wait(LONGEST)
+        except BaseException:
+            os.killpg(process.pid, signal.SIGKILL)
+            raise
+    if status:
+        raise subprocess.CalledProcessError(status, words)

@@ -16,6 +16,7 @@ from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.version import __version__
 from vehicle_roll_sim.viewer.decimation import MOST_ROWS
 from vehicle_roll_sim.viewer.recording import ViewedRun, panels_of, recording
+from vehicle_roll_sim.viewer.study_map import StudyMap, told_map
 
 MOST_RUNS = 4
 """As many as the page has colours."""
@@ -23,7 +24,7 @@ ROWS_OF_MANY = 600
 """As MOST_ROWS, of each run of a page that has more than MOST_RUNS."""
 SCRIPTS = (
     *("recording.js", "body.js", "vehicle.js", "ground.js", "scene.js"),
-    *("plots.js", "playback.js", "readings.js", "choice.js", "controls.js", "main.js"),
+    *("plots.js", "playback.js", "readings.js", "map.js", "choice.js", "controls.js", "main.js"),
 )
 """In the order in which they use one another."""
 PLACE = re.compile(r"\{\{(\w+)\}\}")
@@ -36,11 +37,13 @@ def page(
     cones: Iterable = (),
     notes: Iterable[str] = (),
     shown: Sequence[int] = (0,),
+    study: StudyMap | None = None,
 ) -> str:
     """The HTML text of a page that shows at most MOST_RUNS runs over one another.
 
     cones: points (n, 2) on the ground (m). notes: sentences at the foot of the page. Of more
     than MOST_RUNS, the reader chooses which to show; shown: places of those shown at first.
+    study: the map of the study that has the runs; it opens them one by one.
     """
     panels, signals = panels_of(runs)
     has_many = len(runs) > MOST_RUNS
@@ -48,14 +51,15 @@ def page(
     thinned = [THINNED] if any(each["is_thinned"] for each in told) else []
     data = {
         "runs": told,
-        "shown": list(shown if has_many else range(len(runs))),
+        "shown": list(shown if has_many or study else range(len(runs))),
         "most": MOST_RUNS,
+        "study": told_map(study) if study else None,
         "panels": panels,
         "cones": np.reshape(list(cones), (-1, 2)).tolist(),
         "notes": [*notes, *thinned],
     }
     parts = {
-        "title": html.escape(title),
+        "title": html.escape(_as_text(title)),
         "generator": html.escape(f"vehicle_roll_sim {__version__}"),
         "data": _as_json(data),
         "style": _part("style.css"),
@@ -77,6 +81,11 @@ def write_page(path: Path, *arguments, **settings) -> None:
 def _part(name: str) -> str:
     place = importlib.resources.files(__package__) / "web" / name
     return place.read_text(encoding="utf-8")
+
+
+def _as_text(name: str) -> str:
+    """A name without the bytes that are no UTF-8, which a file name may have; `?` for each."""
+    return name.encode(errors="replace").decode()
 
 
 def _as_json(data: dict) -> str:

@@ -17,11 +17,17 @@ pytestmark = pytest.mark.unmeasured
 CONTROLLER = str(Path(__file__).with_name("lockstep_controller.py"))
 PERIODS, PERIOD = 300, 0.01
 """And s: the vehicle rolls over on the way."""
-AREA = 4.0
-"""m^2: side-force area of the vehicle."""
+OF_VEHICLE = {
+    "side_force_area": 4.0,
+    "steering_actuator_frequency": 6.0,
+    "steering_actuator_dead_time": 0.015,
+    "normal_force_actuator_time_constant": 0.02,
+}
+"""What the reference vehicle does not have."""
 GIVEN = (
     "lockstep_topics:=[steering_cmd, normal_force_cmd, wind_cmd]",
-    *("-p", "normal_force_limit:=1e6", "-p", f"vehicle.side_force_area:={AREA}"),
+    *("-p", "normal_force_limit:=1e6"),
+    *(word for name, value in OF_VEHICLE.items() for word in ("-p", f"vehicle.{name}:={value}")),
 )
 
 
@@ -63,7 +69,7 @@ def test_a_set_comes_for_every_answer_and_none_besides(heard):
 
 
 def test_the_states_are_those_of_the_simulation_without_middleware(heard):
-    simulation = Simulation(preset().with_values({"side_force_area": AREA}))
+    simulation = Simulation(preset().with_values(OF_VEHICLE))
     for _ in range(PERIODS):
         commands = answers([simulation.time, *simulation.model_state])
         command = Command(

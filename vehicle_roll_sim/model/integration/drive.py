@@ -3,9 +3,10 @@
 import functools
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.compiled.addresses import caller_of
+from vehicle_roll_sim.model.actuators import END as LAST_OF_STEP
 from vehicle_roll_sim.model.compiled.jit import kernel
-from vehicle_roll_sim.model.integration.advance import NANOSECONDS, advance
+from vehicle_roll_sim.model.integration.actuated import advance_actuated
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 
@@ -18,7 +19,6 @@ counts as positive, 0 if it is not watched; level (deg/s); time from which a dro
 whether the rate has been above the level."""
 CLOCK_SIZE, WATCH_SIZE = 6, 4
 
-advance_at = caller_of(advance)
 unlocked = functools.partial(kernel, nogil=True)
 """A kernel during which other Python threads run."""
 
@@ -27,16 +27,18 @@ unlocked = functools.partial(kernel, nogil=True)
 def drive(address, parts, commands, held, clock, watch, places, rows, driven):
     """Drive until a time, until the run must stop, or until the watched roll rate has dropped.
 
-    address: of `advance`. parts: state, plant, outputs, outputs as a flat vector, events and work
-    space. commands: COMMAND records, one for each period, or for the beginning, the middle and the
-    end of each step. held: work space, one of them. clock, watch: see above; changed in place.
-    places: indices of the outputs in a row. rows, driven: rows of the history and the command held
-    at each, from the present time on.
+    address: of `advance`. parts: state, plant, outputs, outputs as a flat vector, events, work
+    space, and actuators as `advance_actuated` takes them. commands: COMMAND records, one for each
+    period, or for the beginning, the middle and the end of each step. held: work space, one of
+    them. clock, watch: see above; changed in place. places: indices of the outputs in a row. rows,
+    driven: rows of the history, and the command held or, with actuators, acting at each, from the
+    present time on.
 
     Returns the number of rows, the condition, the culprit as from `advance`, and whether the
     watch has gone off; the command of the period that begins then has not been applied.
     """
-    state, plant, outputs, output_vector, events, stages = parts
+    state, plant, outputs, output_vector, events, stages, actuation = parts
+    has_actuators = actuation[0][0].present > 0.0
     begin, end = clock[NOW], clock[END]
     step, sample, period = clock[STEP], clock[SAMPLE], clock[PERIOD]
     now, count, condition, culprit = begin, 0, Condition.RUNNING, -1
@@ -54,14 +56,13 @@ def drive(address, parts, commands, held, clock, watch, places, rows, driven):
             first = 2 * ((now - begin) // step)
             given = commands[first : first + 2 * ((until - now) // step) + 1]
         steps = (until - now) // step
-        taken, condition, culprit = advance_at(
-            address, (state, given, steps, now, step, plant, outputs, events, stages)
-        )
+        arguments = (state, given, steps, now, step, plant, outputs, events, stages)
+        taken, condition, culprit = advance_actuated(address, arguments, actuation)
         now += taken * step
         is_row = condition != Condition.RUNNING or now == clock[LAST] or now % sample == 0
         if taken > 0 and is_row:
             write_row(now, state, output_vector, places, rows[count])
-            driven[count] = held[0]
+            driven[count] = actuation[1][LAST_OF_STEP] if has_actuators else held[0]
             count += 1
     clock[NOW] = now
     return count, condition, culprit, False

@@ -8,6 +8,25 @@ function chosenRuns({ runs, shown, most }) {
   return known.length ? known.slice(0, most) : shown;
 }
 
+/** Open the page anew with these runs, in its present colours. */
+function openRuns(places) {
+  const address = new URLSearchParams(location.hash.slice(1));
+  address.set("runs", places.map((each) => each + 1).join(","));
+  address.set("theme", document.documentElement.dataset.theme);
+  location.hash = address;
+  location.reload();
+}
+
+/** The map of a study, if the page is of one. */
+function offerMap(parent, { study, most }, chosen) {
+  parent.hidden = !study;
+  if (parent.hidden) return;
+  new StudyMap(parent, study, chosen, (place, isBeside) => {
+    const others = isBeside ? chosen.filter((each) => each !== place).slice(0, most - 1) : [];
+    openRuns([...others, place]);
+  });
+}
+
 /** The worst event of a run, in a word. */
 function outcome(run) {
   if (run.rollover !== null) return "rollover";
@@ -24,10 +43,7 @@ function offerRuns(parent, { runs, most }, chosen) {
     box.disabled = box.checked ? chosen.length === 1 : chosen.length === most;
     box.addEventListener("change", () => {
       const now = box.checked ? [...chosen, place] : chosen.filter((each) => each !== place);
-      const address = new URLSearchParams(location.hash.slice(1));
-      address.set("runs", now.map((each) => each + 1).join(","));
-      location.hash = address;
-      location.reload();
+      openRuns(now);
     });
     const label = element("label"), item = element("li"), what = outcome(run);
     label.append(box, ` ${run.label}${what ? ` (${what})` : ""}`);

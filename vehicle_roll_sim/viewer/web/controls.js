@@ -40,7 +40,7 @@ function bindKeys(page, { theme, change, step }) {
     1: () => page.use("chase"), 2: () => page.use("rear"), 3: () => page.use("top"), 4: () => page.use("free"),
   };
   document.addEventListener("keydown", (event) => {
-    const pressed = "button, summary, [type=checkbox]";
+    const pressed = "button, summary, [type=checkbox], [role=button]";
     const isTaken = event.target.closest(event.key === " " ? `select, ${pressed}` : "select");
     if (!keys[event.key] || event.ctrlKey || event.altKey || event.metaKey || isTaken) return;
     event.preventDefault();

@@ -20,7 +20,9 @@ class Page {
     this.picture = this.pictureOf(told.cones);
     $("notes").textContent = told.notes.join(" ");
     offerRuns($("choice"), told, chosen);
+    offerMap($("map"), told, chosen);
     eventMarks(recordings, this.range, (time) => this.goTo(time));
+    $("legend").hidden = told.runs.length < 2;
     this.follow = legend($("legend"), recordings, (index) => this.choose(index));
   }
 

@@ -68,7 +68,6 @@ function legend(parent, recordings, onChoose) {
     buttons.forEach((each, k) => each.setAttribute("aria-pressed", String(k === index)));
     onChoose(index);
   };
-  parent.hidden = recordings.length < 2;
   return choose;
 }
 
