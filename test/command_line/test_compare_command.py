@@ -67,7 +67,10 @@ def test_a_swapped_sign_is_a_warning_and_refused_if_strict(command, log):
         (WORDS[:2], "--map: missing: a map file"),
         ((*WORDS[:2], "--map", "no.yaml"), "file no.yaml: No such file"),
         (("compare", "no.csv", *WORDS[2:]), "file no.csv: No such file"),
-        (("compare", "log.xls", *WORDS[2:]), "LOG: 'log.xls' is not allowed: a bag, or a file"),
+        (
+            ("compare", "log.xls", *WORDS[2:]),
+            "error: LOG: 'log.xls' is not allowed: a bag, or a file",
+        ),
         ((*WORDS, "--cutoff", "30"), "--cutoff: 30.0 is not allowed: at most 20 Hz"),
         ((*WORDS, "--drive-by", "torques"), "--drive-by: 'torques' is not allowed: drive_torque"),
         ((*WORDS, "--begin", "20"), "--begin: 0 rows of speed from 20 s"),
@@ -84,6 +87,8 @@ def test_what_cannot_be_compared_is_refused_in_one_line(log, refused, words, pro
 def test_a_setting_that_is_unknown_is_named(log):
     with pytest.raises(ValueError, match="name: 'cutof' is unknown"):
         compare("log.csv", "log_map.yaml", cutof=3.0)
+    with pytest.raises(ValueError, match="map: 3 is not allowed: the name of a file"):
+        compare("log.csv", 3)
 
 
 def test_help_says_that_the_executable_of_ros_is_another_one(capsys):

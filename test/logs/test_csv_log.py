@@ -54,6 +54,7 @@ def test_lines_above_the_names_and_a_line_of_units_are_passed_over(path):
         ("t,Gier [°/s],t\n0,1,2\n", "columns: time: column: 't' is not allowed: a column that"),
         ("t,Gier [°/s]\n", "no rows"),
         ("", "no rows"),
+        ("t" * 200_000 + ",r\n0,1\n", "line 1: field larger than field limit"),
         ("t;Gier [°/s]\n0,5;1.000,5\n0,6;2\n", "line 2: t: '0,5' is not allowed"),
         ("t,Gier [°/s]\n0,inf\n", "line 2: Gier [°/s]: 'inf' is not allowed"),
         ("t,Gier [°/s]\n0,1_0\n", "line 2: Gier [°/s]: '1_0' is not allowed"),

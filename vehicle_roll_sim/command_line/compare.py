@@ -17,7 +17,7 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     as_option,
     chosen_simulation,
 )
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.files.output_file import (
     check_distinct,
     check_figure_format,
@@ -47,14 +47,14 @@ def compare_command(words: list[str], program: str) -> int:
         chosen = [kind(**declared_values(arguments, kind)) for kind in comparing.SETTINGS]
         log = comparing.load_log(path, map_file, chosen[0])
     except InputError as error:
-        raise as_option(error) from None
+        raise _as_setting(error, comparing.SETTINGS) from None
     warn_or_refuse(log.doubts, arguments)
     simulation = chosen_simulation(arguments)
     try:
         with signals.exit_on_signal():
             result = comparing.compared(log, simulation, *chosen[1:], arguments.align)
     except InputError as error:
-        raise as_option(error) from None
+        raise _as_setting(error, comparing.SETTINGS) from None
     if csv:
         result.write_csv(csv)
     if plot:
@@ -63,6 +63,12 @@ def compare_command(words: list[str], program: str) -> int:
     written = [line(label, each) for label, each in (("CSV", csv), ("plot", plot)) if each]
     print("\n".join([result.summary, *written]))
     return 0
+
+
+def _as_setting(error: InputError, declaring: tuple[type, ...]) -> InputError:
+    """The same error; one of a setting is reported for its option."""
+    is_setting = any(error.field in parameters_of(kind) for kind in declaring)
+    return as_option(error) if is_setting else error
 
 
 def _check_outputs(csv, plot) -> None:

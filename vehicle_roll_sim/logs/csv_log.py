@@ -30,7 +30,7 @@ def read_csv_log(path: Path, log_map: LogMap) -> RawLog:
         raise InputError(f"file {path}", "", "a line of names and at least one row", "no rows")
     header_line = lines[log_map.header_line - 1]
     separator = log_map.separator or _separator_of(header_line)
-    header = [name.strip() for name in next(csv.reader([header_line], delimiter=separator))]
+    header = _names(path, header_line, log_map.header_line, separator)
     for column in log_map.columns.values():
         check_column(column.name, header, column.field)
     places = {each.name: header.index(each.name) for each in log_map.columns.values()}
@@ -50,6 +50,14 @@ def read_csv_log(path: Path, log_map: LogMap) -> RawLog:
 def _separator_of(header: str) -> str:
     """The separator of a line of names: a comma if there is none."""
     return next((each for each in SEPARATORS if each in header), ",")
+
+
+def _names(path: Path, text: str, line: int, separator: str) -> list[str]:
+    """The names of the columns."""
+    try:
+        return [name.strip() for name in next(csv.reader([text], delimiter=separator))]
+    except csv.Error as error:
+        raise InputError(f"{path}: line {line}", "", "names of columns", str(error)) from None
 
 
 def _rows(

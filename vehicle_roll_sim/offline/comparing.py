@@ -135,7 +135,7 @@ def _chosen(kind: type, settings: Mapping):
 
 def load_log(path: Path, map_given: str | Path | Mapping, conditions: Conditioning) -> Log:
     """A log that is ready to be compared; raises InputError."""
-    log_map = map_of(map_given)
+    log_map = map_of(map_given if isinstance(map_given, Mapping) else path_of(map_given, "map"))
     return log_of(read_log(path, log_map), log_map, conditions)
 
 
