@@ -62,8 +62,8 @@ class LogMap:
 def map_of(given: str | Path | Mapping) -> LogMap:
     """A map from a file or from a mapping of the same keys; raises InputError naming the place."""
     if isinstance(given, Mapping):
-        return _Reader("map", given, {}).read()
-    return _Reader(str(given), *read_mapping(Path(given), "map file", WANTED)).read()
+        return _Reader("map", given, {}).log_map()
+    return _Reader(str(given), *read_mapping(Path(given), "map file", WANTED)).log_map()
 
 
 @dataclasses.dataclass(frozen=True)
@@ -74,7 +74,7 @@ class _Reader:
     values: Mapping
     lines: Mapping[Place, int]
 
-    def read(self) -> LogMap:
+    def log_map(self) -> LogMap:
         self._check_names((), self.values, KEYS)
         columns = self.values.get("columns")
         if not isinstance(columns, Mapping) or not columns:
