@@ -36,7 +36,7 @@ HANDWHEEL = 20.0
 """deg, close to the handwheel angle at 0.3 g of these vehicles."""
 CENTRE, LIGHTEST, HEAVIER = {"cg_height": 0.55}, 1300.0, 0.1
 """A vehicle that the fishhook does not tip; and its mass, growing from run to run (kg)."""
-STEPS_MS = (1.0, 2.5)
+STEPS_MS = (1.0, 2.5, 5.0)
 KINDS = {"single runs": 0, "batch, one thread": 1, "batch, two threads": 2}
 """Number of threads; 0 for single runs."""
 
