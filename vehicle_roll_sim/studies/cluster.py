@@ -77,7 +77,7 @@ def computing(address: str | None, field: str) -> Iterator[Compute]:
     _check_scheduler(full, address, field)
     with (
         _without_log(),
-        distributed.Client(full, set_as_default=False) as client,
+        _closed(distributed.Client(full, set_as_default=False)) as client,
         client.as_current(),
     ):
         yield functools.partial(_computed, client, field)
@@ -110,6 +110,17 @@ def _check_scheduler(full: str, address: str, field: str) -> None:
         raise InputError(field, address, WANTED, problem) from None
     except (OSError, ValueError, TypeError, RuntimeError, ImportError) as error:  # from Dask
         raise InputError(field, address, WANTED, f"{shown(address)}: {error}") from None
+
+
+@contextlib.contextmanager
+def _closed(client) -> Iterator:
+    """Close a client at the end. Its results are here by then, or the scheduler is lost, which an
+    error of closing must not hide: Dask stops timers that may just be expiring."""
+    try:
+        yield client
+    finally:
+        with contextlib.suppress(RuntimeError):
+            client.close()
 
 
 @contextlib.contextmanager
