@@ -2,12 +2,17 @@
 
 import csv
 import dataclasses
+import json
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from vehicle_roll_sim.command_line.main import main
+
+DATA = re.compile(r'<script type="application/json" id="data">(.*?)</script>', re.DOTALL)
+"""What a page of the viewer has of its runs."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -48,6 +53,17 @@ def command(folder, capsys):
         return Result(status, printed.out, printed.err)
 
     return call
+
+
+@pytest.fixture
+def data(folder):
+    """data(name): what a page has of its runs."""
+
+    def read(name: str) -> dict:
+        (found,) = DATA.findall((folder / name).read_text(encoding="utf-8"))
+        return json.loads(found)
+
+    return read
 
 
 @pytest.fixture

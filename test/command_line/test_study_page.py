@@ -1,13 +1,11 @@
 """`study --view`: a page whose map opens runs of the study; and `view` of such a run."""
 
 import json
-import re
 
 import pytest
 
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 
-DATA = re.compile(r'<script type="application/json" id="data">(.*?)</script>', re.DOTALL)
 TEXT = """\
 manoeuvre: step_steer
 vehicle: car.yaml
@@ -17,17 +15,6 @@ factors:
   manoeuvre.speed: [10, 20]
   vehicle.front_track: [1.6, 1.7]
 """
-
-
-@pytest.fixture
-def data(folder):
-    """data(name): what a page has of its runs."""
-
-    def read(name: str) -> dict:
-        (found,) = DATA.findall((folder / name).read_text(encoding="utf-8"))
-        return json.loads(found)
-
-    return read
 
 
 @pytest.fixture

@@ -1,9 +1,7 @@
 """`view` and `run --view`: a page of recorded runs, and clear refusals."""
 
 import importlib.util
-import json
 import os
-import re
 import shutil
 
 import pytest
@@ -11,21 +9,9 @@ import pytest
 from vehicle_roll_sim.command_line import view_pictures
 from vehicle_roll_sim.viewer import browser
 
-DATA = re.compile(r'<script type="application/json" id="data">(.*?)</script>', re.DOTALL)
 HAVE_BAGS = importlib.util.find_spec("rosbags") is not None
 NEEDS_BAGS = pytest.mark.skipif(not HAVE_BAGS, reason="rosbags is not installed")
 TURN = ("step_steer", "--duration", "1.5")
-
-
-@pytest.fixture
-def data(folder):
-    """data(name): what a page has of its runs."""
-
-    def read(name: str) -> dict:
-        (found,) = DATA.findall((folder / name).read_text(encoding="utf-8"))
-        return json.loads(found)
-
-    return read
 
 
 @pytest.fixture

@@ -52,6 +52,24 @@ def commanded(command) -> np.ndarray:
     return np.repeat([command["steering"], command["rear_steering"]], 2)
 
 
+def compliance_steer(vehicle, outputs) -> np.ndarray:
+    """Angle of each wheel by COMPLIANCE, from lateral force and moment of the tire alone."""
+    along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
+    shifted = vehicle.contact_patch_compliance(True) * (across * along)
+    per_force, per_moment = np.repeat([-3e-7, 1e-7], 2), np.repeat([4e-6, 0.0], 2)
+    return per_force * across + per_moment * (outputs["aligning_moment"] + shifted)
+
+
+def check_lean(plain, options, state, command, outputs) -> tuple[np.ndarray, Evaluation]:
+    """Assert that CAMBER leans each wheel as its force says; the lean (rad), and rigid wheels."""
+    rigid = Evaluation(plain, options)
+    rigid.rates(state, command)
+    lean = outputs["inclination"] - rigid.outputs["inclination"]
+    expected = np.repeat([*CAMBER.values()], 2) * outputs["tire_lateral"]
+    np.testing.assert_allclose(lean, expected, rtol=0, atol=1e-11)
+    return lean, rigid
+
+
 @pytest.mark.parametrize("model", ["1", "2", "8dof"])
 def test_ackermann_geometry_is_that_of_the_cotangents(plain, model):
     vehicle = plain.with_values({"ackermann_percentage": SHARE})
@@ -89,18 +107,12 @@ def test_toe_and_roll_steer_follow_the_travel_of_the_wheels(plain, model):
 def test_compliance_steer_and_the_forces_that_cause_it_agree(plain, model, steady):
     vehicle = plain.with_values(COMPLIANCE)
     options = Options(model=model, steady_state_slip=steady)
-    per_force = np.repeat([-3e-7, 1e-7], 2)
-    per_moment = np.repeat([4e-6, 0.0], 2)
     turned = 0.0
     for (_, command, _, outputs), rigid in zip(
         cases(vehicle, options), cases(plain, options), strict=True
     ):
-        moment = outputs["aligning_moment"]
-        moment = moment + vehicle.contact_patch_compliance(True) * (
-            outputs["tire_lateral"] * outputs["tire_longitudinal"]
-        )  # of the tire alone
         angle = outputs["steering"] - commanded(command)
-        expected = per_force * outputs["tire_lateral"] + per_moment * moment
+        expected = compliance_steer(vehicle, outputs)
         np.testing.assert_allclose(angle, expected, rtol=0, atol=1e-11)
         turned = max(turned, np.abs(angle).max())
         if not steady:  # the forces are those of the lagged slip, as on rigid wheels
@@ -113,14 +125,9 @@ def test_compliance_steer_and_the_forces_that_cause_it_agree(plain, model, stead
 def test_compliance_camber_and_the_forces_that_cause_it_agree(plain, model, steady):
     """The forces are those of a rigid wheel with as much more static camber."""
     vehicle, options = plain.with_values(CAMBER), Options(model=model, steady_state_slip=steady)
-    per_force, forces = np.repeat([*CAMBER.values()], 2), ("tire_longitudinal", "tire_lateral")
     leaning = 0.0
     for state, command, _, outputs in cases(vehicle, options):
-        rigid = Evaluation(plain, options)
-        rigid.rates(state, command)
-        lean = outputs["inclination"] - rigid.outputs["inclination"]
-        expected = per_force * outputs["tire_lateral"]
-        np.testing.assert_allclose(lean, expected, rtol=0, atol=1e-11)
+        lean, rigid = check_lean(plain, options, state, command, outputs)
         leaning = max(leaning, np.abs(lean).max())
         np.testing.assert_array_equal(outputs["steering"], rigid.outputs["steering"])
         if model == "2":  # where static camber moves the contact point too
@@ -130,7 +137,7 @@ def test_compliance_camber_and_the_forces_that_cause_it_agree(plain, model, stea
             camber = getattr(plain, name) + SIDES[i] * -lean[i]
             cambered = Evaluation(plain.with_values({name: camber}), options)
             cambered.rates(state, command)
-            for force in (*forces, "aligning_moment"):
+            for force in ("tire_longitudinal", "tire_lateral", "aligning_moment"):
                 like = cambered.outputs[force][i]
                 assert outputs[force][i] == pytest.approx(like, rel=1e-8, abs=1e-6), force
     assert leaning > 0.01
@@ -139,20 +146,11 @@ def test_compliance_camber_and_the_forces_that_cause_it_agree(plain, model, stea
 def test_a_wheel_that_yields_in_steering_and_camber_agrees_in_both(plain):
     """With steady-state slip, where each of the two angles changes the force of the other."""
     vehicle = plain.with_values(COMPLIANCE | CAMBER)
-    per_force = np.repeat([*CAMBER.values()], 2)
     options = Options(steady_state_slip=True)
     for state, command, _, outputs in cases(vehicle, options):
-        rigid = Evaluation(plain, options)
-        rigid.rates(state, command)
-        lean = outputs["inclination"] - rigid.outputs["inclination"]
-        expected = per_force * outputs["tire_lateral"]
-        np.testing.assert_allclose(lean, expected, rtol=0, atol=1e-11)
+        check_lean(plain, options, state, command, outputs)
         angle = outputs["steering"] - commanded(command)
-        moment = outputs["aligning_moment"] + vehicle.contact_patch_compliance(True) * (
-            outputs["tire_lateral"] * outputs["tire_longitudinal"]
-        )
-        steer = np.repeat([-3e-7, 1e-7], 2) * outputs["tire_lateral"]
-        steer += np.repeat([4e-6, 0.0], 2) * moment
+        steer = compliance_steer(vehicle, outputs)
         np.testing.assert_allclose(angle, steer, rtol=0, atol=1e-11)
 
 
