@@ -1,6 +1,5 @@
 """The template files: the reference vehicle, bit for bit, with a comment on every value."""
 
-import pytest
 from vehicle_files import REFERENCE_TIR, refused, write
 
 from vehicle_roll_sim import Simulation, Vehicle, load_tire, load_vehicle, preset

@@ -226,6 +226,13 @@ def path(tmp_path):
     return tmp_path / "some.yaml"
 
 
+def assert_refused(load, path, name: str, value: str) -> None:
+    """A file is refused, in the line of the parameter, that has this value of it."""
+    text = edited(whole_with(name), name, f"{name}: {value}")
+    with refused(path, line_of(text, name), name):
+        load(text)
+
+
 def test_the_reference_vehicle_is_that_of_the_source():
     vehicle = preset("reference")
     assert {name: getattr(vehicle, name) for name in SOURCE} == SOURCE
@@ -256,15 +263,12 @@ def test_every_value_of_the_file_arrives_under_its_name(vehicle_from):
 @pytest.mark.parametrize("name", DECLARED)
 def test_a_value_that_is_not_allowed_is_refused(vehicle_from, path, name):
     for value in wrong_values(name):
-        text = edited(whole_with(name), name, f"{name}: {value}")
-        with refused(path, line_of(text, name), name, given=value):
-            vehicle_from(text)
+        assert_refused(vehicle_from, path, name, value)
 
 
 def test_zero_is_refused_where_nothing_is_not_allowed(vehicle_from, path):
     for name in (n for n, p in PARAMETERS.items() if p.minimum > 0):
-        with refused(path, name, given=name):
-            vehicle_from(edited(whole_with(name), name, f"{name}: 0"))
+        assert_refused(vehicle_from, path, name, "0")
 
 
 @pytest.mark.parametrize("name", [n for n in REQUIRED if n not in {*HEIGHTS, *TABLES, *TOTALS}])
@@ -297,7 +301,7 @@ def test_what_cannot_be_read_says_what_the_name_should_be(tmp_path, name, words)
 def test_a_key_that_stands_twice_is_named(vehicle_from, path):
     for name in (*PARAMETERS, "tire"):
         text = whole_with(name) + f"{name}: 1.0\n"
-        with refused(path, line_of(text, name), name, given=name):
+        with refused(path, line_of(text, name), name):
             vehicle_from(text)
 
 
