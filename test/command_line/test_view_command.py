@@ -189,7 +189,8 @@ def test_no_process_goes_on_of_a_browser_that_takes_too_long(
     os.mkfifo(folder / "alive")
     fake, temporary = folder / "browser", folder / "temporary"
     temporary.mkdir()
-    monkeypatch.setattr(tempfile, "tempdir", str(temporary))
+    monkeypatch.setenv("TMPDIR", str(temporary))
+    monkeypatch.setattr(tempfile, "tempdir", None)  # so that it is looked for again
     begins = f"exec 3>{folder}/alive\nmktemp\nsleep 1000 &\necho began >&3\nwait"
     fake.write_text(f"#!/bin/sh\n{begins}\n")
     fake.chmod(0o700)
