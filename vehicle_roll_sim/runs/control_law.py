@@ -10,7 +10,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, keep_validated
 from vehicle_roll_sim.model.frames import quaternion
-from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
+from vehicle_roll_sim.simulation.command import IDLE, Command, Feedback, Programme, command_at
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -73,7 +73,7 @@ class Controlled(Feedback):
     def __init__(self, simulation: Simulation, driver: Programme | Feedback, law: ControlLaw):
         self._simulation, self._driver, self._law = simulation, driver, copy.copy(law)
         self._law.begin(simulation.vehicle)
-        self._last = Command()
+        self._last = IDLE
 
     def command(self, time: float, state) -> Command:
         simulation = self._simulation
