@@ -20,6 +20,7 @@ from vehicle_roll_sim.files.text_file import read_text
 PACKAGE = __name__.partition(".")[0]
 SUFFIX = ".py"
 HERE = Path()
+"""The current folder, for names that do not come from a file."""
 LARGEST = 1_000_000
 """Bytes of a file."""
 MODULE = "vehicle_roll_sim_study_"
@@ -92,10 +93,11 @@ def _module(text: str, path: Path) -> types.ModuleType:
     return sys.modules[name]
 
 
-def code_of(instance, refuse: Refuse) -> dict | None:
+def code_of(instance, refuse: Refuse) -> dict:
     """What the results depend on of a manoeuvre or a controller: class, values, text, parameters.
 
-    As JSON has it. None for what the program itself has. Raises InputError by `refuse`.
+    As JSON has it, without the text if the class is one of this program. Raises InputError by
+    `refuse`.
     """
     kind = type(instance)
     try:
