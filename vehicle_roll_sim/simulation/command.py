@@ -110,6 +110,8 @@ KEPT = {field.name: _CHECKS.get(field.default, _number) for field in dataclasses
 """The function that checks each value of a command and converts it."""
 
 
+IDLE = Command()
+"""No command."""
 Programme = Callable[[np.ndarray], np.ndarray]
 """Commands as a function of time: takes an array of n times (s), returns n COMMAND records.
 
