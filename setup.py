@@ -7,7 +7,10 @@ from setuptools import find_packages, setup
 NAME = "vehicle_roll_sim"
 SHARE = f"share/{NAME}"
 DOCS = ("docs", *(f"docs/{name}" for name in ("tutorials", "notebooks", "reference")))
-EXAMPLES = ("active_roll_bar", "rear_steering", "roll_braking", "rollover_warning", "yaw_control")
+EXAMPLES = (
+    *("active_roll_bar", "lqr_roll_bar", "rear_steering", "roll_braking", "rollover_mpc"),
+    *("rollover_warning", "stability_control", "yaw_control"),
+)
 
 setup(
     name=NAME,
@@ -22,6 +25,7 @@ setup(
     python_requires=">=3.11",
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
     package_data={
+        f"{NAME}.control_laws": ["*.yaml"],
         f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir", "presets/*.csv"],
         f"{NAME}.viewer": ["web/*.*", "web/three/*"],
     },

@@ -7,6 +7,7 @@ a subscriber. So a chain of controllers connects from the simulator outwards, an
 misses the first set.
 """
 
+import dataclasses
 import math
 import sys
 import time
@@ -19,7 +20,7 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 
 from vehicle_roll_sim.arguments import OneLineParser
-from vehicle_roll_sim.declaration import InputError, unknown_name
+from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.messages.set_synchronizer import KEPT, SetSynchronizer
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, ROLL_CENTRE, STATE_SET, Topic
@@ -76,6 +77,16 @@ class Controller(Node):
         """Declare a ROS parameter and return its value; integers are accepted as numbers."""
         any_number = ParameterDescriptor(dynamic_typing=True)
         return float(self.declare_parameter(name, default, any_number).value)
+
+    def parameters(self, defaults):
+        """Declare a ROS parameter for each parameter of a declaring dataclass.
+
+        defaults: an instance with the default values. Returns an instance with those of the node;
+        raises InputError for a value that is not allowed.
+        """
+        names = parameters_of(defaults)
+        given = {name: self.parameter(name, getattr(defaults, name)) for name in names}
+        return dataclasses.replace(defaults, **given)
 
     def prepare(self) -> None:
         """Called once, connected but before the first answer; does nothing by default."""
