@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Design the gains of the controller lqr_roll_bar for a vehicle: a ROS parameter file.
 
-    python3 design_lqr_roll_bar.py --vehicle car.yaml --speed 25 --output gains.yaml
-    ros2 run vehicle_roll_sim lqr_roll_bar --ros-args --params-file gains.yaml
+python3 design_lqr_roll_bar.py --vehicle car.yaml --speed 25 --output gains.yaml
+ros2 run vehicle_roll_sim lqr_roll_bar --ros-args --params-file gains.yaml
 """
 
 import argparse

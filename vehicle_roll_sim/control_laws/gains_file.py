@@ -40,7 +40,7 @@ def as_parameter_file(design: RollBarDesign, criteria: RollBarCriteria, vehicle:
     vehicle: what it is, in words.
     """
     model = design.model
-    now = dict(zip(model.output_names, model.trim_output, strict=True))
+    trim = dict(zip(model.output_names, model.trim_output, strict=True))
     speed = model.trim_state[model.state_names.index("u")]
     given = dataclasses.asdict(criteria)
     weighed = (f"{name} {given[name]:g}" for name in given if name.endswith("_scale"))
@@ -49,9 +49,11 @@ def as_parameter_file(design: RollBarDesign, criteria: RollBarCriteria, vehicle:
         f"# vehicle: {vehicle}, model {model.trim.plant.options.model}",
         f"# trim: straight ahead at {speed:g} m/s, torque at each rear wheel "
         f"{model.trim.drive_torque:.1f} N m,",
-        f"#   roll angle {now['roll']:.1f} rad, load transfer ratio {now['load_transfer_ratio']:.1f}",
+        f"#   roll angle {trim['roll']:.1f} rad, lateral acceleration "
+        f"{trim['lateral_acceleration']:.1f} m/s^2",
         f"# weights: {', '.join(weighed)}",
-        f"# slow poles of the lateral motion (1/s), without the bars: {_slow(design.poles_without)}",
+        "# slow poles of the lateral motion (1/s):",
+        f"#   without the bars: {_slow(design.poles_without)}",
         f"#   with them: {_slow(design.poles)}",
         f"{NODE}:",
         f"  {PARAMETERS}:",

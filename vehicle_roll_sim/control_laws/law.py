@@ -28,7 +28,7 @@ class ControlLaw(abc.ABC):
     commanded: ClassVar[tuple[str, ...]]
 
     def __init__(self):
-        self._time = math.inf
+        self.reset()
 
     def answer(self, motion: Mapping[str, float]) -> dict:
         """The commands for the period that begins with a sample: values of `commanded` by name.
@@ -46,7 +46,8 @@ class ControlLaw(abc.ABC):
         """The law itself; the arguments and the result are those of `answer`."""
 
     def reset(self) -> None:
-        """Forget previous samples; a law without a memory has nothing to do."""
+        """Forget previous samples."""
+        self._time = math.inf
 
 
 class Assisted(Feedback):

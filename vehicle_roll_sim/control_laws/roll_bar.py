@@ -7,16 +7,16 @@ from vehicle_roll_sim.control_laws.law import ControlLaw
 from vehicle_roll_sim.declaration import keep_validated, parameter
 
 FED_BACK = ("v", "yaw_rate", "roll", "roll_rate")
-"""The states that the gains are for, in this order."""
+"""The states that are fed back."""
+GAINS = ("lateral_velocity_gain", "yaw_rate_gain", "roll_gain", "roll_rate_gain")
+"""The gain of each."""
 
 
 @dataclasses.dataclass(frozen=True)
 class RollBarGains:
     """Gains of the state feedback, and the bars that it drives."""
 
-    lateral_velocity_gain: float = parameter(
-        "roll moment per lateral velocity", "N s", -1e7, 1e7
-    )
+    lateral_velocity_gain: float = parameter("roll moment per lateral velocity", "N s", -1e7, 1e7)
     yaw_rate_gain: float = parameter("roll moment per yaw rate", "N m s", -1e7, 1e7)
     roll_gain: float = parameter("roll moment per roll angle", "N m", -1e7, 1e7)
     roll_rate_gain: float = parameter("roll moment per roll rate", "N m s", -1e7, 1e7)
@@ -35,22 +35,17 @@ class LqrRollBar(ControlLaw):
     commanded = ("normal_force",)
 
     def __init__(self, gains: RollBarGains):
-        super().__init__()
         self.gains = gains
+        super().__init__()
 
     def law(self, motion: Mapping[str, float]) -> dict:
         front, rear = self.forces(self.moment(motion))
         return {"normal_force": (-front, front, -rear, rear)}
 
     def moment(self, motion: Mapping[str, float]) -> float:
-        """The roll moment on the body (N m, positive to the left) that counteracts the motion."""
-        gains = self.gains
-        return (
-            gains.lateral_velocity_gain * motion["v"]
-            + gains.yaw_rate_gain * motion["yaw_rate"]
-            + gains.roll_gain * motion["roll"]
-            + gains.roll_rate_gain * motion["roll_rate"]
-        )
+        """The roll moment on the body (N m); a positive one turns it to the left."""
+        pairs = zip(GAINS, FED_BACK, strict=True)
+        return sum(getattr(self.gains, gain) * motion[state] for gain, state in pairs)
 
     def forces(self, moment: float) -> tuple[float, float]:
         """Forces at the right corners in front and in the rear (N); opposite ones at the left."""

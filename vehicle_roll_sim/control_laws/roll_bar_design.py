@@ -24,7 +24,7 @@ from scipy import linalg
 
 from vehicle_roll_sim.analysis.linear_model import LinearModel, linearize
 from vehicle_roll_sim.analysis.trim import find_trim
-from vehicle_roll_sim.control_laws.roll_bar import FED_BACK, RollBarGains
+from vehicle_roll_sim.control_laws.roll_bar import FED_BACK, GAINS, RollBarGains
 from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
 from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEELS
 from vehicle_roll_sim.simulation.options import Options, options_for
@@ -98,15 +98,9 @@ def design(
     if "suspension_compression" not in options.states:
         raise InputError("model", options.model, "a model with 14 degrees of freedom")
     model = linearize(find_trim(vehicle, options, speed=criteria.speed))
-    left = vehicle.record()["y"][0, [LF, LR]]
-    tracks = tuple((left - vehicle.record()["y"][0, [RF, RR]]).tolist())
-    bars = bar_column(model, criteria.front_share, tracks)
-    lift = lateral_motion(model.state_names)
-    along = lift / (lift**2).sum(axis=0)  # columns are orthogonal: this is the pseudo-inverse
-    a, b = along.T @ model.a @ lift, along.T @ bars
-    if not np.abs(model.a @ lift - lift @ a).max() < SYMMETRIC * np.abs(model.a).max():
-        problem = "its lateral motion also heaves, pitches or slows it down"
-        raise InputError("vehicle", "", "left and right the same", problem)
+    places = vehicle.record()["y"][0]
+    tracks = (float(places[LF] - places[RF]), float(places[LR] - places[RR]))
+    a, b = lateral_part(model, bar_column(model, criteria.front_share, tracks))
     weights = np.zeros_like(a)
     for name, scale in (("roll", criteria.roll_scale), ("roll_rate", criteria.roll_rate_scale)):
         weights[FED_BACK.index(name), FED_BACK.index(name)] = scale**-2
@@ -116,15 +110,24 @@ def design(
     gain = once_settled(a, b, optimal)
     fed_back = np.append(gain, np.zeros(len(b) - len(gain)))
     poles = linalg.eigvals(a), linalg.eigvals(a - np.outer(b, fed_back))
-    names = ("lateral_velocity_gain", "yaw_rate_gain", "roll_gain", "roll_rate_gain")
-    gains = RollBarGains(
-        **dict(zip(names, (-gain).tolist(), strict=True)),
-        front_share=criteria.front_share,
-        front_track=tracks[0],
-        rear_track=tracks[1],
-        largest_force=criteria.largest_force,
-    )
+    bars = {"front_share": criteria.front_share, "largest_force": criteria.largest_force}
+    bars |= {"front_track": tracks[0], "rear_track": tracks[1]}
+    gains = RollBarGains(**dict(zip(GAINS, (-gain).tolist(), strict=True)), **bars)
     return RollBarDesign(gains, model, a, b, weights, weight, cost, optimal, gain, *poles)
+
+
+def lateral_part(model: LinearModel, bars: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """A (n, n) of the lateral motion, and B (n,) of bars that act on the whole model as `bars`.
+
+    Raises InputError if the lateral motion is not independent of the others.
+    """
+    lift = lateral_motion(model.state_names)
+    along = lift / (lift**2).sum(axis=0)  # columns are orthogonal: this is the pseudo-inverse
+    a = along.T @ model.a @ lift
+    if not np.abs(model.a @ lift - lift @ a).max() < SYMMETRIC * np.abs(model.a).max():
+        problem = "its lateral motion also heaves, pitches or slows it down"
+        raise InputError("vehicle", "", "left and right the same", problem)
+    return a, along.T @ bars
 
 
 def bar_column(model: LinearModel, front_share: float, tracks: tuple[float, float]) -> np.ndarray:

@@ -4,9 +4,10 @@ Every period, the inputs of the next BLOCKS intervals are chosen that keep the p
 transfer ratio within `ratio_limit` with as little intervention as possible. With x, the inputs over
 their largest values, they minimize
 
-    |x|^2 + change_weight |x - x before|^2 + ratio_weight sum over steps of max(0, |ratio| - limit)^2
+    |x|^2 + change_weight |x - x before|^2 + ratio_weight sum of max(0, |ratio| - ratio_limit)^2
 
-within the bounds of the inputs, and the first block is applied. The problem is solved by
+over all steps of the prediction, within the bounds of the inputs; the first block is applied. The
+problem is solved by
 Gauss-Newton steps, each of which minimizes a quadratic within bounds; the number of iterations is
 fixed, so that the result is the same on every run, and they start from the last solution.
 """
@@ -31,6 +32,8 @@ SLIGHT = 1e-3
 """Change of an input, over its largest value, for a difference quotient."""
 FRACTIONS = np.array([1.0, 0.5, 0.25, 0.0])
 """Shares of a Gauss-Newton step that are tried."""
+NOTHING = 1e-4
+"""Inputs below this share of their largest values are set to 0, so that an intervention ends."""
 SWEEPS = 20
 """Sweeps of the solver of the quadratic problem over all inputs."""
 SLOWEST = 3.0
@@ -43,9 +46,7 @@ class PreventionSettings:
 
     horizon: float = parameter("prediction horizon", "s", 0.01, 10.0, default=0.6)
     interval: float = parameter("time step of the prediction", "s", 1e-3, 0.1, default=0.03)
-    ratio_limit: float = parameter(
-        "load transfer ratio to be kept", "", 0.0, 1.0, default=0.8
-    )
+    ratio_limit: float = parameter("load transfer ratio to be kept", "", 0.0, 1.0, default=0.8)
     ratio_weight: float = parameter(
         "weight of a step beyond that ratio", "", 0.0, 1e9, default=200.0
     )
@@ -69,7 +70,6 @@ class RolloverMpc(ControlLaw):
     commanded = ("rear_steering", "brake_torque")
 
     def __init__(self, vehicle: Vehicle, settings: PreventionSettings | None = None):
-        super().__init__()
         self.settings = settings or PreventionSettings()
         self.model = PredictionModel(vehicle, self.settings.interval)
         per_block = round(self.settings.horizon / BLOCKS / self.settings.interval)
@@ -78,14 +78,15 @@ class RolloverMpc(ControlLaw):
         self._largest = np.array([self.settings.largest_rear_steering, brake, brake])
         self._lower = np.tile([-1.0, 0.0, 0.0], BLOCKS)
         self._upper = np.ones_like(self._lower)
-        self.reset()
+        super().__init__()
 
     def reset(self) -> None:
+        super().reset()
         self._planned = np.zeros_like(self._lower)
 
     def law(self, motion: Mapping[str, float]) -> dict:
         if motion["u"] < SLOWEST:
-            self.reset()
+            self._planned = np.zeros_like(self._lower)
             return {"rear_steering": 0.0, "brake_torque": (0.0,) * WHEEL_COUNT}
         self._planned = self.plan(motion)
         angle, *forces = (self._largest * self._planned[:INPUT_COUNT]).tolist()
@@ -105,6 +106,7 @@ class RolloverMpc(ControlLaw):
             tried = plan + FRACTIONS[:, np.newaxis] * step
             costs = (self.residuals(motion, tried, before) ** 2).sum(axis=1)
             plan = tried[costs.argmin()]
+            plan[np.abs(plan) < NOTHING] = 0.0
         return plan
 
     def residuals(

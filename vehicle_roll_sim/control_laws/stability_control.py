@@ -98,10 +98,9 @@ class StabilityControl(ControlLaw):
     def __init__(
         self, wheelbase: float, understeer: float, settings: StabilitySettings | None = None
     ):
-        super().__init__()
         self.wheelbase, self.understeer = wheelbase, understeer
         self.settings = settings or StabilitySettings()
-        self.reset()
+        super().__init__()
 
     @classmethod
     def for_vehicle(
@@ -115,6 +114,7 @@ class StabilityControl(ControlLaw):
         return cls(vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle, understeer, settings)
 
     def reset(self) -> None:
+        super().reset()
         now = self.settings
         self._reference, self._before = 0.0, math.nan
         self._yaw = Hysteresis(now.yaw_on, now.yaw_off)
@@ -160,9 +160,7 @@ class StabilityControl(ControlLaw):
 
     def _against_roll(self, roll: float, roll_rate: float) -> list[float]:
         ahead, torques = roll + self.settings.roll_lead * roll_rate, [0.0] * WHEEL_COUNT
-        for (side, threshold), wheels in zip(
-            self._roll.items(), ((RF, LF), (LF, RF)), strict=True
-        ):
+        for (side, threshold), wheels in zip(self._roll.items(), ((RF, LF), (LF, RF)), strict=True):
             if threshold.update(side * ahead):
                 outer, inner = wheels
                 torques[outer] = self.settings.roll_torque
