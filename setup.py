@@ -7,6 +7,8 @@ from setuptools import find_packages, setup
 NAME = "vehicle_roll_sim"
 SHARE = f"share/{NAME}"
 DOCS = ("docs", *(f"docs/{name}" for name in ("tutorials", "notebooks", "reference")))
+CPP = "examples/lqr_roll_bar_cpp"
+CPP_EXAMPLE = (CPP, f"{CPP}/src", f"{CPP}/include/lqr_roll_bar_cpp")
 EXAMPLES = (
     *("active_roll_bar", "lqr_roll_bar", "rear_steering", "roll_braking", "rollover_mpc"),
     *("rollover_warning", "stability_control", "yaw_control"),
@@ -36,6 +38,7 @@ setup(
         (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
         (f"{SHARE}/examples", sorted(glob("examples/*.*"))),
         (f"{SHARE}/examples/studies", sorted(glob("examples/studies/*"))),
+        *((f"{SHARE}/{folder}", sorted(glob(f"{folder}/*.*"))) for folder in CPP_EXAMPLE),
         (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
         (f"{SHARE}/launch", sorted(glob(f"{NAME}/launch/*.launch.py"))),
         (f"{SHARE}/config", sorted(glob(f"{NAME}/config/*"))),

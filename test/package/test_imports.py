@@ -19,6 +19,7 @@ MAY_IMPORT = {
     "logs": {*SIMULATED},
     "batch": {*SIMULATED, "manoeuvres"},
     "analysis": {*SIMULATED},
+    "control_laws": {*SIMULATED, "analysis"},
     "comparison": {*SIMULATED, "logs", "analysis"},
     "paper": {*SIMULATED, "manoeuvres", "analysis"},
     "viewer": {*SIMULATED, "manoeuvres", "analysis"},
@@ -38,7 +39,7 @@ MAY_IMPORT = {
     },
     "ros": {*SIMULATED, "live", "manoeuvres", "analysis", "messages", "bags", "arguments"},
     "controller": {"ros", "messages"},
-    "examples": {"controller", "ros", "analysis"},
+    "examples": {"controller", "ros", "control_laws", "analysis"},
 }
 """What a part may import beside itself."""
 ROOMS_OF_ROS = ("simulator", "clients", "orchestration")
