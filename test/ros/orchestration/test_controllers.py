@@ -1,5 +1,6 @@
 """The example controllers in lockstep: their effects, as stated in docs/controllers.md."""
 
+import dataclasses
 import re
 from pathlib import Path
 
@@ -17,9 +18,14 @@ from benchmarks.controllers import (
 )
 from vehicle_roll_sim import Condition, Options, Simulation, preset
 from vehicle_roll_sim.analysis.panels import SIDESLIP
+from vehicle_roll_sim.control_laws.gains_file import read_gains
+from vehicle_roll_sim.control_laws.law import Assisted
+from vehicle_roll_sim.control_laws.roll_bar import LqrRollBar
+from vehicle_roll_sim.control_laws.rollover_mpc import RolloverMpc
+from vehicle_roll_sim.control_laws.stability_control import StabilityControl
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
 from vehicle_roll_sim.messages.topics import COMMANDS
-from vehicle_roll_sim.ros.orchestration.comparison import Chain, Scenario, drive
+from vehicle_roll_sim.ros.orchestration.comparison import Chain, Outcome, Scenario, drive
 from vehicle_roll_sim.ros.topics import message_class
 from vehicle_roll_sim.runs.run import run
 
@@ -36,8 +42,26 @@ STARTED_ELSEWHERE = ("active_roll_bar", "roll_braking", "rollover_warning", "yaw
 PERIODS = 50
 ON_ITS_WHEELS = 2.5
 """s until which the vehicle without control is, in the sine with dwell."""
-ANSWERS = {command for chain in CONTROLLERS.values() for command in chain.commands}
-PROGRAMS = {Path(script).stem for chain in CONTROLLERS.values() for script, *_ in chain.programs}
+LAWS = {
+    "lqr_roll_bar": lambda _: LqrRollBar(read_gains()),
+    "rollover_mpc": RolloverMpc,
+    "stability_control": StabilityControl.for_vehicle,
+}
+"""Controllers whose law can be had without ROS: a new one for a vehicle."""
+COLUMNS = {
+    "normal_force_cmd": "active_force",
+    "brake_torque_cmd": "brake_torque",
+    "rear_steering_cmd": "rear_steering",
+}
+"""In the history."""
+TOGETHER = [chain for name, chain in CONTROLLERS.items() if name not in LAWS]
+"""Controllers of which no two send the same command."""
+ANSWERS = {command for chain in TOGETHER for command in chain.commands}
+PROGRAMS = {Path(script).stem for chain in TOGETHER for script, *_ in chain.programs}
+LOW, SPEED = 0.62, 20.1168
+"""c.g. height (m) and entry speed (m/s) of the fishhook of the table."""
+WHILE_IT_ACTS = 2.2
+"""s of the fishhook at 35 mph: the first turn, in which every controller intervenes."""
 
 
 @pytest.fixture(scope="module", params=SCENARIOS)
@@ -80,10 +104,45 @@ def test_the_warning_comes_before_what_it_warns_of_as_the_page_says(manoeuvre, w
 
 @pytest.mark.parametrize("controller", CONTROLLERS)
 def test_it_prevents_the_rollover_as_the_page_says(manoeuvre, without, controller):
-    found = drive(SCENARIOS[manoeuvre], CONTROLLERS[controller])
+    """Those with a law of their own without nodes, which the next test shows to be the same."""
+    if controller in LAWS:
+        found = driven_alone(controller, *conditions(manoeuvre))
+    else:
+        found = drive(SCENARIOS[manoeuvre], CONTROLLERS[controller])
     assert not found.rollover > 0.0
     assert not found.two_wheel_lift > 0.0
     assert_shown("| " + " | ".join(row(controller, manoeuvre, without, found)) + " |")
+
+
+def conditions(manoeuvre: str):
+    """Vehicle and manoeuvre of a scenario of the table."""
+    if manoeuvre == "J-turn":
+        return preset(), manoeuvre_named("j_turn")
+    fishhook = dataclasses.replace(manoeuvre_named("nhtsa_fishhook"), speed=SPEED)
+    return dataclasses.replace(preset(), cg_height=LOW), fishhook
+
+
+def driven_alone(controller: str, vehicle, manoeuvre) -> Outcome:
+    """A run without nodes, with the law of a controller beside the driver."""
+    filled_in = manoeuvre.for_vehicle(vehicle, Options())
+    simulation = Simulation(vehicle)
+    simulation.reset(filled_in.speed)
+    driver = Assisted(filled_in.driver(), LAWS[controller](vehicle))
+    return Outcome(run(simulation, driver, filled_in.duration))
+
+
+@pytest.mark.parametrize("controller", LAWS)
+def test_in_lockstep_a_law_does_the_same_as_without_nodes_to_the_bit(in_domain, controller):
+    manoeuvre = dataclasses.replace(manoeuvre_named("nhtsa_fishhook"), duration=WHILE_IT_ACTS)
+    words = ("nhtsa_fishhook", "--duration", str(WHILE_IT_ACTS))
+    scenario = Scenario(words, ("steering_cmd", "wheel_torque_cmd"))
+    found = drive(scenario, CONTROLLERS[controller]).history
+    alone = driven_alone(controller, preset(), manoeuvre).history
+    assert np.array_equal(found["steering"], alone["steering"])
+    for name in ("x", "y", "roll", "yaw_rate", "u"):
+        assert np.array_equal(found[name], alone[name]), name
+    assert np.array_equal(found.commands, alone.commands)
+    assert all(found.command(COLUMNS[topic]).any() for topic in CONTROLLERS[controller].commands)
 
 
 def test_yaw_control_prevents_the_rollover_in_the_sine_with_dwell_with_less_sideslip(in_domain):
