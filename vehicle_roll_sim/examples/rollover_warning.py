@@ -19,9 +19,6 @@ from vehicle_roll_sim.analysis.rollover_prediction import (
 from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.clients.simulator_client import SimulatorClient
 
-FORESIGHT = ("horizon", "interval", "persistence", "smoothing")
-"""Parameters of the prediction."""
-
 
 class RolloverWarning(Controller):
     node_name = "rollover_warning"
@@ -36,9 +33,7 @@ class RolloverWarning(Controller):
         super().__init__()
         self.simulator = self.declare_parameter("simulator", "simulator").value  # node name
         self.warning_time = self.parameter("warning_time", 0.5)  # time to rollover to warn at, s
-        self.foresight = Foresight(
-            **{name: self.parameter(name, getattr(Foresight, name)) for name in FORESIGHT}
-        )
+        self.foresight = self.parameters(Foresight())
         self.warned = False
 
     def prepare(self) -> None:
