@@ -15,7 +15,8 @@ CONTROLLERS = (
     *("rollover_warning", "stability_control", "yaw_control"),
 )
 EXECUTABLES = (
-    *("simulator", "manoeuvre", "recorder", "demo", "vehicle_roll_sim", "offline", "compare"),
+    *("simulator", "manoeuvre", "recorder", "live_view", "demo", "compare"),
+    *("vehicle_roll_sim", "offline"),
     *CONTROLLERS,
 )
 PACKAGE = "vehicle_roll_sim"
