@@ -48,9 +48,9 @@ def as_parameter_file(design: RollBarDesign, criteria: RollBarCriteria, vehicle:
         f"# Gains of {NODE}, computed by examples/design_lqr_roll_bar.py, which writes this file.",
         f"# vehicle: {vehicle}, model {model.trim.plant.options.model}",
         f"# trim: straight ahead at {speed:g} m/s, torque at each rear wheel "
-        f"{model.trim.drive_torque:.1f} N m,",
-        f"#   roll angle {trim['roll']:.1f} rad, lateral acceleration "
-        f"{trim['lateral_acceleration']:.1f} m/s^2",
+        f"{_tenths(model.trim.drive_torque)} N m,",
+        f"#   roll angle {_tenths(trim['roll'])} rad, lateral acceleration "
+        f"{_tenths(trim['lateral_acceleration'])} m/s^2",
         f"# weights: {', '.join(weighed)}",
         "# slow poles of the lateral motion (1/s):",
         f"#   without the bars: {_slow(design.poles_without)}",
@@ -66,6 +66,11 @@ def _slow(poles: np.ndarray) -> str:
     """The slow poles, slowest first, conjugate ones once."""
     named = sorted((p for p in poles if p.imag >= 0.0 and abs(p) < SLOW), key=abs)
     return ", ".join(f"{p.real:.3g}" + (f"±{p.imag:.3g}i" if p.imag else "") for p in named)
+
+
+def _tenths(value: float) -> float:
+    """Rounded; never -0.0, which rounding errors would make of nought on some machines."""
+    return round(float(value), 1) + 0.0
 
 
 def _rounded(value: float) -> float:

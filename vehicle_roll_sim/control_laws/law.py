@@ -53,7 +53,9 @@ class ControlLaw(abc.ABC):
 class Assisted(Feedback):
     """A driver with control laws beside him, each of which sets commands that he leaves alone.
 
-    Use a new object, with new laws, for each run. Raises InputError if two laws set one command.
+    Laws see the steering that was commanded. Where the vehicle has an actuator of the steering, the
+    node sees what it lets act instead. Use a new object, with new laws, for each run. Raises
+    InputError if two laws set one command.
     """
 
     def __init__(self, driver: Programme | Feedback, *laws: ControlLaw):

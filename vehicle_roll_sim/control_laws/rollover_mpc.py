@@ -44,7 +44,9 @@ SLOWEST = 3.0
 class PreventionSettings:
     """Horizon, limits and weights."""
 
-    horizon: float = parameter("prediction horizon", "s", 0.01, 10.0, default=0.6)
+    horizon: float = parameter(
+        "prediction horizon, in 4 blocks of whole time steps", "s", 0.01, 10.0, default=0.6
+    )
     interval: float = parameter("time step of the prediction", "s", 1e-3, 0.1, default=0.03)
     ratio_limit: float = parameter("load transfer ratio to be kept", "", 0.0, 1.0, default=0.8)
     ratio_weight: float = parameter(
