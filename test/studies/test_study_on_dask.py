@@ -48,7 +48,9 @@ class Cluster:
         return subprocess.Popen(
             [sys.executable, "-m", f"distributed.cli.{program}", *words, "--no-dashboard"],
             cwd=self.place,
-            env=os.environ | ({"PYTHONPATH": path} if path else {}),
+            env=os.environ
+            | {"DASK_TEMPORARY_DIRECTORY": str(self.place)}
+            | ({"PYTHONPATH": path} if path else {}),
             stdout=nothing,
             stderr=nothing,
         )
