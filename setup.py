@@ -7,7 +7,12 @@ from setuptools import find_packages, setup
 NAME = "vehicle_roll_sim"
 SHARE = f"share/{NAME}"
 DOCS = ("docs", *(f"docs/{name}" for name in ("tutorials", "notebooks", "reference")))
-EXAMPLES = ("active_roll_bar", "rear_steering", "roll_braking", "rollover_warning", "yaw_control")
+CPP = "examples/lqr_roll_bar_cpp"
+CPP_EXAMPLE = (CPP, f"{CPP}/src", f"{CPP}/include/lqr_roll_bar_cpp")
+EXAMPLES = (
+    *("active_roll_bar", "lqr_roll_bar", "rear_steering", "roll_braking", "rollover_mpc"),
+    *("rollover_warning", "stability_control", "yaw_control"),
+)
 
 setup(
     name=NAME,
@@ -22,6 +27,7 @@ setup(
     python_requires=">=3.11",
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
     package_data={
+        f"{NAME}.control_laws": ["*.yaml"],
         f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir", "presets/*.csv"],
         f"{NAME}.viewer": ["web/*.*", "web/three/*"],
     },
@@ -32,6 +38,7 @@ setup(
         (f"{SHARE}/presets", sorted(glob(f"{NAME}/vehicle/presets/*"))),
         (f"{SHARE}/examples", sorted(glob("examples/*.*"))),
         (f"{SHARE}/examples/studies", sorted(glob("examples/studies/*"))),
+        *((f"{SHARE}/{folder}", sorted(glob(f"{folder}/*.*"))) for folder in CPP_EXAMPLE),
         (f"{SHARE}/msg_examples", sorted(glob("msg_examples/*.*"))),
         (f"{SHARE}/launch", sorted(glob(f"{NAME}/launch/*.launch.py"))),
         (f"{SHARE}/config", sorted(glob(f"{NAME}/config/*"))),

@@ -49,6 +49,9 @@ CONTROLLERS = {
     "active_roll_bar": Chain(("normal_force_cmd",), (program("active_roll_bar"),)),
     "roll_braking": Chain(BRAKES, (WARNING, program("roll_braking"))),
     "rear_steering": Chain(("rear_steering_cmd",), (program("rear_steering"),)),
+    "lqr_roll_bar": Chain(("normal_force_cmd",), (program("lqr_roll_bar"),)),
+    "rollover_mpc": Chain((*BRAKES, "rear_steering_cmd"), (program("rollover_mpc"),)),
+    "stability_control": Chain(BRAKES, (program("stability_control"),)),
 }
 
 
@@ -104,7 +107,8 @@ def replaced(text: str, table: str) -> str:
     before, header, rest = text.partition("| " + " | ".join(HEADER) + " |")
     if not header:
         raise SystemExit("controllers: error: no table to replace")
-    return before + table + "\n\n" + rest.split("\n\n", 2)[2]
+    behind = rest.split("\n\n", 2)[2:]
+    return "\n\n".join((before + table, *behind)).rstrip("\n") + "\n"
 
 
 def main(words: list[str]) -> None:

@@ -13,6 +13,9 @@ from definitions import definitions, usual_combinations, usual_values
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.command_line.parameters import parameter_table
+from vehicle_roll_sim.control_laws.roll_bar_design import RollBarCriteria
+from vehicle_roll_sim.control_laws.rollover_mpc import PreventionSettings
+from vehicle_roll_sim.control_laws.stability_control import StabilitySettings
 from vehicle_roll_sim.declaration import Parameter, parameters_of
 from vehicle_roll_sim.learning.actions import ACTIONS, ENDING
 from vehicle_roll_sim.learning.observations import OBSERVATIONS
@@ -144,6 +147,17 @@ def node_parameter_table(declaring: Mapping[str, type]) -> str:
     )
 
 
+def setting_table(declaring: type) -> str:
+    """Parameters of a control law, or of its design."""
+    return table(
+        ("name", "default", "allowed", "meaning"),
+        *(
+            (f"`{name}`", default(declared), allowed(declared), with_names(declared.description))
+            for name, declared in parameters_of(declaring).items()
+        ),
+    )
+
+
 def default(declared: Parameter) -> str:
     value = declared.default
     if isinstance(value, bool):
@@ -253,6 +267,9 @@ TABLES: dict[str, Callable[[], str]] = {
     "covariances": lambda: node_parameter_table(
         {IMU_PREFIX: ImuCovariances, ODOM_PREFIX: OdomCovariances}
     ),
+    "roll bar criteria": lambda: setting_table(RollBarCriteria),
+    "prevention": lambda: setting_table(PreventionSettings),
+    "stability": lambda: setting_table(StabilitySettings),
     "launch arguments": argument_table,
     "manoeuvres": manoeuvre_table,
     "actions": action_table,

@@ -29,7 +29,10 @@ except ImportError:  # ROS 2 is not installed
 
 BY_SHELL = ("ls", "cat", "head", "tail", "mkdir", "cp", "wc")
 OUTPUT_OPTIONS = ("--csv", "--bag", "--plot", "--output")
-EXAMPLES = ("car.yaml", "tire.tir", "commands.csv", "log.csv", "log_map.yaml")
+EXAMPLES = (
+    *("car.yaml", "tire.tir", "commands.csv", "log.csv", "log_map.yaml"),
+    "design_lqr_roll_bar.py",
+)
 """Files of `examples/` that a reader has who is told nothing else of them."""
 
 

@@ -7,6 +7,7 @@ import pytest
 
 XML = (
     "package.xml",
+    "examples/lqr_roll_bar_cpp/package.xml",
     "policies/vehicle_roll_sim.policy.xml",
     "vehicle_roll_sim/config/plotjuggler.xml",
 )

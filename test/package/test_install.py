@@ -11,7 +11,8 @@ from patience import PATIENCE
 from vehicle_roll_sim.command_line.main import main
 
 CONTROLLERS = (
-    *("active_roll_bar", "rear_steering", "roll_braking", "rollover_warning", "yaw_control"),
+    *("active_roll_bar", "lqr_roll_bar", "rear_steering", "roll_braking", "rollover_mpc"),
+    *("rollover_warning", "stability_control", "yaw_control"),
 )
 EXECUTABLES = (
     *("simulator", "manoeuvre", "recorder", "live_view", "demo", "compare"),

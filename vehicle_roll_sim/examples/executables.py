@@ -7,6 +7,10 @@ def active_roll_bar() -> None:
     _run("active_roll_bar")
 
 
+def lqr_roll_bar() -> None:
+    _run("lqr_roll_bar")
+
+
 def rear_steering() -> None:
     _run("rear_steering")
 
@@ -15,8 +19,16 @@ def roll_braking() -> None:
     _run("roll_braking")
 
 
+def rollover_mpc() -> None:
+    _run("rollover_mpc")
+
+
 def rollover_warning() -> None:
     _run("rollover_warning")
+
+
+def stability_control() -> None:
+    _run("stability_control")
 
 
 def yaw_control() -> None:

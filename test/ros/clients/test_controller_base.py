@@ -14,6 +14,7 @@ from vehicle_roll_sim.messages.run_messages import by_name
 from vehicle_roll_sim.messages.topics import PUBLISHED, ROLL_CENTRE, STATE_SET, Topic
 from vehicle_roll_sim.ros.clients.controller import heard_topics, message_of, said_topics
 
+EXAMPLES = Path(__file__).parents[3] / "msg_examples"
 PERIODS = 40
 HEARS_SEVERAL = """
 from vehicle_roll_sim.controller import Controller, by_name, run
@@ -129,6 +130,21 @@ def test_a_wrong_answer_ends_it_with_one_line(start, tmp_path, parts, line):
     status, _, err = start("", program=controller(tmp_path, **parts)).finish()
     assert (status, len(err.splitlines())) == (2, 1)
     assert line in err
+
+
+@pytest.mark.parametrize(
+    ("example", "value", "line"),
+    [
+        ("yaw_control", "gain:=much", "gain: 'much' is not allowed: a number"),
+        ("lqr_roll_bar", "roll_gain:=1e9", "roll_gain: 1000000000.0 is not allowed"),
+        ("stability_control", "yaw_off:=0.5", "yaw_off: 0.5 is not allowed: at most yaw_on, 0.06"),
+    ],
+)
+def test_a_wrong_parameter_is_refused_in_one_line(start, example, value, line):
+    words = ("--ros-args", "-p", value)
+    status, out, err = start("", *words, program=str(EXAMPLES / f"{example}.py")).finish()
+    assert (status, out, len(err.splitlines())) == (2, "", 1)
+    assert err.startswith(f"{example}.py: error: {line}")
 
 
 def test_topics_are_declared_by_name_and_others_with_their_type():

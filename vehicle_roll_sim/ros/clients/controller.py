@@ -7,6 +7,7 @@ a subscriber. So a chain of controllers connects from the simulator outwards, an
 misses the first set.
 """
 
+import dataclasses
 import math
 import sys
 import time
@@ -19,7 +20,13 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 
 from vehicle_roll_sim.arguments import OneLineParser
-from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name, validated
+from vehicle_roll_sim.declaration import (
+    InputError,
+    number_of,
+    parameters_of,
+    unknown_name,
+    validated,
+)
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.messages.set_synchronizer import KEPT, SetSynchronizer
 from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, ROLL_CENTRE, STATE_SET, Topic
@@ -73,9 +80,22 @@ class Controller(Node):
         raise NotImplementedError
 
     def parameter(self, name: str, default: float) -> float:
-        """Declare a ROS parameter and return its value; integers are accepted as numbers."""
+        """Declare a ROS parameter and return its value; integers are accepted as numbers.
+
+        Raises InputError for anything else.
+        """
         any_number = ParameterDescriptor(dynamic_typing=True)
-        return float(self.declare_parameter(name, default, any_number).value)
+        return number_of(self.declare_parameter(name, default, any_number).value, name, "a number")
+
+    def parameters(self, defaults):
+        """Declare a ROS parameter for each parameter of a declaring dataclass.
+
+        defaults: an instance with the default values. Returns an instance with those of the node;
+        raises InputError for a value that is not allowed.
+        """
+        names = parameters_of(defaults)
+        given = {name: self.parameter(name, getattr(defaults, name)) for name in names}
+        return dataclasses.replace(defaults, **given)
 
     def parameters_for(self, kind: type):
         """An instance of a declaring class, whose parameters, numbers, become ROS parameters.

@@ -1,0 +1,1 @@
+../vehicle_roll_sim/examples/lqr_roll_bar.py

@@ -1,0 +1,1 @@
+../vehicle_roll_sim/examples/rollover_mpc.py

@@ -1,0 +1,1 @@
+../vehicle_roll_sim/examples/stability_control.py

@@ -1,0 +1,1 @@
+"""Control laws without ROS: from the signals of one sample to commands."""

@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+"""Example controller: model-predictive rollover prevention by braking and rear steering.
+
+Answers `motion` with `brake_torque_cmd` and `rear_steering_cmd`. The law is that of
+vehicle_roll_sim.control_laws.rollover_mpc; the vehicle of its prediction model is read from the
+simulator's parameters.
+"""
+
+from vehicle_roll_sim.controller import Controller, by_name, run  # isort: split
+
+from vehicle_roll_sim.control_laws.rollover_mpc import PreventionSettings, RolloverMpc
+from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
+from vehicle_roll_sim.ros.clients.simulator_client import SimulatorClient
+
+
+class RolloverMpcNode(Controller):
+    node_name = "rollover_mpc"
+    heard = ("motion",)
+    said = ("brake_torque_cmd", "rear_steering_cmd")
+
+    def __init__(self):
+        super().__init__()
+        self.simulator = self.declare_parameter("simulator", "simulator").value  # node name
+        self.settings = self.parameters(PreventionSettings())
+
+    def prepare(self) -> None:
+        simulator = SimulatorClient(self, self.executor, self.simulator)
+        vehicle, _ = simulated_vehicle(simulator.get)
+        self.law = RolloverMpc(vehicle, self.settings)
+
+    def answer(self, motion) -> dict:
+        answer = self.law.answer(by_name(motion))
+        return {f"{name}_cmd": value for name, value in answer.items()}
+
+
+def main() -> None:
+    run(RolloverMpcNode)
+
+
+if __name__ == "__main__":
+    main()
