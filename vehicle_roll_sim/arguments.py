@@ -108,7 +108,7 @@ def add_declared(
         if parameter.choices:
             about += ": " + ", ".join(parameter.choices)
         default = getattr(declaring, parameter.name, None)
-        if isinstance(default, float):
+        if isinstance(default, float | int):
             about += f" (default {default:.6g})"
         elif parameter.none and default is None:
             about += f" (default: {parameter.none})"
@@ -123,7 +123,7 @@ def declared_values(arguments: argparse.Namespace, declaring) -> dict:
         given = getattr(arguments, name, None)  # also None if the parameter has no option
         if given is None:
             continue
-        if parameter.kind is float:
+        if parameter.kind in (float, int):
             given = number(given, option_name(parameter), parameter)
         values[name] = parameter.validate(given, option_name(parameter))
     return values

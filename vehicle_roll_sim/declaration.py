@@ -40,7 +40,7 @@ class Table(Curve):
 class Parameter:
     """Declaration of one parameter.
 
-    kind: float, bool, str, or tuple for a list of `size` numbers or of some of the `choices`.
+    kind: float, int, bool, str, or tuple for a list of `size` numbers or of some of the `choices`.
     alternative: name of the parameter that specifies the same quantity in another way; exactly one
     of the two is given. tunable: may be changed while a simulation runs. over: what a Curve is
     over, and the largest magnitude of it. none: meaning of the value None, if it is allowed.
@@ -76,6 +76,8 @@ class Parameter:
             return None
         if self.kind is float:
             return self._validate_number(value, field)
+        if self.kind is int:
+            return self._validate_whole(value, field)
         if self.kind is tuple:
             check = self._validate_numbers if self.size else self._validate_names
             return check(value, field)
@@ -96,6 +98,12 @@ class Parameter:
         if not self.minimum <= number <= self.maximum or math.isinf(number):
             raise InputError(field, value, self.allowed)
         return number
+
+    def _validate_whole(self, value, field: str) -> int:
+        number = self._validate_number(value, field)
+        if not number.is_integer():
+            raise InputError(field, value, self.allowed)
+        return int(number)
 
     def _validate_numbers(self, value, field: str) -> tuple[float, ...]:
         if not isinstance(value, (list, tuple, array.array)) or len(value) != self.size:
@@ -156,7 +164,8 @@ class Parameter:
         if self.kind is str:
             return "any text"
         unit = f" {self.unit}" if self.unit else ""
-        form = f"a list of {self.size} numbers" if self.size else "a number"
+        form = "a whole number" if self.kind is int else "a number"
+        form = f"a list of {self.size} numbers" if self.size else form
         return f"{form} from {self.minimum:g} to {self.maximum:g}{unit}"
 
 

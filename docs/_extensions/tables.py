@@ -13,9 +13,8 @@ from definitions import definitions, usual_combinations, usual_values
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.command_line.parameters import parameter_table
-from vehicle_roll_sim.control_laws.roll_bar_design import RollBarCriteria
-from vehicle_roll_sim.control_laws.rollover_mpc import PreventionSettings
-from vehicle_roll_sim.control_laws.stability_control import StabilitySettings
+from vehicle_roll_sim.control.catalogue import LAWS
+from vehicle_roll_sim.control.roll_bar_design import RollBarCriteria
 from vehicle_roll_sim.declaration import Parameter, parameters_of
 from vehicle_roll_sim.learning.actions import ACTIONS, ENDING
 from vehicle_roll_sim.learning.observations import OBSERVATIONS
@@ -268,8 +267,9 @@ TABLES: dict[str, Callable[[], str]] = {
         {IMU_PREFIX: ImuCovariances, ODOM_PREFIX: OdomCovariances}
     ),
     "roll bar criteria": lambda: setting_table(RollBarCriteria),
-    "prevention": lambda: setting_table(PreventionSettings),
-    "stability": lambda: setting_table(StabilitySettings),
+    "lqr_roll_bar": lambda: setting_table(LAWS["lqr_roll_bar"]),
+    "rollover_mpc": lambda: setting_table(LAWS["rollover_mpc"]),
+    "stability_control": lambda: setting_table(LAWS["stability_control"]),
     "launch arguments": argument_table,
     "manoeuvres": manoeuvre_table,
     "actions": action_table,

@@ -40,6 +40,9 @@ REFUSED = {
     "limits.name: 1 is unknown": {"limits": {1: 1.0}},
     "step: b'x' is not allowed": {"step": b"x"},
     "correlations: <object": {"correlations": object()},
+    "argument: 'controller' is unknown: one of manoeuvre, vehicle, actions": {
+        "controller": "active_roll_bar"
+    },
     "reward: 1.0 is not allowed: a function": {"reward": 1.0},
 }
 

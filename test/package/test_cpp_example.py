@@ -17,8 +17,7 @@ import numpy as np
 import pytest
 from patience import PATIENCE
 
-from vehicle_roll_sim.control_laws.gains_file import read_gains
-from vehicle_roll_sim.control_laws.roll_bar import FED_BACK, LqrRollBar
+from vehicle_roll_sim.control.lqr_roll_bar import FED_BACK, LqrRollBar
 from vehicle_roll_sim.declaration import parameters_of
 
 COMPILER = shutil.which("g++")
@@ -54,8 +53,8 @@ def compiled(*words) -> None:
 
 
 def test_the_law_is_that_of_python_to_the_bit(package, tmp_path):
-    gains = read_gains()
-    values = ", ".join(f"{value!r}" for value in dataclasses.astuple(gains))
+    law = LqrRollBar()
+    values = ", ".join(f"{value!r}" for value in dataclasses.astuple(law))
     (tmp_path / "main.cpp").write_text(PROGRAM % values)
     compiled("-I", package / "include", tmp_path / "main.cpp", "-o", tmp_path / "law")
     spread = np.random.default_rng(0).normal(size=(200, 4)) * (2.0, 0.5, 0.05, 0.3)
@@ -64,11 +63,10 @@ def test_the_law_is_that_of_python_to_the_bit(package, tmp_path):
         [tmp_path / "law"], input=text, capture_output=True, text=True, timeout=PATIENCE, check=True
     )
     found = [float.fromhex(word) for word in done.stdout.split()]
-    law = LqrRollBar(gains)
     motions = [dict(zip(FED_BACK, row, strict=True)) for row in spread.tolist()]
-    expected = [law.answer({"time": 0.0, **motion})["normal_force"] for motion in motions]
+    expected = [law.forces(motion) for motion in motions]
     assert found == list(itertools.chain(*expected))
-    limited = np.abs(found) == gains.largest_force
+    limited = np.abs(found) == law.largest_force
     assert limited.any()
     assert not limited.all()
 
@@ -85,7 +83,7 @@ def test_the_node_compiles_against_messages_and_a_stand_in_for_rclcpp(package):
 def test_its_parameters_are_those_that_the_design_script_writes(package):
     source = (package / "src" / "lqr_roll_bar.cpp").read_text(encoding="utf-8")
     declared = re.findall(r'declare_parameter<double>\("(\w+)"\)', source)
-    assert declared == list(parameters_of(type(read_gains())))
+    assert declared == list(parameters_of(LqrRollBar))
     header = (package / "include" / "lqr_roll_bar_cpp" / "roll_bar.hpp").read_text("utf-8")
     fields = re.findall(r"^  double (.*);$", header.partition("struct Motion")[0], re.MULTILINE)
     assert ", ".join(fields).split(", ") == declared

@@ -24,7 +24,7 @@ class Braking(ControlLaw):
     commands = ("brake_torque",)
     step: float = parameter("torque more in each period", "N m", 0.0, 1e4, default=10.0)
 
-    def begin(self, vehicle):
+    def begin(self, vehicle, options):
         self.torque, self.heard = 0.0, []
 
     def answer(self, sensed):
@@ -49,7 +49,7 @@ def driven(law, **changes):
     simulation = Simulation(preset(), **changes)
     simulation.reset(TURN.speed)
     driver = Controlled(simulation, TURN.driver(), law)
-    return simulation, driver._law, run(simulation, driver, TURN.duration)
+    return simulation, driver._laws[0], run(simulation, driver, TURN.duration)
 
 
 def test_it_hears_each_period_once_and_its_answer_is_held_until_the_next():
@@ -101,6 +101,36 @@ def test_the_attitude_is_that_of_the_message_also_without_pitch():
     driven(Looking(), options=Options(model="8dof"))
     attitude, roll, yaw = seen[-1]
     assert attitude == quaternion(roll, 0.0, yaw)
+
+
+@dataclasses.dataclass(kw_only=True)
+class ForVehicle(ControlLaw):
+    """Steers the rear wheels by what it learns from vehicle and options."""
+
+    commands = ("rear_steering",)
+
+    def begin(self, vehicle, options):
+        self.angle = vehicle.cg_height / 100.0 if options.model == "8dof" else 0.0
+
+    def answer(self, sensed):
+        return {"rear_steering": self.angle}
+
+
+def test_it_knows_the_vehicle_and_the_options_of_the_run():
+    _, _, history = driven(ForVehicle(), options=Options(model="8dof"))
+    assert history.command("rear_steering")[-1] == preset().cg_height / 100.0
+    assert driven(ForVehicle())[2].command("rear_steering")[-1] == 0.0
+
+
+def test_several_laws_set_commands_of_their_own_and_no_two_the_same():
+    simulation = Simulation(preset(), Options(model="8dof"))
+    simulation.reset(TURN.speed)
+    driver = Controlled(simulation, TURN.driver(), Braking(), ForVehicle())
+    history = run(simulation, driver, TURN.duration)
+    assert history.command("brake_torque")[-1, 0] == 10.0 * PERIODS
+    assert history.command("rear_steering")[-1] == preset().cg_height / 100.0
+    with pytest.raises(InputError, match=r"laws: 'brake_torque' .*: each command set by one law"):
+        Controlled(simulation, TURN.driver(), Braking(), ForVehicle(), Braking())
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import pytest
 
 from vehicle_roll_sim import ControlLaw, InputError, Vehicle, parameter
 from vehicle_roll_sim.control.active_roll_bar import ActiveRollBar
-from vehicle_roll_sim.control.roll_braking import RollBraking
+from vehicle_roll_sim.control.catalogue import LAWS
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.studies import folder as folders
@@ -61,6 +61,15 @@ SPEC = {
     "controller": "law.py:Damper",
     "factors": {"controller.damping": [0.0, 2000.0]},
 }
+PARAMETERS = {
+    "active_roll_bar": "share",
+    "lqr_roll_bar": "front_share",
+    "rear_steering": "gain",
+    "roll_braking": "horizon",
+    "rollover_mpc": "ratio_limit",
+    "stability_control": "grip",
+    "yaw_control": "grip",
+}
 
 
 @pytest.fixture
@@ -83,8 +92,11 @@ def test_parameters_of_a_named_law_are_factors():
     assert case.controller == ActiveRollBar(share=0.5, track=1.6)
     assert unit_of("controller.damping", study) == "N m s/rad"
     assert "code" not in study.identity
-    braked = read(controller="roll_braking", factors={"controller.horizon": [0.5]})
-    assert case_of(braked, {}).controller == RollBraking()
+    assert PARAMETERS.keys() == LAWS.keys()
+    for name, factor in PARAMETERS.items():
+        of_law = read(controller=name, factors={f"controller.{factor}": [0.5]})
+        law = case_of(of_law, {f"controller.{factor}": 0.5}).controller
+        assert law == dataclasses.replace(LAWS[name](), **{factor: 0.5})
 
 
 def test_parameters_of_a_law_in_a_file_beside_the_study_are_factors(folder):
@@ -160,7 +172,7 @@ def test_shown_again_the_code_is_neither_needed_nor_executed(folder, by_formula)
     [
         lambda code: code["controller"].pop("parameters"),
         lambda code: code["controller"]["parameters"]["damping"].pop("unit"),
-        lambda code: code["controller"]["parameters"]["damping"].update(kind="int"),
+        lambda code: code["controller"]["parameters"]["damping"].update(kind="complex"),
         lambda code: code.update(controller=3),
     ],
 )

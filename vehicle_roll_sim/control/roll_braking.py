@@ -17,6 +17,7 @@ from vehicle_roll_sim.analysis.rollover_prediction import (
 from vehicle_roll_sim.declaration import parameter, parameters_of
 from vehicle_roll_sim.model.records import LF, RF, WHEEL_COUNT
 from vehicle_roll_sim.runs.control_law import ControlLaw, Sensed
+from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 
@@ -49,7 +50,7 @@ class RollBraking(ControlLaw, Foresight, Braking):
 
     commands = ("brake_torque",)
 
-    def begin(self, vehicle: Vehicle) -> None:
+    def begin(self, vehicle: Vehicle, options: Options) -> None:
         foresight = {name: getattr(self, name) for name in parameters_of(Foresight)}
         self._predictor = RolloverPredictor(vehicle, Foresight(**foresight))
 

@@ -1,11 +1,12 @@
 """Episodes that run side by side, on which both environments are based; without gymnasium."""
 
+import inspect
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
 from vehicle_roll_sim.batch.fleet import Fleet
-from vehicle_roll_sim.declaration import InputError, shown
+from vehicle_roll_sim.declaration import InputError, shown, unknown_name
 from vehicle_roll_sim.learning.actions import Actions, check_action_names, shares_of
 from vehicle_roll_sim.learning.commands import Drivers, periods_of
 from vehicle_roll_sim.learning.observations import USUAL, Observer, Signals
@@ -60,7 +61,11 @@ class Episodes:
         limits: Mapping[str, float] | None = None,
         reward: Reward = upright_progress,
         workers: int | None = None,
+        **unknown,
     ):
+        if unknown:
+            known = list(inspect.signature(Episodes).parameters)[1:-1]
+            raise unknown_name(next(iter(unknown)), known, "argument")
         self.actions = Actions(actions, {} if limits is None else limits)
         check_action_names(self.actions.names, manoeuvre is not None)
         self.observer = Observer(observations)

@@ -11,6 +11,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, keep_validated
 from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.simulation.command import IDLE, Command, Feedback, Programme, command_at
+from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -52,8 +53,12 @@ class ControlLaw(abc.ABC):
     def __post_init__(self):
         keep_validated(self)
 
-    def begin(self, vehicle: Vehicle) -> None:  # noqa: B027 - many laws have no memory
-        """Called on a copy of the law before each run; sets attributes that change in the run."""
+    def begin(self, vehicle: Vehicle, options: Options) -> None:  # noqa: B027 - many need none
+        """Called on a copy of the law before each run, with the vehicle and options of the run.
+
+        Sets attributes that follow from them, or change in the run. Raises InputError if the law
+        does not apply to this vehicle.
+        """
 
     @abc.abstractmethod
     def answer(self, sensed: Sensed) -> Mapping[str, float | Sequence[float]]:
@@ -64,15 +69,21 @@ class ControlLaw(abc.ABC):
 
 
 class Controlled(Feedback):
-    """The driver of one run of a simulation with a control law.
+    """The driver of one run of a simulation with control laws.
 
-    driver: of the manoeuvre; its commands are held for each period, too. Raises InputError if the
-    answer of the law is not what its `commands` say, or is not allowed.
+    driver: of the manoeuvre; its commands are held for each period, too. laws: each sets commands
+    of its own. Raises InputError if two set the same one, or if the answer of a law is not what its
+    `commands` say, or is not allowed.
     """
 
-    def __init__(self, simulation: Simulation, driver: Programme | Feedback, law: ControlLaw):
-        self._simulation, self._driver, self._law = simulation, driver, copy.copy(law)
-        self._law.begin(simulation.vehicle)
+    def __init__(self, simulation: Simulation, driver: Programme | Feedback, *laws: ControlLaw):
+        names = [name for law in laws for name in law.commands]
+        for name in names:
+            if names.count(name) > 1:
+                raise InputError("laws", name, "each command set by one law only")
+        self._simulation, self._driver, self._laws = simulation, driver, [*map(copy.copy, laws)]
+        for law in self._laws:
+            law.begin(simulation.vehicle, simulation.options)
         self._last = IDLE
 
     def command(self, time: float, state) -> Command:
@@ -80,8 +91,16 @@ class Controlled(Feedback):
         asked = command_at(self._driver, time, state)
         applied = simulation.acting(self._last)
         sensed = Sensed(time, simulation.state, simulation.outputs, applied, asked)
-        answer, wanted = self._law.answer(sensed), self._law.commands
-        if not isinstance(answer, Mapping) or answer.keys() != {*wanted}:
-            raise InputError("answer of the controller", answer, f"a dict of {', '.join(wanted)}")
-        self._last = dataclasses.replace(asked, **answer)
+        answers = {}
+        for law in self._laws:
+            answers |= _answer_of(law, sensed)
+        self._last = dataclasses.replace(asked, **answers)
         return self._last
+
+
+def _answer_of(law: ControlLaw, sensed: Sensed) -> Mapping[str, float | Sequence[float]]:
+    """The answer of a law; raises InputError unless it is a value for each of its commands."""
+    answer, wanted = law.answer(sensed), law.commands
+    if not isinstance(answer, Mapping) or answer.keys() != {*wanted}:
+        raise InputError("answer of the controller", answer, f"a dict of {', '.join(wanted)}")
+    return answer

@@ -25,7 +25,7 @@ LARGEST = 1_000_000
 """Bytes of a file."""
 MODULE = "vehicle_roll_sim_study_"
 """Begins the names of the modules that files become."""
-KINDS = {kind.__name__: kind for kind in (float, bool, str, tuple, Curve, Table)}
+KINDS = {kind.__name__: kind for kind in (float, int, bool, str, tuple, Curve, Table)}
 Refuse = Callable[[object, str, str], InputError]
 """The error for a value, with what is allowed and what is wrong."""
 

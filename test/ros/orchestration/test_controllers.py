@@ -1,5 +1,6 @@
 """The example controllers in lockstep: their effects, as stated in docs/controllers.md."""
 
+import dataclasses
 import re
 from pathlib import Path
 
@@ -15,18 +16,19 @@ from benchmarks.controllers import (
     row,
     warning_line,
 )
-from vehicle_roll_sim import Condition, Options, Simulation, preset
+from vehicle_roll_sim import preset
 from vehicle_roll_sim.analysis.panels import SIDESLIP
 from vehicle_roll_sim.batch.case import Case
 from vehicle_roll_sim.batch.evaluate import outcome_of
 from vehicle_roll_sim.control.catalogue import LAWS
+from vehicle_roll_sim.control.yaw_control import YawControl
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
 from vehicle_roll_sim.messages.topics import COMMANDS
+from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.ros.orchestration.comparison import Chain, Scenario, drive
+from vehicle_roll_sim.ros.orchestration.comparison import Chain, Outcome, Scenario, drive
 from vehicle_roll_sim.ros.topics import message_class
 from vehicle_roll_sim.runs.history import COLUMNS, MODEL_STATE_SIZE
-from vehicle_roll_sim.runs.run import run
 
 pytestmark = pytest.mark.unmeasured
 
@@ -48,11 +50,19 @@ WITHOUT_ROS = {
 }
 """The cases of SCENARIOS."""
 STATE_COLUMNS = COLUMNS[: 1 + MODEL_STATE_SIZE]
+IN_HISTORY = {"normal_force": "active_force"}
+"""Names of commands that differ in a history."""
 PERIODS = 50
 ON_ITS_WHEELS = 2.5
 """s until which the vehicle without control is, in the sine with dwell."""
-ANSWERS = {command for chain in CONTROLLERS.values() for command in chain.commands}
-PROGRAMS = {Path(script).stem for chain in CONTROLLERS.values() for script, *_ in chain.programs}
+CHAINS = CONTROLLERS | {"yaw_control": Chain(("brake_torque_cmd",), (program("yaw_control"),))}
+"""The nodes of each law."""
+WHILE_IT_ACTS = 2.0
+"""s of the fishhook at 35 mph: the first turn, in which every controller intervenes."""
+TOGETHER = [CONTROLLERS[name] for name in ("active_roll_bar", "roll_braking", "rear_steering")]
+"""Controllers of which no two send the same command."""
+ANSWERS = {command for chain in TOGETHER for command in chain.commands}
+PROGRAMS = {Path(script).stem for chain in TOGETHER for script, *_ in chain.programs}
 
 
 @pytest.fixture(scope="module", params=SCENARIOS)
@@ -93,44 +103,45 @@ def test_the_warning_comes_before_what_it_warns_of_as_the_page_says(manoeuvre, w
     assert_shown(warning_line(manoeuvre, without))
 
 
-def assert_same_without_ros(history, manoeuvre: str, controller: str) -> None:
-    """The law in a case gives the states, loads and commands of the nodes to the last bit."""
-    law = LAWS[controller]()
-    alone = outcome_of(Case(**WITHOUT_ROS[manoeuvre], controller=law), history=True).history
-    for name in (*STATE_COLUMNS, *(f"normal_force_{wheel}" for wheel in WHEELS)):
-        assert np.array_equal(alone[name], history[name]), name
-    assert np.array_equal(alone.commands, history.commands)
+def driven_alone(**case):
+    """The history of a case, without nodes."""
+    return outcome_of(Case(**case), history=True).history
 
 
 @pytest.mark.parametrize("controller", CONTROLLERS)
-def test_it_prevents_the_rollover_as_the_page_says_and_also_without_ros(
-    manoeuvre, without, controller
-):
-    found = drive(SCENARIOS[manoeuvre], CONTROLLERS[controller])
-    assert_same_without_ros(found.history, manoeuvre, controller)
+def test_it_prevents_the_rollover_as_the_page_says(manoeuvre, without, controller):
+    """By its law without nodes, which do the same: see below."""
+    found = Outcome(driven_alone(**WITHOUT_ROS[manoeuvre], controller=LAWS[controller]()))
     assert not found.rollover > 0.0
     assert not found.two_wheel_lift > 0.0
     assert_shown("| " + " | ".join(row(controller, manoeuvre, without, found)) + " |")
 
 
-def test_yaw_control_prevents_the_rollover_in_the_sine_with_dwell_with_less_sideslip(in_domain):
+@pytest.mark.parametrize("controller", LAWS)
+def test_its_law_without_ros_does_the_same_to_the_bit(in_domain, controller):
+    """States, loads and commands."""
+    words = ("nhtsa_fishhook", "--duration", str(WHILE_IT_ACTS))
+    scenario = Scenario(words, ("steering_cmd", "wheel_torque_cmd"))
+    found = drive(scenario, CHAINS[controller]).history
+    fishhook = dataclasses.replace(manoeuvre_named("nhtsa_fishhook"), duration=WHILE_IT_ACTS)
+    law = LAWS[controller]()
+    alone = driven_alone(vehicle=preset(), manoeuvre=fishhook, controller=law)
+    for name in (*STATE_COLUMNS, *(f"normal_force_{wheel}" for wheel in WHEELS)):
+        assert np.array_equal(alone[name], found[name]), name
+    assert np.array_equal(alone.commands, found.commands)
+    assert all(found.command(IN_HISTORY.get(name, name)).any() for name in law.commands)
+
+
+def test_yaw_control_prevents_the_rollover_in_the_sine_with_dwell_with_less_sideslip():
     """At 80 km/h, as docs/controllers.md says."""
-    vehicle = preset()
-    manoeuvre = manoeuvre_named("sine_with_dwell").for_vehicle(vehicle, Options())
-    simulation = Simulation(vehicle)
-    simulation.reset(manoeuvre.speed)
-    alone = run(simulation, manoeuvre.driver(), manoeuvre.duration, command_period=0.01)
-    assert simulation.condition is Condition.ROLLED_OVER
-    commands = ("steering_cmd", "wheel_torque_cmd")
-    found = drive(
-        Scenario(("sine_with_dwell",), commands),
-        Chain(("brake_torque_cmd",), (program("yaw_control"),)),
-    )
-    assert not found.rollover > 0.0
-    assert found.end == manoeuvre.duration
+    case = {"vehicle": preset(), "manoeuvre": manoeuvre_named("sine_with_dwell")}
+    idle, law = YawControl(gain=0.0), YawControl()
+    alone, found = (outcome_of(Case(**case, controller=each), history=True) for each in (idle, law))
+    assert alone.condition is Condition.ROLLED_OVER
+    assert found.condition is Condition.RUNNING
     largest = [
-        np.nanmax(np.abs(SIDESLIP.of(history)[history["time"] < ON_ITS_WHEELS]))
-        for history in (alone, found.history)
+        np.nanmax(np.abs(SIDESLIP.of(each.history)[each.history["time"] < ON_ITS_WHEELS]))
+        for each in (alone, found)
     ]
     assert largest[1] < 0.9 * largest[0]
     assert np.count_nonzero(found.history.command("brake_torque"), axis=1).max() == 1

@@ -7,7 +7,6 @@ a subscriber. So a chain of controllers connects from the simulator outwards, an
 misses the first set.
 """
 
-import dataclasses
 import math
 import sys
 import time
@@ -86,16 +85,6 @@ class Controller(Node):
         """
         any_number = ParameterDescriptor(dynamic_typing=True)
         return number_of(self.declare_parameter(name, default, any_number).value, name, "a number")
-
-    def parameters(self, defaults):
-        """Declare a ROS parameter for each parameter of a declaring dataclass.
-
-        defaults: an instance with the default values. Returns an instance with those of the node;
-        raises InputError for a value that is not allowed.
-        """
-        names = parameters_of(defaults)
-        given = {name: self.parameter(name, getattr(defaults, name)) for name in names}
-        return dataclasses.replace(defaults, **given)
 
     def parameters_for(self, kind: type):
         """An instance of a declaring class, whose parameters, numbers, become ROS parameters.

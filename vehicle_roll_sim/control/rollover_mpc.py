@@ -17,10 +17,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from vehicle_roll_sim.control_laws.law import ControlLaw
-from vehicle_roll_sim.control_laws.prediction import Inputs, PredictionModel
-from vehicle_roll_sim.declaration import keep_validated, parameter
+from vehicle_roll_sim.control.motion_law import MotionLaw
+from vehicle_roll_sim.control.prediction import Inputs, PredictionModel
+from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 INPUT_COUNT = len(Inputs._fields)
@@ -40,9 +41,14 @@ SLOWEST = 3.0
 """m/s: below, the controller does nothing."""
 
 
-@dataclasses.dataclass(frozen=True)
-class PreventionSettings:
-    """Horizon, limits and weights."""
+@dataclasses.dataclass(kw_only=True)
+class RolloverMpc(MotionLaw):
+    """The predictive controller.
+
+    `begin` makes the prediction model of the vehicle, `model`. Tire pressures are not part of it.
+    """
+
+    commands = ("rear_steering", "brake_torque")
 
     horizon: float = parameter(
         "prediction horizon, in 4 blocks of whole time steps", "s", 0.01, 10.0, default=0.6
@@ -62,31 +68,21 @@ class PreventionSettings:
         "largest brake force of a front wheel over its grip at rest", "", 1e-6, 2.0, default=1.2
     )
 
-    def __post_init__(self):
-        keep_validated(self)
-
-
-class RolloverMpc(ControlLaw):
-    """The predictive controller of one vehicle."""
-
-    commanded = ("rear_steering", "brake_torque")
-
-    def __init__(self, vehicle: Vehicle, settings: PreventionSettings | None = None):
-        self.settings = settings or PreventionSettings()
-        self.model = PredictionModel(vehicle, self.settings.interval)
-        per_block = round(self.settings.horizon / BLOCKS / self.settings.interval)
+    def begin(self, vehicle: Vehicle, options: Options) -> None:
+        self.model = PredictionModel(vehicle, self.interval)
+        per_block = round(self.horizon / BLOCKS / self.interval)
         self._block_of_step = np.repeat(np.arange(BLOCKS), max(per_block, 1))
-        brake = self.settings.largest_brake_use * self.model.front_grip
-        self._largest = np.array([self.settings.largest_rear_steering, brake, brake])
+        brake = self.largest_brake_use * self.model.front_grip
+        self._largest = np.array([self.largest_rear_steering, brake, brake])
         self._lower = np.tile([-1.0, 0.0, 0.0], BLOCKS)
         self._upper = np.ones_like(self._lower)
-        super().__init__()
+        super().begin(vehicle, options)
 
-    def reset(self) -> None:
-        super().reset()
+    def restart(self) -> None:
+        super().restart()
         self._planned = np.zeros_like(self._lower)
 
-    def law(self, motion: Mapping[str, float]) -> dict:
+    def commanded(self, motion: Mapping[str, float]) -> dict:
         if motion["u"] < SLOWEST:
             self._planned = np.zeros_like(self._lower)
             return {"rear_steering": 0.0, "brake_torque": (0.0,) * WHEEL_COUNT}
@@ -119,8 +115,8 @@ class RolloverMpc(ControlLaw):
         before: the plan of the last period.
         """
         ratios = self.model.ratios(motion, self.inputs_of(plans))
-        beyond = np.maximum(0.0, np.abs(ratios) - self.settings.ratio_limit).T
-        weights = np.sqrt([self.settings.change_weight, self.settings.ratio_weight])
+        beyond = np.maximum(0.0, np.abs(ratios) - self.ratio_limit).T
+        weights = np.sqrt([self.change_weight, self.ratio_weight])
         return np.hstack((plans, weights[0] * (plans - before), weights[1] * beyond))
 
     def inputs_of(self, plans: np.ndarray) -> list[Inputs]:

@@ -4,11 +4,11 @@ import dataclasses
 
 import numpy as np
 import pytest
-from driven import REFERENCE, driven, filled_in, mirrored
+from driven import REFERENCE, begun, driven, filled_in, mirrored
 
 from vehicle_roll_sim import InputError
 from vehicle_roll_sim.analysis.trim import find_trim
-from vehicle_roll_sim.control_laws.stability_control import StabilityControl, StabilitySettings
+from vehicle_roll_sim.control.stability_control import StabilityControl
 from vehicle_roll_sim.model.records import YAW_RATE
 
 LF, RF, LR, RR = range(4)
@@ -24,21 +24,16 @@ STRAIGHT = {
 }
 ROLLING = {"roll": 0.1, "roll_rate": 0.5}
 """Extrapolated by 0.15 s: 0.175 rad, above the threshold of 0.14 rad."""
-SETTINGS = StabilitySettings()
-
-
-@pytest.fixture(scope="module")
-def understeer() -> float:
-    return StabilityControl.for_vehicle(REFERENCE).understeer
+SETTINGS = StabilityControl()
 
 
 @pytest.fixture
-def control(understeer):
-    return StabilityControl(2.54, understeer)
+def control():
+    return begun(StabilityControl())
 
 
 def torques(control, **motion) -> np.ndarray:
-    return np.array(control.answer(STRAIGHT | motion)["brake_torque"])
+    return np.array(control.answer_to(STRAIGHT | motion)["brake_torque"])
 
 
 @pytest.mark.parametrize("steering", [0.01, -0.015])
@@ -53,9 +48,9 @@ def test_the_reference_demands_no_more_lateral_acceleration_than_the_grip(contro
     assert 20.0 * control.wanted(20.0, -0.3) == pytest.approx(-SETTINGS.grip * 9.81)
 
 
-def test_the_reference_follows_the_steering_behind_its_lag(understeer):
+def test_the_reference_follows_the_steering_behind_its_lag():
     """Its step response is 1 - (lag / (lag + T))^n after n periods T."""
-    control = StabilityControl(2.54, understeer, StabilitySettings(yaw_off=0.0, yaw_on=0.0))
+    control = begun(StabilityControl(yaw_off=0.0, yaw_on=0.0))
     torques(control)
     for n in range(1, 20):
         torque = torques(control, time=0.01 * n, steering=0.01)[LR]
@@ -116,9 +111,9 @@ def test_it_does_nothing_at_a_standstill(control):
     assert not torques(control, u=0.5, yaw_rate=1.0, **ROLLING).any()
 
 
-def test_a_mirrored_motion_is_answered_in_the_mirror(understeer):
+def test_a_mirrored_motion_is_answered_in_the_mirror():
     rng = np.random.default_rng(0)
-    here, there = (StabilityControl(2.54, understeer) for _ in range(2))
+    here, there = (begun(StabilityControl()) for _ in range(2))
     for k in range(200):
         spread = {"steering": 0.1, "yaw_rate": 0.5, "roll": 0.1, "roll_rate": 0.5}
         motion = STRAIGHT | {name: rng.normal() * size for name, size in spread.items()}

@@ -8,13 +8,13 @@ from driven import REFERENCE, driven, filled_in
 from scipy import linalg
 
 from vehicle_roll_sim import Command, InputError, Options, Simulation
-from vehicle_roll_sim.control_laws.law import Assisted
-from vehicle_roll_sim.control_laws.roll_bar import FED_BACK, LqrRollBar
-from vehicle_roll_sim.control_laws.roll_bar_design import (
+from vehicle_roll_sim.control.lqr_roll_bar import FED_BACK
+from vehicle_roll_sim.control.roll_bar_design import (
     RollBarCriteria,
     bar_column,
     design,
 )
+from vehicle_roll_sim.runs.control_law import Controlled
 from vehicle_roll_sim.runs.run import run
 
 ROUNDING = 1e-9
@@ -80,7 +80,7 @@ def test_four_gains_cost_little_more_than_all_of_them(designed):
 def test_the_poles_of_the_whole_model_are_stable_and_only_lateral_ones_move(designed):
     model, gain = designed.model, np.zeros(len(designed.model.state_names))
     gain[[model.state_names.index(name) for name in FED_BACK]] = designed.gain
-    bars = bar_column(model, designed.gains.front_share, (1.5, 1.5))
+    bars = bar_column(model, designed.law.front_share, (1.5, 1.5))
     whole = linalg.eigvals(model.a - np.outer(bars, gain))
     neutral = np.abs(whole) < 1e-6  # the speed, which nothing brings back
     assert neutral.sum() == 1
@@ -116,7 +116,7 @@ def test_in_the_nonlinear_vehicle_a_small_disturbance_costs_what_the_linear_mode
     simulation, start = Simulation(REFERENCE), 0.02
     simulation.reset(RollBarCriteria().speed)
     simulation.state["roll_rate"] = start
-    driver = Assisted(lambda times: Command().records(), LqrRollBar(designed.gains))
+    driver = Controlled(simulation, lambda times: Command().records(), designed.law)
     history = run(simulation, driver, 2.0, sample=0.001, command_period=0.001)
     lf, _, lr, _ = history.command("active_force").T
     moment = -1.5 * (lf + lr)
@@ -138,8 +138,8 @@ def test_the_cheaper_the_moment_the_less_the_body_rolls(designed):
     manoeuvre = filled_in("step_steer", duration=2.5, amplitude=2.0)
     peaks = [np.abs(driven(manoeuvre)["roll"]).max()]
     for scale in (3000.0, 9000.0):
-        gains = design(REFERENCE, criteria=RollBarCriteria(moment_scale=scale)).gains
-        peaks.append(np.abs(driven(manoeuvre, LqrRollBar(gains))["roll"]).max())
+        law = design(REFERENCE, criteria=RollBarCriteria(moment_scale=scale)).law
+        peaks.append(np.abs(driven(manoeuvre, law)["roll"]).max())
     assert peaks[0] > 1.2 * peaks[1] > 1.2 * 1.2 * peaks[2]
 
 

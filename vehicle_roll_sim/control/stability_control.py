@@ -19,8 +19,8 @@ import math
 from collections.abc import Mapping
 
 from vehicle_roll_sim.analysis.handling import gradients_of
-from vehicle_roll_sim.control_laws.law import ControlLaw
-from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
+from vehicle_roll_sim.control.motion_law import MotionLaw
+from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEEL_COUNT
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -33,9 +33,26 @@ SLOWEST = 1.0
 """m/s: below, the control does nothing."""
 
 
-@dataclasses.dataclass(frozen=True)
-class StabilitySettings:
-    """Thresholds and gains."""
+class Hysteresis:
+    """On from when a value reaches `on` until it has dropped to `off`."""
+
+    def __init__(self, on: float, off: float):
+        self.on, self.off, self.is_on = on, off, False
+
+    def update(self, value: float) -> bool:
+        self.is_on = value > self.off if self.is_on else value >= self.on
+        return self.is_on
+
+
+@dataclasses.dataclass(kw_only=True)
+class StabilityControl(MotionLaw):
+    """The stability control; its fields are thresholds and gains.
+
+    `begin` determines `wheelbase` (m) and `understeer`, the gradient of the road-wheel angle over
+    lateral acceleration (rad/(m/s^2)) in gentle steady turns of the vehicle.
+    """
+
+    commands = ("brake_torque",)
 
     grip: float = parameter(
         "largest lateral acceleration of the reference, over g", "", 0.0, 2.0, default=0.6
@@ -69,71 +86,36 @@ class StabilitySettings:
     )
 
     def __post_init__(self):
-        keep_validated(self)
+        super().__post_init__()
         for on, off in (("yaw_on", "yaw_off"), ("roll_on", "roll_off")):
             if getattr(self, off) > getattr(self, on):
                 raise InputError(off, getattr(self, off), f"at most {on}, {getattr(self, on):g}")
 
+    def begin(self, vehicle: Vehicle, options: Options) -> None:
+        self.wheelbase = vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle
+        self.understeer = gradients_of(vehicle, options, speed=GENTLE_SPEED).understeer
+        super().begin(vehicle, options)
 
-class Hysteresis:
-    """On from when a value reaches `on` until it has dropped to `off`."""
-
-    def __init__(self, on: float, off: float):
-        self.on, self.off, self.is_on = on, off, False
-
-    def update(self, value: float) -> bool:
-        self.is_on = value > self.off if self.is_on else value >= self.on
-        return self.is_on
-
-
-class StabilityControl(ControlLaw):
-    """The stability control of one vehicle.
-
-    wheelbase: m. understeer: gradient of the road-wheel angle over lateral acceleration
-    (rad/(m/s^2)).
-    """
-
-    commanded = ("brake_torque",)
-
-    def __init__(
-        self, wheelbase: float, understeer: float, settings: StabilitySettings | None = None
-    ):
-        self.wheelbase, self.understeer = wheelbase, understeer
-        self.settings = settings or StabilitySettings()
-        super().__init__()
-
-    @classmethod
-    def for_vehicle(
-        cls,
-        vehicle: Vehicle,
-        options: Options | None = None,
-        settings: StabilitySettings | None = None,
-    ) -> "StabilityControl":
-        """For a vehicle whose understeer gradient is determined from its gentle steady turns."""
-        understeer = gradients_of(vehicle, options, speed=GENTLE_SPEED).understeer
-        return cls(vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle, understeer, settings)
-
-    def reset(self) -> None:
-        super().reset()
-        now = self.settings
+    def restart(self) -> None:
+        super().restart()
         self._reference, self._before = 0.0, math.nan
-        self._yaw = Hysteresis(now.yaw_on, now.yaw_off)
-        self._roll = {side: Hysteresis(now.roll_on, now.roll_off) for side in (1.0, -1.0)}
+        self._yaw = Hysteresis(self.yaw_on, self.yaw_off)
+        self._roll = {side: Hysteresis(self.roll_on, self.roll_off) for side in (1.0, -1.0)}
 
-    def law(self, motion: Mapping[str, float]) -> dict:
+    def commanded(self, motion: Mapping[str, float]) -> dict:
         if motion["u"] < SLOWEST:
             return {"brake_torque": (0.0,) * WHEEL_COUNT}
         reference = self._delayed(motion)
         against_yaw = self._against_yaw(motion["yaw_rate"], reference)
         against_roll = self._against_roll(motion["roll"], motion["roll_rate"])
-        largest = self.settings.largest_torque
+        largest = self.largest_torque
         pairs = zip(against_yaw, against_roll, strict=True)
         return {"brake_torque": tuple(min(largest, max(pair)) for pair in pairs)}
 
     def wanted(self, speed: float, steering: float) -> float:
         """The yaw rate (rad/s) of the steady turn at a speed (m/s) and road-wheel angle (rad)."""
         rate = speed * steering / (self.wheelbase + self.understeer * speed**2)
-        most = self.settings.grip * GRAVITY / speed
+        most = self.grip * GRAVITY / speed
         return max(-most, min(most, rate))
 
     def _delayed(self, motion: Mapping[str, float]) -> float:
@@ -142,7 +124,7 @@ class StabilityControl(ControlLaw):
         if math.isnan(passed):
             self._reference = wanted
         else:
-            lag = self.settings.reference_lag
+            lag = self.reference_lag
             self._reference += passed / (lag + passed) * (wanted - self._reference)
         self._before = motion["time"]
         return self._reference
@@ -155,14 +137,14 @@ class StabilityControl(ControlLaw):
             wheel = RF if yaw_rate > 0.0 else LF
         else:
             wheel = LR if reference > 0.0 else RR
-        torques[wheel] = self.settings.yaw_gain * abs(error)
+        torques[wheel] = self.yaw_gain * abs(error)
         return torques
 
     def _against_roll(self, roll: float, roll_rate: float) -> list[float]:
-        ahead, torques = roll + self.settings.roll_lead * roll_rate, [0.0] * WHEEL_COUNT
+        ahead, torques = roll + self.roll_lead * roll_rate, [0.0] * WHEEL_COUNT
         for (side, threshold), wheels in zip(self._roll.items(), ((RF, LF), (LF, RF)), strict=True):
             if threshold.update(side * ahead):
                 outer, inner = wheels
-                torques[outer] = self.settings.roll_torque
-                torques[inner] = 0.5 * self.settings.roll_torque
+                torques[outer] = self.roll_torque
+                torques[inner] = 0.5 * self.roll_torque
         return torques

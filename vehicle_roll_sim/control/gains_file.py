@@ -5,33 +5,30 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.control_laws.roll_bar import RollBarGains
-from vehicle_roll_sim.control_laws.roll_bar_design import RollBarCriteria, RollBarDesign
+from vehicle_roll_sim.control.lqr_roll_bar import NODE, PARAMETERS, LqrRollBar
+from vehicle_roll_sim.control.roll_bar_design import RollBarCriteria, RollBarDesign
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.files.yaml_file import read_mapping
 
-GAINS_FILE = Path(__file__).with_name("lqr_roll_bar.yaml")
-"""The gains for the reference vehicle, written by `examples/design_lqr_roll_bar.py`."""
-NODE, PARAMETERS = "lqr_roll_bar", "ros__parameters"
 DIGITS = 5
 """Significant digits of a gain: fewer than those in which machines differ."""
 SLOW = 30.0
 """1/s: poles that a comment names are slower."""
 
 
-def read_gains(path: str | Path = GAINS_FILE) -> RollBarGains:
-    """The gains in a file, by default those for the reference vehicle; raises InputError."""
-    wanted = f"{NODE}: {PARAMETERS}: with {', '.join(parameters_of(RollBarGains))}"
+def read_gains(path: str | Path) -> LqrRollBar:
+    """The law with the gains in a file; raises InputError."""
+    wanted = f"{NODE}: {PARAMETERS}: with {', '.join(parameters_of(LqrRollBar))}"
     values, _ = read_mapping(Path(path), "gains file", wanted)
     try:
         gains = values[NODE][PARAMETERS]
-        missing = parameters_of(RollBarGains).keys() ^ gains.keys()
+        missing = parameters_of(LqrRollBar).keys() ^ gains.keys()
     except (KeyError, TypeError, AttributeError):
         raise InputError(f"gains file {path}", "", wanted, "no parameters of the node") from None
     if missing:
         problem = f"{', '.join(sorted(missing))} missing or unknown"
         raise InputError(f"gains file {path}", "", wanted, problem)
-    return RollBarGains(**gains)
+    return LqrRollBar(**gains)
 
 
 def as_parameter_file(design: RollBarDesign, criteria: RollBarCriteria, vehicle: str) -> str:
@@ -58,7 +55,7 @@ def as_parameter_file(design: RollBarDesign, criteria: RollBarCriteria, vehicle:
         f"{NODE}:",
         f"  {PARAMETERS}:",
     )
-    values = dataclasses.asdict(design.gains).items()
+    values = dataclasses.asdict(design.law).items()
     return "\n".join((*lines, *(f"    {name}: {_rounded(value)}" for name, value in values), ""))
 
 

@@ -24,7 +24,7 @@ from scipy import linalg
 
 from vehicle_roll_sim.analysis.linear_model import LinearModel, linearize
 from vehicle_roll_sim.analysis.trim import find_trim
-from vehicle_roll_sim.control_laws.roll_bar import FED_BACK, GAINS, RollBarGains
+from vehicle_roll_sim.control.lqr_roll_bar import FED_BACK, GAINS, LqrRollBar
 from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
 from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEELS
 from vehicle_roll_sim.simulation.options import Options, options_for
@@ -67,13 +67,13 @@ class RollBarCriteria:
 class RollBarDesign:
     """A designed regulator.
 
-    gains: for `LqrRollBar`. model: the linear model, with its trim. a (n, n), b (n,): the lateral
+    law: has the designed gains. model: linear, with its trim. a (n, n), b (n,): of the lateral
     motion; FED_BACK are its first states. weights (n, n), weight: of states and moment in the cost.
     cost (n, n): P. optimal_gain (n,): K. gain (4,): of FED_BACK alone. poles_without, poles: of
     the lateral motion without and with `gain` (1/s).
     """
 
-    gains: RollBarGains
+    law: LqrRollBar
     model: LinearModel
     a: np.ndarray
     b: np.ndarray
@@ -112,8 +112,8 @@ def design(
     poles = linalg.eigvals(a), linalg.eigvals(a - np.outer(b, fed_back))
     bars = {"front_share": criteria.front_share, "largest_force": criteria.largest_force}
     bars |= {"front_track": tracks[0], "rear_track": tracks[1]}
-    gains = RollBarGains(**dict(zip(GAINS, (-gain).tolist(), strict=True)), **bars)
-    return RollBarDesign(gains, model, a, b, weights, weight, cost, optimal, gain, *poles)
+    law = LqrRollBar(**dict(zip(GAINS, (-gain).tolist(), strict=True)), **bars)
+    return RollBarDesign(law, model, a, b, weights, weight, cost, optimal, gain, *poles)
 
 
 def lateral_part(model: LinearModel, bars: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -1,1 +1,0 @@
-"""Control laws without ROS: from the signals of one sample to commands."""
