@@ -1,6 +1,7 @@
 """The example controllers in lockstep: their effects, as stated in docs/controllers.md."""
 
 import dataclasses
+import itertools
 import re
 from pathlib import Path
 
@@ -16,11 +17,12 @@ from benchmarks.controllers import (
     row,
     warning_line,
 )
-from vehicle_roll_sim import preset
+from vehicle_roll_sim import Options, Simulation, preset
 from vehicle_roll_sim.analysis.panels import SIDESLIP
 from vehicle_roll_sim.batch.case import Case
 from vehicle_roll_sim.batch.evaluate import outcome_of
 from vehicle_roll_sim.control.catalogue import LAWS
+from vehicle_roll_sim.control.roll_braking import RollBraking
 from vehicle_roll_sim.control.yaw_control import YawControl
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
 from vehicle_roll_sim.messages.topics import COMMANDS
@@ -28,7 +30,9 @@ from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.ros.orchestration.comparison import Chain, Outcome, Scenario, drive
 from vehicle_roll_sim.ros.topics import message_class
-from vehicle_roll_sim.runs.history import COLUMNS, MODEL_STATE_SIZE
+from vehicle_roll_sim.runs.control_law import ControlLaw, Controlled
+from vehicle_roll_sim.runs.history import COLUMNS, MODEL_STATE_SIZE, History
+from vehicle_roll_sim.runs.run import run
 
 pytestmark = pytest.mark.unmeasured
 
@@ -57,17 +61,19 @@ ON_ITS_WHEELS = 2.5
 """s until which the vehicle without control is, in the sine with dwell."""
 CHAINS = CONTROLLERS | {"yaw_control": Chain(("brake_torque_cmd",), (program("yaw_control"),))}
 """The nodes of each law."""
+TOGETHER = (
+    ("active_roll_bar", "roll_braking", "rear_steering"),
+    ("lqr_roll_bar", "rollover_mpc"),
+    ("stability_control",),
+    ("yaw_control",),
+)
+"""All laws, of which none commands what another of its row does."""
 WHILE_IT_ACTS = 2.0
 """s of the fishhook at 35 mph: the first turn, in which every controller intervenes."""
-TOGETHER = [CONTROLLERS[name] for name in ("active_roll_bar", "roll_braking", "rear_steering")]
-"""Controllers of which no two send the same command."""
-ANSWERS = {command for chain in TOGETHER for command in chain.commands}
-PROGRAMS = {Path(script).stem for chain in TOGETHER for script, *_ in chain.programs}
-
-
-@pytest.fixture(scope="module", params=SCENARIOS)
-def manoeuvre(request) -> str:
-    return request.param
+WARNED_WITHIN = {"J-turn": 1.5, "fishhook": 2.6}
+"""s, after which the run without control is continued without nodes."""
+ANSWERS = {command for name in TOGETHER[0] for command in CHAINS[name].commands}
+PROGRAMS = {Path(script).stem for name in TOGETHER[0] for script, *_ in CHAINS[name].programs}
 
 
 @pytest.fixture
@@ -75,17 +81,6 @@ def in_domain(domain, monkeypatch):
     """What is driven has a domain of its own, and its nodes are forked: `compare` has its tests."""
     monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
     fork_nodes(monkeypatch)
-
-
-_without = {}
-
-
-@pytest.fixture
-def without(in_domain, manoeuvre):
-    """The run that is warned of only, driven once for each manoeuvre."""
-    if manoeuvre not in _without:
-        _without[manoeuvre] = drive(SCENARIOS[manoeuvre], WITHOUT)
-    return _without[manoeuvre]
 
 
 def assert_shown(text: str) -> None:
@@ -98,38 +93,56 @@ def assert_shown(text: str) -> None:
         assert float(one) == pytest.approx(float(other), abs=LAST_DIGIT * digit), text
 
 
-def test_the_warning_comes_before_what_it_warns_of_as_the_page_says(manoeuvre, without):
+def alone(manoeuvre: str, law: ControlLaw) -> History:
+    """The run of a scenario without nodes."""
+    return outcome_of(Case(**WITHOUT_ROS[manoeuvre], controller=law), history=True).history
+
+
+def assert_same(found: History, expected: History) -> None:
+    """States, loads and commands are the same to the last bit, as long as the first lasts."""
+    rows = slice(len(found.rows))
+    for name in (*STATE_COLUMNS, *(f"normal_force_{wheel}" for wheel in WHEELS)):
+        assert np.array_equal(found[name], expected[name][rows]), name
+    assert np.array_equal(found.commands, expected.commands[rows])
+
+
+@pytest.mark.parametrize("manoeuvre", SCENARIOS)
+def test_each_prevents_the_rollover_that_is_warned_of_as_the_page_says(in_domain, manoeuvre):
+    """By laws without nodes: the next test shows that nodes do the same."""
+    words = (*SCENARIOS[manoeuvre].manoeuvre, "--duration", str(WARNED_WITHIN[manoeuvre]))
+    warned = drive(dataclasses.replace(SCENARIOS[manoeuvre], manoeuvre=words), WITHOUT)
+    history = alone(manoeuvre, RollBraking(largest_torque=0.0))
+    assert_same(warned.history, history)
+    without = Outcome(history, warned.warnings)
     assert without.warned < without.inner_wheels_off < without.two_wheel_lift < without.rollover
     assert_shown(warning_line(manoeuvre, without))
+    for controller in CONTROLLERS:
+        found = Outcome(alone(manoeuvre, LAWS[controller]()))
+        assert not found.rollover > 0.0, controller
+        assert not found.two_wheel_lift > 0.0, controller
+        assert_shown("| " + " | ".join(row(controller, manoeuvre, without, found)) + " |")
 
 
-def driven_alone(**case):
-    """The history of a case, without nodes."""
-    return outcome_of(Case(**case), history=True).history
+def test_every_law_is_driven_in_lockstep():
+    assert sorted(itertools.chain(*TOGETHER)) == sorted(LAWS)
 
 
-@pytest.mark.parametrize("controller", CONTROLLERS)
-def test_it_prevents_the_rollover_as_the_page_says(manoeuvre, without, controller):
-    """By its law without nodes, which do the same: see below."""
-    found = Outcome(driven_alone(**WITHOUT_ROS[manoeuvre], controller=LAWS[controller]()))
-    assert not found.rollover > 0.0
-    assert not found.two_wheel_lift > 0.0
-    assert_shown("| " + " | ".join(row(controller, manoeuvre, without, found)) + " |")
-
-
-@pytest.mark.parametrize("controller", LAWS)
-def test_its_law_without_ros_does_the_same_to_the_bit(in_domain, controller):
-    """States, loads and commands."""
+@pytest.mark.parametrize("names", TOGETHER, ids="+".join)
+def test_laws_without_ros_do_the_same_as_their_nodes_to_the_bit(in_domain, names):
+    chains = [CHAINS[name] for name in names]
+    commands = tuple(itertools.chain(*(chain.commands for chain in chains)))
+    programs = tuple(itertools.chain(*(chain.programs for chain in chains)))
     words = ("nhtsa_fishhook", "--duration", str(WHILE_IT_ACTS))
     scenario = Scenario(words, ("steering_cmd", "wheel_torque_cmd"))
-    found = drive(scenario, CHAINS[controller]).history
-    fishhook = dataclasses.replace(manoeuvre_named("nhtsa_fishhook"), duration=WHILE_IT_ACTS)
-    law = LAWS[controller]()
-    alone = driven_alone(vehicle=preset(), manoeuvre=fishhook, controller=law)
-    for name in (*STATE_COLUMNS, *(f"normal_force_{wheel}" for wheel in WHEELS)):
-        assert np.array_equal(alone[name], found[name]), name
-    assert np.array_equal(alone.commands, found.commands)
-    assert all(found.command(IN_HISTORY.get(name, name)).any() for name in law.commands)
+    found = drive(scenario, Chain(commands, programs)).history
+    vehicle, laws = preset(), [LAWS[name]() for name in names]
+    fishhook = manoeuvre_named("nhtsa_fishhook").for_vehicle(vehicle, Options())
+    simulation = Simulation(vehicle)
+    simulation.reset(fishhook.speed)
+    driver = Controlled(simulation, fishhook.driver(), *laws)
+    assert_same(found, run(simulation, driver, WHILE_IT_ACTS))
+    for name in itertools.chain(*(law.commands for law in laws)):
+        assert found.command(IN_HISTORY.get(name, name)).any(), name
 
 
 def test_yaw_control_prevents_the_rollover_in_the_sine_with_dwell_with_less_sideslip():
