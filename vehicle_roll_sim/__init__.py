@@ -8,6 +8,7 @@ _HOMES = {
     **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),
     "RollPlane": "model.roll_plane",
     "compare": "offline.comparing",
+    "identify": "offline.identifying",
     "linearize": "offline.linearizing",
     "replay": "offline.replaying",
     "run": "offline.running",

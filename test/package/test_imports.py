@@ -20,6 +20,7 @@ MAY_IMPORT = {
     "batch": {*SIMULATED, "manoeuvres"},
     "analysis": {*SIMULATED},
     "comparison": {*SIMULATED, "logs", "analysis"},
+    "identification": {*SIMULATED, "manoeuvres", "logs", "batch", "analysis", "comparison"},
     "paper": {*SIMULATED, "manoeuvres", "analysis"},
     "viewer": {*SIMULATED, "manoeuvres", "analysis"},
     "messages": {*SIMULATED, "live"},
@@ -29,12 +30,13 @@ MAY_IMPORT = {
     "offline": {
         *SIMULATED,
         *("manoeuvres", "batch", "analysis", "studies", "bags", "logs", "comparison"),
+        "identification",
     },
     "arguments": set(),
     "command_line": {
         *SIMULATED,
         *("manoeuvres", "batch", "analysis", "studies", "paper", "bags", "offline"),
-        *("viewer", "logs", "comparison", "arguments"),
+        *("viewer", "logs", "comparison", "identification", "arguments"),
     },
     "ros": {*SIMULATED, "live", "manoeuvres", "analysis", "messages", "bags", "arguments"},
     "controller": {"ros", "messages"},

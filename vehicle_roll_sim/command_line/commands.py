@@ -10,6 +10,7 @@ COMMANDS = {
     "series": "Run a test series of a standard or a search over entry speeds: table and verdict.",
     "study": "Run a study: many runs over varied values, with tables, probabilities and figures.",
     "compare": "Compare a measured log with the model that is driven by it: errors and verdict.",
+    "identify": "Identify values of a vehicle from measured logs: intervals and a vehicle file.",
     "plot": "Plot recorded runs in the standard figure.",
     "view": "Write a page that shows recorded runs in a browser: vehicle in 3D, plots and events.",
     "vehicle": "Show the contents of a vehicle file and what follows from it: figures and modes.",

@@ -179,10 +179,13 @@ class Simulation(Restorable):
 
         nan for components that the model does not have: z and w in the 8 DOF model.
         """
-        now = self.state
+        return self.cg_motion_at(self.state)
+
+    def cg_motion_at(self, state) -> tuple[float, ...]:
+        """`cg_motion` at another STATE record of the same vehicle and model."""
         if not self.options.has_eight_dof:
-            return tuple(float(now[name]) for name in ("x", "y", "z", "u", "v", "w"))
-        x, y, ahead, left = motion_above_axis(now, self._axis_depth)
+            return tuple(float(state[name]) for name in ("x", "y", "z", "u", "v", "w"))
+        x, y, ahead, left = motion_above_axis(state, self._axis_depth)
         return x, y, math.nan, ahead, left, math.nan
 
     def _without_absent(self, states: np.ndarray) -> np.ndarray:
