@@ -7,6 +7,7 @@ of the reference vehicle on, and the intervals of 95 % are counted that contain 
 
 import argparse
 import concurrent.futures
+import json
 import multiprocessing
 import os
 import sys
@@ -185,18 +186,36 @@ def replaced(text: str, measured: str) -> str:
     return before + mark + measured + "\n\n" + end + rest.partition(end)[2]
 
 
+def found_of(count: int, processes: int, keep: Path | None) -> list[dict | None]:
+    """What is found in the logs of the first vehicles, in their order.
+
+    keep: a file that gets each result as a line once it is known; those that it has already are not
+    computed again.
+    """
+    known = {}
+    if keep and keep.exists():
+        known = dict(json.loads(text) for text in keep.read_text(encoding="utf-8").splitlines())
+    missing = [number for number in range(count) if number not in known]
+    context = multiprocessing.get_context("spawn")
+    with concurrent.futures.ProcessPoolExecutor(processes, context) as pool:
+        jobs = {pool.submit(found, number): number for number in missing}
+        for done in concurrent.futures.as_completed(jobs):
+            known[jobs[done]] = done.result()
+            if keep:
+                with keep.open("a", encoding="utf-8") as file:
+                    file.write(json.dumps([jobs[done], done.result()]) + "\n")
+    return [known[number] for number in range(count)]
+
+
 def main(words: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="identification", description=__doc__)
     parser.add_argument("page", nargs="?", help="page whose table is replaced")
     parser.add_argument("--count", type=int, default=COUNT, help="number of hidden vehicles")
     parser.add_argument("--processes", type=int, default=os.cpu_count())
+    about = "file of results: those in it are not computed again"
+    parser.add_argument("--keep", type=Path, metavar="FILE", help=about)
     arguments = parser.parse_args(words)
-    results = []
-    context = multiprocessing.get_context("spawn")
-    with concurrent.futures.ProcessPoolExecutor(arguments.processes, context) as pool:
-        for number, each in enumerate(pool.map(found, range(arguments.count))):
-            results.append(each)
-            print(number, each, file=sys.stderr, flush=True)
+    results = found_of(arguments.count, arguments.processes, arguments.keep)
     failed = sum(each is None for each in results)
     text = (
         f"{len(results)} hidden vehicles, seeds ({SEED}, 0) to ({SEED}, {len(results) - 1}), "
