@@ -27,6 +27,11 @@ def hidden():
     return applied(preset(), {name: TRUTH[name] for name in OF_VEHICLE})[0]
 
 
+def braked():
+    """The same vehicle with brakes of which the logs say nothing."""
+    return hidden().with_values({"front_brake_share": 0.6})
+
+
 def log(manoeuvre: str, noise: float, seed: int):
     """A log of this vehicle."""
     bias, delay = ({"yaw_rate": TRUTH[f"yaw_rate_{kind}"]} for kind in ("bias", "delay"))
@@ -122,25 +127,26 @@ def turn():
 
 @pytest.fixture(scope="module")
 def unknown(turn):
-    """An identification of an inertia that a turn hardly shows."""
-    return found_in(turn, ["cg_height", "pitch_inertia"], vehicle=hidden())
+    """An identification with the share of the brakes, in a turn without brakes."""
+    return found_in(turn, ["cg_height", "front_brake_share"], vehicle=braked())
 
 
 def test_what_the_logs_do_not_say_is_named_and_no_vehicle_is_made_of_it(unknown, tmp_path):
-    assert unknown.not_identifiable == ["+1.00 pitch_inertia"]
+    assert unknown.not_identifiable == ["+1.00 front_brake_share"]
     assert "not identifiable:" in unknown.summary
-    with pytest.raises(InputError, match=r"free: the logs do not say \+1.00 pitch_inertia: fewer"):
+    with pytest.raises(
+        InputError, match=r"free: the logs do not say \+1.00 front_brake_share: fewer"
+    ):
         unknown.write_vehicle(tmp_path / "car.yaml")
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_prior_says_it_instead(turn):
-    priors = {"pitch_inertia": (2100.0, 20.0)}
-    found = found_in(turn, ["cg_height", "pitch_inertia"], vehicle=hidden(), **priors)
+    priors = {"front_brake_share": (0.7, 0.02)}
+    found = found_in(turn, ["cg_height", "front_brake_share"], vehicle=braked(), **priors)
     assert found.not_identifiable == []
-    # what the log adds to the prior is less than a tenth of its information
-    assert found.values["pitch_inertia"] == pytest.approx(2100.0, abs=5.0)
-    assert found.errors["pitch_inertia"] == pytest.approx(20.0, rel=0.1)
+    assert found.values["front_brake_share"] == pytest.approx(0.7, abs=1e-6)
+    assert found.errors["front_brake_share"] == pytest.approx(0.02, rel=1e-6)
 
 
 @pytest.mark.parametrize(

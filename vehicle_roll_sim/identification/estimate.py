@@ -118,6 +118,7 @@ def _respread(problem: Problem, scaled: np.ndarray) -> float:
 
 
 def _check_start(problem: Problem) -> None:
+    problem.check(problem.start)
     if not np.isfinite(problem.residuals(problem.start)).all():
         allowed = "values from which the model can be driven by the logs"
         raise InputError("free", "", allowed, "the model is not finite with the values given")

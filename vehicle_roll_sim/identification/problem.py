@@ -85,6 +85,10 @@ class Problem:
             return np.full(self.count, np.inf)
         return np.concatenate((*self._rows(signals, scaled), self._of_priors(scaled)))
 
+    def check(self, scaled: np.ndarray) -> None:
+        """Raise InputError if the model cannot be driven at these values."""
+        self._signals(scaled)
+
     @property
     def count(self) -> int:
         """How many residuals there are."""

@@ -94,7 +94,7 @@ def uncertainty_of(blocks: Sequence[Block], of_priors: np.ndarray) -> Uncertaint
     """The uncertainty of values. of_priors: derivatives of the residuals of priors, (m, p)."""
     count = of_priors.shape[1]
     slopes = np.vstack([*(block.slopes.reshape(-1, count) for block in blocks), of_priors])
-    inverse, values, directions = _inverse(slopes)
+    inverse, values, directions, unknown = _inverse(slopes)
     windows = [window_of(block.residuals) for block in blocks]
     effective = sum(
         effective_number(block.residuals, width)
@@ -105,7 +105,7 @@ def uncertainty_of(blocks: Sequence[Block], of_priors: np.ndarray) -> Uncertaint
         _of_drawn(block) + _of_residuals(block, width) * _freedom(effective, count)
         for block, width in zip(blocks, windows, strict=True)
     )
-    covariance = inverse @ gradient @ inverse
+    covariance = inverse @ gradient @ inverse + unknown
     spread = np.mean([np.mean(block.residuals**2) for block in blocks])
     combinations = [
         Combination(row, float(value), math.sqrt(max(row @ covariance @ row, 0.0)))
@@ -120,14 +120,17 @@ def _freedom(effective: float, count: int) -> float:
     return effective / max(effective - count, 1.0)
 
 
-def _inverse(slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(J'J)^-1, singular values of J and their directions (rows).
+def _inverse(slopes: np.ndarray) -> tuple[np.ndarray, ...]:
+    """(J'J)^-1, singular values of J, their directions (rows), and what is not known at all.
 
-    Singular values of rounding are raised to ROUNDING, so that the error is large and finite.
+    Singular values of rounding are raised to ROUNDING. What is not known at all is a covariance,
+    (p, p), of their directions, in which the residuals say nothing: large and finite.
     """
     _, values, directions = np.linalg.svd(slopes, full_matrices=False)
     raised = np.maximum(values, ROUNDING * max(values[0], np.finfo(float).tiny))
-    return (directions.T / raised**2) @ directions, values, directions
+    unknown = np.where(values < raised, 1.0 / raised**2, 0.0)
+    inverse, unknown = ((directions.T * each) @ directions for each in (1.0 / raised**2, unknown))
+    return inverse, values, directions, unknown
 
 
 def autocorrelations(residuals: np.ndarray, longest: int) -> np.ndarray:
