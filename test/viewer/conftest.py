@@ -3,14 +3,14 @@
 import json
 import os
 import shutil
-from pathlib import Path
+import tempfile
 
 import pytest
 from patience import PATIENCE
 from viewed_runs import viewed
 
 from vehicle_roll_sim.viewer.browser import browser as found_browser
-from vehicle_roll_sim.viewer.browser import options_of_browser
+from vehicle_roll_sim.viewer.browser import environment_of_browser, options_of_browser
 from vehicle_roll_sim.viewer.page import write_page
 
 SIZE = (1280, 900)
@@ -21,11 +21,11 @@ DRIVER = "GL Driver Message"
 class OpenPage:
     """A page in the browser."""
 
-    def __init__(self, driver, path: Path):
+    def __init__(self, driver, address: str):
         self.driver = driver
         for kind in ("browser", "performance"):
             driver.get_log(kind)  # of the page before
-        driver.get(path.as_uri())
+        driver.get(address)
 
     def __call__(self, script: str, *arguments):
         """The value of a JavaScript expression."""
@@ -94,10 +94,12 @@ def driver():
     for each in (*options_of_browser(), f"--window-size={SIZE[0]},{SIZE[1]}"):
         options.add_argument(each)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
-    driver = webdriver.Chrome(options=options, service=service)
-    yield driver
-    driver.quit()
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        program, environment = shutil.which("chromedriver"), environment_of_browser(folder)
+        service = webdriver.ChromeService(executable_path=program, env=environment)
+        driver = webdriver.Chrome(options=options, service=service)
+        yield driver
+        driver.quit()
 
 
 @pytest.fixture(scope="module")
@@ -107,6 +109,13 @@ def opened(driver, tmp_path_factory):
     def call(*runs, title: str = "run", **settings) -> OpenPage:
         path = tmp_path_factory.mktemp("page") / "page.html"
         write_page(path, [viewed(run) for run in runs], title, **settings)
-        return OpenPage(driver, path)
+        return OpenPage(driver, path.as_uri())
 
     return call
+
+
+@pytest.fixture
+def opened_at(driver):
+    """opened_at(address): the page at an address, in the browser, which leaves it afterwards."""
+    yield lambda address: OpenPage(driver, address)
+    driver.get("about:blank")
