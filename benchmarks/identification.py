@@ -47,6 +47,10 @@ LATEST = 0.03
 """s: largest delay of the yaw rate."""
 OFFSET = 0.03
 """rad: standard deviation of the offset of the handwheel."""
+ABOUT_MODELS = """\
+The last column is the median half width of the intervals. Verdicts of `compare` on the logs of
+vehicle 0, for its own values and after c.g. height, inertias, springs, damping and cornering
+stiffness were fitted with the model of the row:"""
 MODELS = {
     "that of the logs": Options(),
     "8 DOF": Options(model="8dof"),
@@ -219,7 +223,7 @@ def main(words: list[str]) -> None:
     failed = sum(each is None for each in results)
     text = (
         f"{len(results)} hidden vehicles, seeds ({SEED}, 0) to ({SEED}, {len(results) - 1}), "
-        f"{failed} fits failed:\n\n{table(results)}\n\n{table_of_models()}"
+        f"{failed} fits failed:\n\n{table(results)}\n\n{ABOUT_MODELS}\n\n{table_of_models()}"
     )
     print(text)
     if arguments.page:
