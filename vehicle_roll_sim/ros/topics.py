@@ -9,8 +9,9 @@ from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 
 NEWEST_ONLY = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
 """For command subscriptions: compatible with any publisher, and keeps only the newest message."""
-EVERY_ANSWER = QoSProfile(depth=1)
-"""For command subscriptions in lockstep: reliable, so that no answer is lost."""
+EVERY_ANSWER = QoSProfile(depth=10)
+"""For command subscriptions in lockstep: no answer is lost, nor replaced by one that comes after it
+before it was read."""
 COMMANDING = QoSProfile(depth=1)
 """For command publishers."""
 

@@ -3,7 +3,7 @@
 import sys
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from rclpy.clock import Clock as RosClock
 from rclpy.clock import ClockType
@@ -13,7 +13,7 @@ from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.live.command_inbox import DROPPED, CommandInbox
+from vehicle_roll_sim.live.command_inbox import DROPPED
 from vehicle_roll_sim.live.log_limiter import LogLimiter
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.live.status import ending
@@ -28,10 +28,9 @@ from vehicle_roll_sim.ros.simulator.diagnostics import Reporter
 from vehicle_roll_sim.ros.simulator.lockstep import Lockstep, UnansweredError
 from vehicle_roll_sim.ros.simulator.publications import Publications, published_topics
 from vehicle_roll_sim.ros.simulator.real_time import RealTime
+from vehicle_roll_sim.ros.simulator.session import session_of
 from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, message_class
-from vehicle_roll_sim.simulation.simulation import Simulation
-from vehicle_roll_sim.simulation.speed_controller import SpeedController
 
 NAME = "simulator"
 DIAGNOSTICS_PERIOD = 1.0
@@ -45,13 +44,15 @@ NO_ANSWER = 1
 class Simulator(Node):
     """A simulated vehicle as a node. Raises InputError if a parameter is wrong.
 
-    `driver` decides when a period runs. `lock` guards the session: the thread that steps the model
-    holds it during a period, the thread that runs callbacks between periods.
+    driven: command topics that are not subscribed to, since the owner of the node writes them to
+    the inbox. `declared`: its parameters. `driver` decides when a period runs. `lock` guards the
+    session: the thread that steps the model holds it during a period, the thread that runs
+    callbacks between periods.
     """
 
-    def __init__(self, **node_options):
+    def __init__(self, driven: Collection[str] = (), **node_options):
         super().__init__(NAME, **node_options)
-        declared = parameters.declare(self)
+        declared = self.declared = parameters.declare(self)
         self.settings = declared.settings
         refuse_wrong_overrides(
             self,
@@ -60,7 +61,7 @@ class Simulator(Node):
             lossless=self.settings.is_lockstep,
         )
         self.lock = threading.Lock()
-        self.session = _session(declared)
+        self.session = session_of(declared, declared.vehicle, self.settings.initial_speed)
         logger = self.get_logger()
         (logger.info if jit.COMPILED else logger.warning)(jit.describe())
         self.driver = _driver(self.settings, self.session.period_ns)
@@ -68,15 +69,24 @@ class Simulator(Node):
         self._has_begun = False
         self._warnings = LogLimiter(WARNING_INTERVAL)
         parameters.follow_changes(self, declared, self.lock)
-        self._commands = {topic.name: self._subscribe(topic) for topic in COMMANDS}
+        self._commands = {
+            topic.name: self._subscribe(topic) for topic in COMMANDS if topic.name not in driven
+        }
         self._serve()
-        report = Reporter(self, self.session, self.driver, self._publications, self.lock).report
+        report = Reporter(self, self.driver, self._publications, self.lock).report
         steady = RosClock(clock_type=ClockType.STEADY_TIME)
         self.create_timer(DIAGNOSTICS_PERIOD, report, clock=steady)
 
-    def begin(self) -> None:
-        """Publish the first set, at time 0, and discard any command received before it."""
+    def begin(self, session: Session | None = None) -> None:
+        """Publish the first set, at time 0, and discard any command received before it.
+
+        session: the one to go on with, by default the present one. The parameters of the node
+        remain those that it was started with.
+        """
         with self.lock:
+            if session is not None:
+                self.session = session
+                self._publications.follow(session)
             self._has_begun = True
             self.session.inbox.clear()
             self._restart()
@@ -195,26 +205,6 @@ def _driver(settings: Settings, period_ns: int) -> Lockstep | RealTime:
             settings.lockstep_timeout_policy,
         )
     return RealTime(period_ns, settings.real_time_factor, settings.catch_up_limit)
-
-
-def _session(declared: parameters.Declared) -> Session:
-    """The simulation that the parameters describe."""
-    settings = declared.settings
-    simulation = Simulation(
-        declared.vehicle,
-        declared.options,
-        step=settings.step,
-        rollover_angle=settings.rollover_angle,
-        road=declared.road,
-    )
-    inbox = CommandInbox(
-        settings.command_timeout, settings.steering_timeout_policy, declared.limits
-    )
-    controller = SpeedController(
-        declared.vehicle, settings.speed_drive_limit, settings.speed_brake_limit
-    )
-    period_ns = settings.steps_in_a_period(simulation.step_ns) * simulation.step_ns
-    return Session(simulation, inbox, period_ns, settings.initial_speed, controller)
 
 
 def main() -> int:

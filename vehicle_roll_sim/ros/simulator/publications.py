@@ -65,25 +65,32 @@ class Publications:
         settings: Settings,
         covariances: Covariances,
     ):
-        self._node, self._session = node, session
-        prefix, clock = settings.frame_prefix, node.get_clock()
-        self._messages = Messages(session.simulation, prefix, encode, covariances)
+        self._node, clock = node, node.get_clock()
+        self._prefix, self._covariances = settings.frame_prefix, covariances
         self.own_clock = settings.has_own_clock
         self._stamps = None if self.own_clock else Stamps(lambda: clock.now().nanoseconds)
         self._last_stamp_ns = 0
         self.sets = 0
         self._unnoticed_ns = 0 if settings.is_lockstep else LONGEST_UNNOTICED_NS
-        self._set = {
-            topic.name: (self.publisher(topic), builder(self._messages, encode, topic))
-            for topic in set_topics(settings, session.simulation.options)
-        }
-        self._tree = self._set.get(TRANSFORMS.name, (None,))[0]
-        self._prepare()
+        topics = set_topics(settings, session.simulation.options)
+        self._publishers = {topic: self.publisher(topic) for topic in topics}
+        self._tree = self._publishers.get(TRANSFORMS)
+        self.follow(session)
         self._rollover = self.publisher(ROLLOVER)
         self._descriptions = [
             self._tell(ROBOT_DESCRIPTION, robot_description(session.simulation)),
             self._tell(SIMULATION_DESCRIPTION, describe(session.simulation, session.period_ns)),
         ]
+
+    def follow(self, session: Session) -> None:
+        """Publish the messages of this session from now on; its model has the same topics."""
+        self._session = session
+        self._messages = Messages(session.simulation, self._prefix, encode, self._covariances)
+        self._set = {
+            topic.name: (publisher, builder(self._messages, encode, topic))
+            for topic, publisher in self._publishers.items()
+        }
+        self._prepare()
 
     def _tell(self, topic: Topic, text: str):
         """A latched publisher that has published `text`; keep a reference to it."""
