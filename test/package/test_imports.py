@@ -25,6 +25,7 @@ MAY_IMPORT = {
     "messages": {*SIMULATED, "live"},
     "bags": {*SIMULATED, "live", "messages"},
     "studies": {*SIMULATED, "manoeuvres", "batch", "analysis"},
+    "scoring": {*SIMULATED, "live", "manoeuvres", "analysis", "viewer", "bags", "arguments"},
     "learning": {*SIMULATED, "live", "manoeuvres", "batch", "analysis", "studies"},
     "offline": {
         *SIMULATED,
@@ -34,11 +35,12 @@ MAY_IMPORT = {
     "command_line": {
         *SIMULATED,
         *("manoeuvres", "batch", "analysis", "studies", "paper", "bags", "offline"),
-        *("viewer", "logs", "comparison", "arguments"),
+        *("viewer", "logs", "comparison", "scoring", "arguments"),
     },
     "ros": {
         *SIMULATED,
-        *("live", "manoeuvres", "analysis", "viewer", "messages", "bags", "arguments"),
+        *("live", "manoeuvres", "analysis", "viewer", "messages", "bags", "scoring"),
+        "arguments",
     },
     "controller": {"ros", "messages"},
     "examples": {"controller", "ros", "analysis"},
