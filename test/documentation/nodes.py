@@ -24,7 +24,7 @@ from vehicle_roll_sim.ros import services
 from vehicle_roll_sim.ros.clients import controller as base
 from vehicle_roll_sim.ros.clients.recorder import Recorder
 from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
-from vehicle_roll_sim.ros.orchestration import compare
+from vehicle_roll_sim.ros.orchestration import compare, score
 from vehicle_roll_sim.ros.orchestration.domains import own_domain
 from vehicle_roll_sim.ros.simulator.node import Simulator
 from vehicle_roll_sim.ros.simulator.parameters import PARAMETERS
@@ -45,6 +45,8 @@ def check_run(name: str, words: list[str]) -> None:
         for script in arguments.scripts:
             if script.endswith(".py"):
                 check_script(script)
+    elif name == "score":
+        score.controllers_of(arguments)
     elif name in NODES:
         _make(NODES[name], words)
     elif executables()[name].module.startswith(f"{PACKAGE}.examples"):

@@ -38,6 +38,7 @@ PRELOADED = (
     "vehicle_roll_sim.ros.clients.manoeuvre",
     "vehicle_roll_sim.ros.clients.recorder",
     "vehicle_roll_sim.ros.orchestration.compare",
+    "vehicle_roll_sim.ros.orchestration.score",
     "vehicle_roll_sim.ros.simulator.node",
 )
 """Neither `executables`, which a forked process runs as its program, nor `controller`, which
