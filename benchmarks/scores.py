@@ -22,7 +22,6 @@ def as_part(report: str) -> str:
     """The tables of a report, one level of headings lower, without figures."""
     text = FIRST + report.partition(FIRST)[2].partition(LAST)[0]
     text = re.sub(r"!\[[^\n]*\n\n", "", text)
-    text = re.sub(r"^## Limits\n\n", "", text, flags=re.MULTILINE)
     return re.sub(r"^##", "###", text, flags=re.MULTILINE)
 
 

@@ -151,9 +151,10 @@ def _of_results(report: Report):
         yield made_of.Text(LEGEND_OF_WARNINGS)
     yield made_of.Heading("Limits")
     yield made_of.Figure(LIMITS, "The level of the first failure in each test, over the spread")
+    yield made_of.Text(LEGEND_OF_TESTS)
     for name in report.tests:
         yield made_of.Heading(TESTS[name].title)
-        yield made_of.Text(f"The limit is the {TESTS[name].limit}. {LEGEND_OF_TESTS}")
+        yield made_of.Text(f"The limit is the {TESTS[name].limit}.")
         yield tables.table_of_test(name, report.scores)
         yield tables.spread_table(name, report.scores)
     if responses := tables.response_table(report.scores):
@@ -177,9 +178,9 @@ def _of_worst(name: str, worst: Worst):
 
 
 LEGEND_OF_TESTS = (
-    "The figures are those of the nominal vehicle at the level compared, the lower limit or the "
-    "highest level, on the side with the larger roll angle. The second table has the limits of all "
-    "variants or, of a test with one level, the largest roll angles."
+    "The first table of each test has the figures of the nominal vehicle at the level compared, "
+    "the lower limit or the highest level, on the side with the larger roll angle. The second "
+    "table has the limits of all variants or, of a test with one level, the largest roll angles."
 )
 LEGEND_OF_WARNINGS = (
     "A danger is a two-wheel lift, rollover or stop, in the run itself or without the controller. "
