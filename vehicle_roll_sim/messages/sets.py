@@ -1,17 +1,17 @@
 """From a simulation to messages: one encoded message per topic, updated for every set."""
 
 import functools
-import math
 from collections.abc import Callable
 
 import numpy as np
 
-from vehicle_roll_sim.messages.covariances import Covariances
+from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     FLOAT,
+    MEASUREMENTS,
     ROLL_CENTRE,
     STATE_SET,
     TRANSFORMS,
@@ -24,6 +24,7 @@ from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.runs.history import ROLL_CENTRES, WIND, roll_centres_of
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.command import Command
+from vehicle_roll_sim.simulation.sensing import attitude
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 COMMAND_LABELS = (
@@ -42,8 +43,8 @@ MOTION_LABELS = (
 )
 """What vehicle dynamics controllers need. The names mean the same as in `state`, `applied_command`
 and the CSV."""
-ANGLES, RATES = slice(at.ROLL, at.YAW + 1), slice(at.ROLL_RATE, at.YAW_RATE + 1)
-"""Indices of the Euler angles and of the body rates in the state."""
+RATES = slice(at.ROLL_RATE, at.YAW_RATE + 1)
+"""Indices of the body rates in the state."""
 OF_ODOMETRY = 85
 POSITION, ATTITUDE, VELOCITY, TURNING = slice(3), slice(3, 7), slice(43, 46), slice(46, 49)
 """Numbers of an Odometry: a pose (7) and a twist (6), each followed by a covariance (36)."""
@@ -60,7 +61,7 @@ EMPTY_LIST = 4
 """Bytes of an empty list: its length field."""
 FLAGS_MARK = (250, 251, 252, 253)
 """A placeholder that no lift-off flags contain otherwise."""
-TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE)}
+TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS)}
 
 
 class Messages:
@@ -100,14 +101,8 @@ class Messages:
         }
         self.named |= {name: ((name,), each.numbers) for name, each in self._single.items()}
         self._clock = MessageTemplate(encode(CLOCK.type, {"clock": STAMP_MARK}))
-        position = {"position": {"x": MARK}}
-        odometry = self._in_frame("odom") | {"pose": {"pose": position}}
-        odometry |= self._of_frame("base_link")
-        self._odom = MessageTemplate(encode(TYPES["odom"], odometry), OF_ODOMETRY)
-        covariances.odom.spread(self._odom.numbers)
-        imu = self._in_frame("base_link") | {"orientation": {"x": MARK}}
-        self._imu = MessageTemplate(encode(TYPES["imu"], imu), OF_IMU)
-        covariances.imu.spread(self._imu.numbers)
+        self._odom = self._odometry(covariances.odom)
+        self._imu = self._inertial("base_link", covariances.imu)
         self._joints = self._joint_states()
         force = self._in_frame("base_footprint") | {"wrench": {"force": {"x": MARK}}}
         self._forces = [MessageTemplate(encode(WRENCH, force), OF_WRENCH) for _ in WHEELS]
@@ -133,6 +128,19 @@ class Messages:
 
     def _of_frame(self, frame: str) -> dict:
         return {"child_frame_id": self._frame_prefix + frame}
+
+    def _odometry(self, covariances: OdomCovariances) -> MessageTemplate:
+        fields = self._in_frame("odom") | {"pose": {"pose": {"position": {"x": MARK}}}}
+        fields |= self._of_frame("base_link")
+        message = MessageTemplate(self._encode(TYPES["odom"], fields), OF_ODOMETRY)
+        covariances.spread(message.numbers)
+        return message
+
+    def _inertial(self, frame: str, covariances: ImuCovariances) -> MessageTemplate:
+        fields = self._in_frame(frame) | {"orientation": {"x": MARK}}
+        message = MessageTemplate(self._encode(TYPES["imu"], fields), OF_IMU)
+        covariances.spread(message.numbers)
+        return message
 
     def _joint_states(self) -> MessageTemplate:
         """Positions and velocities are contiguous, except for the length field of the latter."""
@@ -197,10 +205,12 @@ class Messages:
         return self._dated(self._imu)
 
     def joint_states(self) -> bytes:
-        position, velocity = joint_motion(self.simulation)
-        self._joints.numbers[: len(position)] = position
-        self._joints.numbers[-len(velocity) :] = velocity
-        return self._dated(self._joints)
+        return self._dated_joints(self._joints, *joint_motion(self.simulation))
+
+    def _dated_joints(self, message: MessageTemplate, position, velocity) -> bytes:
+        message.numbers[: len(position)] = position
+        message.numbers[-len(velocity) :] = velocity
+        return self._dated(message)
 
     def tire_normal_forces(self) -> bytes:
         self._loads.numbers[:] = self.simulation.outputs["normal_force"]
@@ -242,9 +252,7 @@ class Messages:
         return bytes(self._roll_centre)
 
     def _attitude(self) -> tuple[float, ...]:
-        """Attitude as a quaternion (x, y, z, w); pitch is 0 in a model without it."""
-        roll, pitch, yaw = self.simulation.state_vector[ANGLES].tolist()
-        return quaternion(roll, 0.0 if math.isnan(pitch) else pitch, yaw)
+        return attitude(self.simulation.state)
 
     def tf(self) -> bytes:
         state = self.simulation.state

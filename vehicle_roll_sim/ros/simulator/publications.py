@@ -1,6 +1,7 @@
 """What a simulator publishes: a set of messages every period, and a few other topics."""
 
 import time
+from collections.abc import Collection
 
 from builtin_interfaces.msg import Time
 from rclpy.duration import Duration
@@ -9,7 +10,7 @@ from rclpy.node import Node
 
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.messages.covariances import Covariances
-from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.measured import messages_of
 from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
@@ -38,17 +39,19 @@ Asking for the subscription count costs as much as publishing.
 """
 
 
-def set_topics(settings: Settings, options: Options) -> tuple[Topic, ...]:
-    """The topics that are published every period, in order."""
+def set_topics(settings: Settings, options: Options, devices: Collection[str]) -> tuple[Topic, ...]:
+    """The topics that are published every period, in order. devices: of the vehicle's sensors."""
     clock = (CLOCK,) if settings.has_own_clock else ()
-    topics = set_of(options, settings.publish_stamped)
+    topics = set_of(options, devices, settings.publish_stamped)
     return (*clock, *topics, *filter(is_installed, (TRANSFORMS,)))
 
 
-def published_topics(settings: Settings, options: Options) -> tuple[Topic, ...]:
-    """Every topic that a simulator publishes."""
+def published_topics(
+    settings: Settings, options: Options, devices: Collection[str]
+) -> tuple[Topic, ...]:
+    """Every topic that a simulator publishes; arguments as for `set_topics`."""
     beside = (ROLLOVER, ROBOT_DESCRIPTION, SIMULATION_DESCRIPTION, DIAGNOSTICS)
-    return (*set_topics(settings, options), *beside)
+    return (*set_topics(settings, options, devices), *beside)
 
 
 class Publications:
@@ -67,15 +70,18 @@ class Publications:
     ):
         self._node, self._session = node, session
         prefix, clock = settings.frame_prefix, node.get_clock()
-        self._messages = Messages(session.simulation, prefix, encode, covariances)
+        self._messages = messages_of(session.simulation, prefix, encode, covariances)
         self.own_clock = settings.has_own_clock
         self._stamps = None if self.own_clock else Stamps(lambda: clock.now().nanoseconds)
         self._last_stamp_ns = 0
         self.sets = 0
         self._unnoticed_ns = 0 if settings.is_lockstep else LONGEST_UNNOTICED_NS
+        topics = set_topics(
+            settings, session.simulation.options, session.simulation.sensors.devices
+        )
         self._set = {
             topic.name: (self.publisher(topic), builder(self._messages, encode, topic))
-            for topic in set_topics(settings, session.simulation.options)
+            for topic in topics
         }
         self._tree = self._set.get(TRANSFORMS.name, (None,))[0]
         self._prepare()
