@@ -10,9 +10,10 @@ from vehicle_roll_sim.simulation.drawn_vehicle import (
     wheel_centres_at_rest,
 )
 from vehicle_roll_sim.simulation.options import Options, options_for
+from vehicle_roll_sim.simulation.sensing import place_of_imu
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-from vehicle_roll_sim.vehicle.sensor_parameters import ANGLES, AXES, IMU, has_device
+from vehicle_roll_sim.vehicle.sensor_parameters import IMU, has_device
 
 SPOKE_WIDTH = 0.2
 """Width of the bar that makes wheel spin visible, as a fraction of the tire radius."""
@@ -52,9 +53,7 @@ def urdf(vehicle: Vehicle, options: Options | None = None) -> str:
         ElementTree.SubElement(material, "color", rgba=_numbers(colour))
     _body(robot, vehicle)
     if has_device(vehicle, IMU):
-        place, turn = (
-            [vehicle.given.get(f"imu_{n}", 0.0) for n in each] for each in (AXES, ANGLES)
-        )
+        place, turn = place_of_imu(vehicle)
         _joint(robot, IMU, "fixed", "base_link", Z, place, turn)
     record = vehicle.record()[0]
     centres = wheel_centres_at_rest(record, options)

@@ -64,8 +64,8 @@ def describe(simulation: Simulation, period_ns: int) -> str:
 def _parts(simulation: Simulation) -> dict:
     """Everything that defines a simulation.
 
-    The seed of sensors is named even if it is 0. What older versions did not have is omitted where it is neutral: a description that lacks it
-    describes the same simulation as ever.
+    The seed of sensors is named even if it is 0. What older versions did not have is omitted where
+    it is neutral: a description that lacks it describes the same simulation as ever.
     """
     vehicle, options = simulation.vehicle, dataclasses.asdict(simulation.options)
     taken = vehicle.from_tires

@@ -50,15 +50,15 @@ class Inertial:
     """
 
     def __init__(self, vehicle: Vehicle, _axis_depth: float | None):
-        self.place = _values(vehicle, AXES)
-        misalignment = _values(vehicle, (f"misalignment_{angle}" for angle in ANGLES))
-        self.mounting = turned(quaternion(*_values(vehicle, ANGLES)), quaternion(*misalignment))
+        self.place, said = place_of_imu(vehicle)
+        misalignment = _values(vehicle, [f"misalignment_{angle}" for angle in ANGLES])
+        self.mounting = turned(quaternion(*said), quaternion(*misalignment))
         self.axes = axes_of(self.mounting)
         self.described = np.concatenate((self.place, self.mounting))
 
     def sense(self, state, outputs, erring: Erring) -> np.ndarray:
-        rates = np.nan_to_num([state[name] for name in RATES])
-        turning = np.nan_to_num(outputs["body_acceleration"][3:])
+        rates = _or_0(np.array([state[name] for name in RATES]))
+        turning = _or_0(outputs["body_acceleration"][3:].copy())
         felt = np.zeros(9)
         feel(outputs["specific_force"], rates, turning, self.place, self.axes, felt)
         found = erring(felt)
@@ -130,6 +130,17 @@ def axes_of(orientation: tuple[float, ...]) -> np.ndarray:
             [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)],
         ]
     )
+
+
+def _or_0(values: np.ndarray) -> np.ndarray:
+    """Set what is nan to 0, in place."""
+    values[np.isnan(values)] = 0.0
+    return values
+
+
+def place_of_imu(vehicle: Vehicle) -> tuple[np.ndarray, np.ndarray]:
+    """Where the imu is said to be: from the c.g. (m), and roll, pitch and yaw in the body (rad)."""
+    return _values(vehicle, AXES), _values(vehicle, ANGLES)
 
 
 def _values(vehicle: Vehicle, names: Iterable[str]) -> np.ndarray:

@@ -37,9 +37,9 @@ class Device:
     """One device: its errors, its clock, and what it has read so far.
 
     name: of DEVICES. axis_depth: of the roll axis in the 8 DOF model (m), else None. memory: an
-    array of one record: seed, number of samples, time (ns) at which the last reading arrived, walks
-    of the biases, that reading, and the readings that are still under way. Raises InputError for a
-    period that is not a multiple of the step (ns), and a delay that is not one of the period.
+    array of one record: seed, number of samples taken, time (ns) at which the last reading arrived,
+    walks of the biases, that reading, and the readings that are still under way. Raises InputError
+    for a period that is not a multiple of the step (ns), and a delay that is not one of the period.
     """
 
     def __init__(self, name: str, vehicle: Vehicle, step_ns: int, axis_depth: float | None):
@@ -49,7 +49,7 @@ class Device:
         period, delay = f"{name}_period", f"{name}_delay"
         steps = _whole(vehicle, period, DEFAULT_PERIOD, step_ns, "the step")
         self.period_ns = max(steps, 1) * step_ns
-        self._delay = _whole(vehicle, delay, 0.0, self.period_ns, f"{period}")
+        self._delay = _whole(vehicle, delay, 0.0, self.period_ns, period)
         self._dropout = vehicle.given.get(f"{name}_dropout", 0.0)
         interval = self.period_ns / NANOSECONDS
         self._errors = np.hstack([_errors(vehicle, each, interval) for each in quantities.values()])
@@ -96,8 +96,10 @@ class Device:
         self.memory["seed"] = seed
 
     def sample(self, time_ns: int, state, outputs) -> None:
-        """Take a sample at a time (ns), of a STATE and an OUTPUTS record."""
-        number = int(self.memory["count"][0])
+        """Take a sample at a time (ns), of a STATE and an OUTPUTS record, unless it is taken."""
+        if time_ns % self.period_ns or time_ns < self.memory["count"][0] * self.period_ns:
+            return
+        number = time_ns // self.period_ns
         normal, chance = self._random(number)
         walk, queue = self.memory["walk"][0], self.memory["queue"][0]
 
@@ -109,7 +111,7 @@ class Device:
         queue[number % len(queue)] = self._kind.sense(state, outputs, erring)
         arrives = number >= self._delay and chance >= self._dropout
         if arrives or number == 0:
-            self.memory["reading"][0] = queue[(number - self._delay) % len(queue)]
+            self.memory["reading"][0] = queue[max(number - self._delay, 0) % len(queue)]
             self.memory["arrived_ns"] = time_ns
         self.memory["count"] = number + 1
 
@@ -202,8 +204,7 @@ class Sensors:
         state, outputs: STATE and OUTPUTS records at that time.
         """
         for each in self.devices.values():
-            if time_ns % each.period_ns == 0:
-                each.sample(time_ns, state, outputs)
+            each.sample(time_ns, state, outputs)
 
     def copy(self) -> "Sensors":
         """Sensors that continue like these, independently of them."""
