@@ -67,7 +67,7 @@ class RunBag:
         stamped: bool = False,
     ):
         self._simulation, self._bag = simulation, bag
-        in_set = set_of(simulation.options, simulation.sensors.devices, stamped)
+        in_set = set_of(simulation.options, stamped, simulation.sensors.devices)
         absent = [
             *TOTAL_TORQUES,
             *(() if simulation.feels_wind else OF_WIND),

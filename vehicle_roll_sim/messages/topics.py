@@ -191,10 +191,10 @@ PUBLISHED = (
 )
 
 
-def set_of(options: Options, devices: Collection[str], stamped: bool) -> tuple[Topic, ...]:
+def set_of(options: Options, stamped: bool, devices: Collection[str] = ()) -> tuple[Topic, ...]:
     """The topics of a set of a model, in order.
 
-    devices: names of the devices of sensors. stamped: with those of `publish_stamped`.
+    stamped: with those of `publish_stamped`. devices: names of those of the vehicle's sensors.
     """
     measured = {TRUTH + name for name, by in MEASURED_BY.items() if not {*by}.isdisjoint(devices)}
     topics = (

@@ -42,7 +42,7 @@ Asking for the subscription count costs as much as publishing.
 def set_topics(settings: Settings, options: Options, devices: Collection[str]) -> tuple[Topic, ...]:
     """The topics that are published every period, in order. devices: of the vehicle's sensors."""
     clock = (CLOCK,) if settings.has_own_clock else ()
-    topics = set_of(options, devices, settings.publish_stamped)
+    topics = set_of(options, settings.publish_stamped, devices)
     return (*clock, *topics, *filter(is_installed, (TRANSFORMS,)))
 
 

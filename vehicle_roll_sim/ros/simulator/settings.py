@@ -164,7 +164,7 @@ class Settings:
         if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
             allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
             raise InputError("real_time_factor", self.real_time_factor, allowed)
-        published = {topic.name for topic in set_of(options, devices, self.publish_stamped)}
+        published = {topic.name for topic in set_of(options, self.publish_stamped, devices)}
         if not published.issuperset(self.lockstep_wait):
             allowed = f"topics that end in _stamped only with publish_stamped, {ROLL_CENTRE.name} "
             allowed += "only with model 2, those of sensors only with these"
