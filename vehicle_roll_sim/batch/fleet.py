@@ -30,7 +30,7 @@ class Fleet:
     Attributes, arrays with one element or row for each place, which the next call overwrites:
     `states` (STATE records), `outputs` (OUTPUTS), `events` (EVENTS), `state_vectors`, shape (count,
     STATE_SIZE), and `output_vectors`, the same numbers as flat vectors. `sensors` has those of each
-    place. A copied or pickled fleet is independent of the original and has its own threads.
+    place, or None. A copied or pickled fleet is independent of the original, with its own threads.
     """
 
     def __init__(self, count: int, step_ns: int, workers: int | None = None):
@@ -97,8 +97,8 @@ class Fleet:
         for kept, given in zip(of_fleet, (*plant, *memory), strict=True):
             kept[i] = given if kept is self._stages else given[0]
         self._place_actuators(i, simulation.actuation)
-        self.sensors[i] = simulation.sensors.copy()
-        self._sensing = [k for k, each in enumerate(self.sensors) if each and each.is_present]
+        self.sensors[i] = simulation.sensors.copy() if simulation.has_sensors else None
+        self._sensing = [k for k, each in enumerate(self.sensors) if each]
         self._progress[i] = simulation.time_ns, simulation.condition
         self._arguments = ()
 

@@ -1,6 +1,7 @@
 """From a simulation to messages: one encoded message per topic, updated for every set."""
 
 import functools
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -24,7 +25,6 @@ from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.runs.history import ROLL_CENTRES, WIND, roll_centres_of
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.command import Command
-from vehicle_roll_sim.simulation.sensing import attitude
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 COMMAND_LABELS = (
@@ -43,8 +43,8 @@ MOTION_LABELS = (
 )
 """What vehicle dynamics controllers need. The names mean the same as in `state`, `applied_command`
 and the CSV."""
-RATES = slice(at.ROLL_RATE, at.YAW_RATE + 1)
-"""Indices of the body rates in the state."""
+ANGLES, RATES = slice(at.ROLL, at.YAW + 1), slice(at.ROLL_RATE, at.YAW_RATE + 1)
+"""Indices of the Euler angles and of the body rates in the state."""
 OF_ODOMETRY = 85
 POSITION, ATTITUDE, VELOCITY, TURNING = slice(3), slice(3, 7), slice(43, 46), slice(46, 49)
 """Numbers of an Odometry: a pose (7) and a twist (6), each followed by a covariance (36)."""
@@ -252,7 +252,8 @@ class Messages:
         return bytes(self._roll_centre)
 
     def _attitude(self) -> tuple[float, ...]:
-        return attitude(self.simulation.state)
+        roll, pitch, yaw = self.simulation.state_vector[ANGLES].tolist()
+        return quaternion(roll, 0.0 if math.isnan(pitch) else pitch, yaw)
 
     def tf(self) -> bytes:
         state = self.simulation.state

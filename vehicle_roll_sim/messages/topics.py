@@ -135,7 +135,7 @@ GROUND_TRUTH = tuple(
     Topic(
         f"{TRUTH}{topic.name}",
         topic.type,
-        meaning=f"with sensors that change {topic.name}: what it is without them",
+        meaning=f"with sensors, if they measure what `{topic.name}` has: the truth",
     )
     for topic in STATE_SET
     if topic.name in MEASURED_BY

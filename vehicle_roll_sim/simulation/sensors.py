@@ -20,6 +20,7 @@ from vehicle_roll_sim.vehicle.sensor_parameters import (
     QUANTITIES,
     Quantity,
     devices_of,
+    labels_of,
     seed_of,
 )
 
@@ -54,11 +55,10 @@ class Device:
         interval = self.period_ns / NANOSECONDS
         self._errors = np.hstack([_errors(vehicle, each, interval) for each in quantities.values()])
         self._errors = np.ascontiguousarray(self._errors)
-        self.places, self.labels = {}, ()
+        self.labels = labels_of(quantities)
+        self.places, first = {}, 0
         for quantity, each in quantities.items():
-            first = len(self.labels)
-            self.labels += tuple(f"{quantity}_{value}" for value in each.values)
-            self.places[quantity] = slice(first, len(self.labels))
+            self.places[quantity] = slice(first, first := first + len(each.values))
         channels, values = self._errors.shape[1], len(self.labels)
         self.memory = np.zeros(
             1,

@@ -1,6 +1,7 @@
 """The simulated vehicle: reset it, step it, read its state. Everything else builds on this."""
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -241,22 +242,16 @@ class Simulation(Restorable):
         steps = whole_steps(duration, self.step_ns, "duration")
         if self._checked_speed is None:
             self._check_start(DEFAULT_SPEED, self._equilibrium(DEFAULT_SPEED))
-        if self.condition is Condition.RUNNING:
-            move = self._move_sensing if self.has_sensors else self._move
-            move(command, steps)
-        return self.condition
-
-    def _move(self, command: Command | Programme, steps: int) -> None:
-        records = records_of(command, lambda: self.stage_times(steps), self.feels_wind)
-        self._advance(records, steps)
-
-    def _move_sensing(self, command: Command | Programme, steps: int) -> None:
-        """Advance from sample to sample."""
         end = self.time_ns + steps * self.step_ns
         while self.condition is Condition.RUNNING and self.time_ns < end:
-            until = min(end, self.sensors.until(self.time_ns))
-            self._move(command, (until - self.time_ns) // self.step_ns)
-            self.sense()
+            if self.has_sensors:
+                until = min(end, self.sensors.until(self.time_ns))
+                steps = (until - self.time_ns) // self.step_ns
+            records = records_of(command, partial(self.stage_times, steps), self.feels_wind)
+            self._advance(records, steps)
+            if self.has_sensors:
+                self.sense()
+        return self.condition
 
     def sense(self) -> None:
         """Let the sensors that are due take a sample; whoever moves the parts calls this."""

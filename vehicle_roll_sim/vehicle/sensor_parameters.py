@@ -1,6 +1,7 @@
 """Parameters of the sensors: what stands between the motion of the vehicle and a measurement."""
 
 import dataclasses
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from vehicle_roll_sim.declaration import InputError, parameter
@@ -125,6 +126,16 @@ def _of_quantity(quantity: Quantity) -> dict[str, dataclasses.Field]:
         steps = (f"{what} is measured in multiples of this; by default exactly", unit, 0.0, largest)
         found[f"{prefix}_resolution"] = parameter(*steps, default=None)
     return found
+
+
+def parameters_of_quantity(quantity: Quantity) -> tuple[str, ...]:
+    """Names of the parameters of its errors."""
+    return tuple(_of_quantity(quantity))
+
+
+def labels_of(names: Iterable[str]) -> tuple[str, ...]:
+    """Names of the values of some of QUANTITIES."""
+    return tuple(f"{name}_{value}" for name in names for value in QUANTITIES[name].values)
 
 
 def _all_of(device: str) -> dict[str, dataclasses.Field]:
