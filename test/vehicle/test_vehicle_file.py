@@ -125,7 +125,7 @@ ABSENT = {
     "rear_differential_locking": 0.4,
     **{name: ACTUATOR[name.partition("_actuator_")[-1]] for name in OF_ACTUATORS},
     **{name: 0.01 for names in OF_DEVICE.values() for name in names},
-    SEED: 3.0,
+    SEED: 100.0,
 }
 """What the reference vehicle does not have."""
 TABLES = {"steering_gear": ("steering_ratio", "[[0, 0], [1, 0.1], [6, 0.5]]")} | {

@@ -210,7 +210,8 @@ class History:
             names, rows = (*names, *COMMANDS), np.hstack((rows, self._known_commands()))
             if self.wind is not None:
                 names, rows = (*names, *WIND), np.hstack((rows, self.wind))
-        names, rows = (*names, *self.measured_names), np.hstack((rows, self.measured))
+        if self.measured_names:
+            names, rows = (*names, *self.measured_names), np.hstack((rows, self.measured))
         with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
             file.write(",".join(names) + "\n")
             for row in rows.tolist():
