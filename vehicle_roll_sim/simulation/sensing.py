@@ -67,29 +67,25 @@ class Inertial:
 
 
 class OfWheels:
-    """Sensors of one quantity at each wheel."""
+    """Sensors of one quantity at each wheel: of what `truth` has of a state and its outputs."""
 
     described = np.zeros(0)
 
+    def __init__(self, truth: Callable[[np.record, np.record], np.ndarray]):
+        self._truth = truth
+
     def sense(self, state, outputs, erring: Erring) -> np.ndarray:
-        return erring(self.truth(state, outputs))
+        return erring(self._truth(state, outputs))
 
 
-class WheelSpeeds(OfWheels):
-    """Sensors of the spin of each wheel."""
-
-    def __init__(self, _vehicle: Vehicle, _axis_depth: float | None):
-        pass
-
-    def truth(self, state, _outputs) -> np.ndarray:
-        return state["wheel_speed"]
+def wheel_speeds(state, _outputs) -> np.ndarray:
+    """Spin velocities (rad/s), shape (4,)."""
+    return state["wheel_speed"]
 
 
-class SteeringAngles(WheelSpeeds):
-    """Sensors of the road-wheel angle of each wheel."""
-
-    def truth(self, _state, outputs) -> np.ndarray:
-        return outputs["steering"]
+def steering_angles(_state, outputs) -> np.ndarray:
+    """Road-wheel angles (rad), shape (4,)."""
+    return outputs["steering"]
 
 
 class Odometry:
@@ -112,8 +108,8 @@ class Odometry:
 
 KINDS = {
     IMU: Inertial,
-    WHEEL_SPEEDS: WheelSpeeds,
-    STEERING: SteeringAngles,
+    WHEEL_SPEEDS: lambda *_: OfWheels(wheel_speeds),
+    STEERING: lambda *_: OfWheels(steering_angles),
     ODOMETRY: Odometry,
 }
 """The kind of each device: made of a vehicle and the depth of its roll axis, as in `cg_motion`;

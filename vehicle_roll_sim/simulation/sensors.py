@@ -5,6 +5,7 @@ so that they depend neither on other devices nor on who asks.
 """
 
 import copy
+import itertools
 import math
 
 import numpy as np
@@ -32,6 +33,7 @@ WORDS = 4
 """Random words that a step of the counter gives."""
 NEVER = 2**62
 """ns"""
+NOTHING = np.zeros(0)
 
 
 class Device:
@@ -48,17 +50,15 @@ class Device:
         self._kind = KINDS[name](vehicle, axis_depth)
         quantities = {n: each for n, each in QUANTITIES.items() if each.device == name}
         period, delay = f"{name}_period", f"{name}_delay"
-        steps = _whole(vehicle, period, DEFAULT_PERIOD, step_ns, "the step")
-        self.period_ns = max(steps, 1) * step_ns
+        self.period_ns = step_ns * _whole(vehicle, period, DEFAULT_PERIOD, step_ns, "the step")
         self._delay = _whole(vehicle, delay, 0.0, self.period_ns, period)
         self._dropout = vehicle.given.get(f"{name}_dropout", 0.0)
         interval = self.period_ns / NANOSECONDS
         self._errors = np.hstack([_errors(vehicle, each, interval) for each in quantities.values()])
         self._errors = np.ascontiguousarray(self._errors)
         self.labels = labels_of(quantities)
-        self.places, first = {}, 0
-        for quantity, each in quantities.items():
-            self.places[quantity] = slice(first, first := first + len(each.values))
+        self.places = _places({name: len(each.values) for name, each in quantities.items()})
+        self._channels = _places({name: len(each.errors) for name, each in quantities.items()})
         channels, values = self._errors.shape[1], len(self.labels)
         self.memory = np.zeros(
             1,
@@ -139,12 +139,8 @@ class Device:
 
     def variance(self, quantity: str) -> float:
         """Of one component of a quantity, in the square of its unit: that of noise and rounding."""
-        first = self.places[quantity].start
-        for name in self.places:  # orientations have fewer errors than values
-            if name == quantity:
-                break
-            first -= len(QUANTITIES[name].values) - len(QUANTITIES[name].errors)
-        noise, resolution = self._errors[2, first], self._errors[4, first]
+        channel = self._channels[quantity].start
+        noise, resolution = self._errors[2, channel], self._errors[4, channel]
         return float(noise**2 + resolution**2 / 12)
 
 
@@ -186,7 +182,9 @@ class Sensors:
 
     def readings(self) -> np.ndarray:
         """The last readings of all devices, as `labels` name them."""
-        return np.concatenate([np.zeros(0), *(each.reading for each in self.devices.values())])
+        if not self.devices:
+            return NOTHING
+        return np.concatenate([each.reading for each in self.devices.values()])
 
     def rest(self, seed: int | None = None) -> None:
         """Forget everything. seed: of all noise, by default that of the vehicle."""
@@ -211,6 +209,12 @@ class Sensors:
         return copy.deepcopy(self)
 
 
+def _places(sizes: dict[str, int]) -> dict[str, slice]:
+    """Where parts of these sizes lie, one after the other."""
+    ends = np.cumsum([0, *sizes.values()]).tolist()
+    return dict(zip(sizes, itertools.starmap(slice, itertools.pairwise(ends)), strict=True))
+
+
 def _errors(vehicle: Vehicle, quantity: Quantity, interval: float) -> np.ndarray:
     """Errors of the components of a quantity as `measure` takes them; interval: of samples (s)."""
 
@@ -230,7 +234,7 @@ def _whole(vehicle: Vehicle, name: str, usual: float, unit_ns: int, unit: str) -
     """A time of a device (s) in multiples of a unit (ns); raises InputError unless it is one."""
     time = vehicle.given.get(name, usual)
     count = time * NANOSECONDS / unit_ns
-    if abs(count - round(count)) > WHOLE or (unit == "the step" and round(count) == 0):
+    if abs(count - round(count)) > WHOLE:
         allowed = f"a multiple of {unit}, {unit_ns / NANOSECONDS:g} s"
         raise InputError(vehicle.stated_at.get(name, name), time, allowed)
     return round(count)

@@ -83,13 +83,9 @@ QUANTITIES = {
 """What is measured, in the order of readings."""
 _PLACES = {
     **{axis: (f"place of the imu along {axis}, from the sprung c.g.", "m", 20.0) for axis in AXES},
-    **{angle: (f"{angle} angle of the imu in the body", "rad", 3.2) for angle in ANGLES},
+    **{angle: (f"{angle} angle of the imu in the body, as stated", "rad", 3.2) for angle in ANGLES},
     **{
-        f"misalignment_{angle}": (
-            f"{angle} angle by which the imu is not as it is said",
-            "rad",
-            3.2,
-        )
+        f"misalignment_{angle}": (f"{angle} angle from there to the true attitude", "rad", 3.2)
         for angle in ANGLES
     },
 }
