@@ -33,7 +33,7 @@ from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.signals import as_markdown
 from vehicle_roll_sim.vehicle.sensor_parameters import QUANTITIES as MEASURED
-from vehicle_roll_sim.vehicle.sensor_parameters import labels_of, parameters_of_quantity
+from vehicle_roll_sim.vehicle.sensor_parameters import Quantity, labels_of, parameters_of_quantity
 
 DOCS = Path(__file__).parents[1]
 NAME = re.compile(r"(?<![\w`/])(/\w+|\w+_\w+)")
@@ -235,11 +235,16 @@ def sensor_table() -> str:
             each.what,
             each.unit,
             ", ".join(f"`{value}`" for value in each.values),
-            ", ".join(f"`{parameter}`" for parameter in parameters_of_quantity(each)),
+            f"`{each.prefix}_` and " + ", ".join(f"`{ending}`" for ending in _endings(each)),
         )
         for name, each in MEASURED.items()
     )
     return table(("quantity", "device", "what it is", "unit", "values", "parameters"), *rows)
+
+
+def _endings(quantity: Quantity) -> list[str]:
+    names = parameters_of_quantity(quantity)
+    return [name.removeprefix(f"{quantity.prefix}_") for name in names]
 
 
 def quantity_table() -> str:
