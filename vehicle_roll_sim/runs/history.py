@@ -113,11 +113,12 @@ def measured_names(simulation: Simulation) -> tuple[str, ...]:
 class History:
     """Samples of a run; `history["roll"]` is one column, shape (rows,).
 
-    rows: values of COLUMNS, shape (rows, columns). commands: values of COMMANDS, shape (rows,
-    commands), or None if they are unknown. roll_centres: values of ROLL_CENTRES, shape (rows, 4),
-    or None if the model has none or they are unknown. wind: values of WIND, shape (rows, 2), or
-    None if the vehicle does not feel it or it is unknown. measured: the last readings of sensors,
-    shape (rows, k), and `measured_names`, the k names of further columns; none without sensors.
+    rows: values of COLUMNS, shape (rows, columns); an array is kept, not copied. commands: values
+    of COMMANDS, shape (rows, commands), or None if they are unknown. roll_centres: values of
+    ROLL_CENTRES, shape (rows, 4), or None if the model has none or they are unknown. wind: values
+    of WIND, shape (rows, 2), or None if the vehicle does not feel it or it is unknown. measured:
+    the last readings of sensors, shape (rows, k), and `measured_names`, the k names of further
+    columns; none without sensors.
     """
 
     def __init__(
@@ -129,7 +130,7 @@ class History:
         measured: np.ndarray | None = None,
         measured_names: tuple[str, ...] = (),
     ):
-        self.rows, self.commands, self.roll_centres = np.array(rows), commands, roll_centres
+        self.rows, self.commands, self.roll_centres = np.asarray(rows), commands, roll_centres
         self.wind, self.measured_names = wind, measured_names
         self.measured = np.zeros((len(self.rows), 0)) if measured is None else measured
 
