@@ -84,7 +84,8 @@ class Reporter:
     def _doubled(self) -> list[str]:
         """One warning for each other node that publishes topics of the set."""
         topics_of: dict[str, list[str]] = {}
-        for topic in set_of(self._node.session.simulation.options, stamped=False):
+        simulation = self._node.session.simulation
+        for topic in set_of(simulation.options, stamped=False, devices=simulation.sensors.devices):
             if self._node.count_publishers(self._node.resolve_topic_name(topic.name)) > 1:
                 for name in other_publishers(self._node, topic):
                     topics_of.setdefault(name, []).append(topic.name)

@@ -31,6 +31,7 @@ from vehicle_roll_sim.ros.simulator.real_time import RealTime
 from vehicle_roll_sim.ros.simulator.session import session_of
 from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, message_class
+from vehicle_roll_sim.vehicle.sensor_parameters import devices_of
 
 NAME = "simulator"
 DIAGNOSTICS_PERIOD = 1.0
@@ -56,7 +57,7 @@ class Simulator(Node):
         self.settings = declared.settings
         refuse_wrong_overrides(
             self,
-            publishers=[each.name for each in published_topics(self.settings, declared.options)],
+            publishers=[each.name for each in _published(declared)],
             subscriptions=[each.name for each in COMMANDS],
             lossless=self.settings.is_lockstep,
         )
@@ -193,6 +194,10 @@ class Simulator(Node):
             else:
                 response.message = "running: pause first"
         return response
+
+
+def _published(declared: parameters.Declared) -> tuple[Topic, ...]:
+    return published_topics(declared.settings, declared.options, devices_of(declared.vehicle))
 
 
 def _driver(settings: Settings, period_ns: int) -> Lockstep | RealTime:

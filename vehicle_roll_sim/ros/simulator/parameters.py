@@ -18,6 +18,7 @@ from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
+from vehicle_roll_sim.vehicle.sensor_parameters import devices_of
 from vehicle_roll_sim.vehicle.shipped import vehicle_named
 from vehicle_roll_sim.vehicle.vehicle_file import (
     LONGITUDINAL,
@@ -76,7 +77,7 @@ def declare(node: Node) -> Declared:
         _declare(node, VEHICLE_PREFIX + name, value)
     options = options_for(vehicle, **_given_of(node, Options)).for_vehicle(vehicle)
     _check_speed(settings.initial_speed, options)
-    settings.check(options)
+    settings.check(options, devices_of(vehicle))
     for name, value in dataclasses.asdict(options).items():
         _declare(node, name, value, is_resolved=True)
     _heed(plausibility(vehicle), node, settings.strict)

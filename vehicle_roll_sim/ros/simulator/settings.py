@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from collections.abc import Collection
 
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.live.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
@@ -11,7 +12,14 @@ from vehicle_roll_sim.live.pacing import (
     FASTEST_FACTOR,
     SLOWEST_FACTOR,
 )
-from vehicle_roll_sim.messages.topics import COMMANDS, ROLL_CENTRE, STAMPED, STATE_SET, set_of
+from vehicle_roll_sim.messages.topics import (
+    COMMANDS,
+    OF_SOME_SETS,
+    ROLL_CENTRE,
+    STAMPED,
+    STATE_SET,
+    set_of,
+)
 from vehicle_roll_sim.ros.simulator.lockstep import STOP
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import (
@@ -28,6 +36,7 @@ from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DE
 REAL_TIME, LOCKSTEP = "real_time", "lockstep"
 COMMANDED = tuple(topic.name for topic in COMMANDS)
 NAMES_OF_STAMPED = tuple(topic.name for topic in STAMPED)
+OF_CHANGING_SETS = tuple(topic.name for topic in OF_SOME_SETS)
 PUBLISHED_IN_SETS = tuple(topic.name for topic in STATE_SET)
 """With every model."""
 MOST_STEPS = 100_000
@@ -117,7 +126,7 @@ class Settings:
     )
     lockstep_wait: tuple = parameter(
         "topics of the set that must have a subscriber before lockstep begins",
-        choices=(*PUBLISHED_IN_SETS, ROLL_CENTRE.name, *NAMES_OF_STAMPED),
+        choices=(*PUBLISHED_IN_SETS, *OF_CHANGING_SETS, *NAMES_OF_STAMPED),
         default=("state",),
     )
     lockstep_timeout: float = parameter(
@@ -147,15 +156,18 @@ class Settings:
         "refuse an implausible vehicle instead of logging a warning", default=False
     )
 
-    def check(self, options: Options) -> None:
-        """Raise InputError for a combination of values that is not allowed."""
+    def check(self, options: Options, devices: Collection[str]) -> None:
+        """Raise InputError for a combination of values that is not allowed.
+
+        devices: of the vehicle's sensors.
+        """
         if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
             allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
             raise InputError("real_time_factor", self.real_time_factor, allowed)
-        published = {topic.name for topic in set_of(options, self.publish_stamped)}
+        published = {topic.name for topic in set_of(options, self.publish_stamped, devices)}
         if not published.issuperset(self.lockstep_wait):
             allowed = f"topics that end in _stamped only with publish_stamped, {ROLL_CENTRE.name} "
-            allowed += "only with model 2"
+            allowed += "only with model 2, those of sensors only with these"
             raise InputError("lockstep_wait", self.lockstep_wait, allowed)
 
     def steps_in_a_period(self, step_ns: int) -> int:
