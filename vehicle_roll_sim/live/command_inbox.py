@@ -155,10 +155,38 @@ class CommandInbox:
             return False
         return now_ns - channel.arrival_ns > round(self.timeout * NANOSECONDS)
 
+    def memory(self) -> dict:
+        """What determines the next commands: values, times of arrival, timeouts and limits.
+
+        The counts of messages are no part of it.
+        """
+        heard = {
+            topic: [list(each.value), each.arrival_ns, each.answered]
+            for topic, each in self.channels.items()
+        }
+        rules = {"timeout": self.timeout, "steering_policy": self.steering_policy}
+        return {**rules, "limits": dataclasses.asdict(self.limits), "channels": heard}
+
+    def remember(self, memory: dict) -> None:
+        """Take over what `memory` returned."""
+        self.timeout, self.steering_policy = memory["timeout"], memory["steering_policy"]
+        for name, limit in memory["limits"].items():
+            setattr(self.limits, name, limit)
+        for topic, (value, arrival_ns, answered) in memory["channels"].items():
+            channel = self.channels[topic]
+            channel.value, channel.arrival_ns = tuple(value), arrival_ns
+            channel.answered = answered
+
+    def await_answers(self) -> None:
+        """Count no message that has arrived as an answer."""
+        for channel in self.channels.values():
+            channel.answered = False
+
     def clear(self) -> None:
         """Discard all commands; the message counts are kept."""
+        self.await_answers()
         for channel in self.channels.values():
-            channel.value, channel.arrival_ns, channel.answered = (), None, False
+            channel.value, channel.arrival_ns = (), None
 
 
 def _flaw(values: Sequence[float], channel: Channel) -> str:
