@@ -202,9 +202,9 @@ FAULTS = (
     ),
     Fault(
         "missing lock: a reset during a period",
-        "ros/simulator/node.py",
-        "        with self.lock:\n            try:\n                self.session.reset(",
-        "        if self.lock:\n            try:\n                self.session.reset(",
+        "ros/simulator/control.py",
+        "        with simulator.lock:\n            try:\n                simulator.session.reset(",
+        "        if simulator.lock:\n            try:\n                simulator.session.reset(",
         "test/ros/simulator/test_lock.py",
     ),
     Fault(

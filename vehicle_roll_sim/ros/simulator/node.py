@@ -2,17 +2,14 @@
 
 import sys
 import threading
-import time
 from collections.abc import Sequence
 
 from rclpy.clock import Clock as RosClock
 from rclpy.clock import ClockType
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.node import Node
-from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim.arguments import OneLineParser
-from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.live.command_inbox import DROPPED, CommandInbox
 from vehicle_roll_sim.live.log_limiter import LogLimiter
 from vehicle_roll_sim.live.session import Session
@@ -21,9 +18,9 @@ from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.ros.node_main import lifetime, node_main
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
-from vehicle_roll_sim.ros.services import PAUSE, RESET, STEP
 from vehicle_roll_sim.ros.simulator import parameters
 from vehicle_roll_sim.ros.simulator.compile_status import compile_and_tell
+from vehicle_roll_sim.ros.simulator.control import Control
 from vehicle_roll_sim.ros.simulator.diagnostics import Reporter
 from vehicle_roll_sim.ros.simulator.lockstep import Lockstep, UnansweredError
 from vehicle_roll_sim.ros.simulator.publications import Publications, published_topics
@@ -46,7 +43,8 @@ class Simulator(Node):
     """A simulated vehicle as a node. Raises InputError if a parameter is wrong.
 
     `driver` decides when a period runs. `lock` guards the session: the thread that steps the model
-    holds it during a period, the thread that runs callbacks between periods.
+    holds it during a period, the thread that runs callbacks between periods. `has_begun`: whether
+    the first set has been published.
     """
 
     def __init__(self, **node_options):
@@ -65,31 +63,37 @@ class Simulator(Node):
         (logger.info if jit.COMPILED else logger.warning)(jit.describe())
         self.driver = _driver(self.settings, self.session.period_ns)
         self._publications = Publications(self, self.session, self.settings, declared.covariances)
-        self._has_begun = False
+        self.has_begun = False
         self._warnings = LogLimiter(WARNING_INTERVAL)
         parameters.follow_changes(self, declared, self.lock)
         self._commands = {topic.name: self._subscribe(topic) for topic in COMMANDS}
-        self._serve()
+        self._control = Control(self, lambda: parameters.show_changes(self, declared))
+        self._control.serve()
         report = Reporter(self, self.session, self.driver, self._publications, self.lock).report
         steady = RosClock(clock_type=ClockType.STEADY_TIME)
         self.create_timer(DIAGNOSTICS_PERIOD, report, clock=steady)
 
     def begin(self) -> None:
-        """Publish the first set, at time 0, and discard any command received before it."""
-        with self.lock:
-            self._has_begun = True
-            self.session.inbox.clear()
-            self._restart()
-            self._publish_all()
+        """Publish the first set and discard any command received before it.
 
-    def _restart(self) -> None:
+        It is that of time 0, unless a snapshot has been restored.
+        """
+        with self.lock:
+            self.has_begun = True
+            self._control.begin()
+            self.show()
+
+    def restart(self) -> None:
         """Restart pacing and stamps from the current time."""
         self._publications.anchor(self.driver.restart())
 
-    def _publish_all(self) -> None:
-        self._publications.look_for_listeners()
-        self._publications.publish_set()
-        self._publications.publish_rollover()
+    def show(self) -> None:
+        """Restart pacing and stamps, and publish the set once the simulator has begun."""
+        self.restart()
+        if self.has_begun:
+            self._publications.look_for_listeners()
+            self._publications.publish_set()
+            self._publications.publish_rollover()
 
     def unreceived(self) -> list[str]:
         """Topics of the set on which a reliable subscriber has not yet acknowledged everything."""
@@ -141,48 +145,6 @@ class Simulator(Node):
         if self.session.stopped and not was_stopped:
             self._publications.publish_rollover()
             self.get_logger().error(ending(self.session))
-
-    def _serve(self) -> None:
-        answers = {RESET: self._reset, PAUSE: self._pause, STEP: self._step}
-        for service, answer in answers.items():
-            self.create_service(service.kind, f"~/{service.name}", answer)
-
-    def _reset(self, _, response: Trigger.Response) -> Trigger.Response:
-        with self.lock:
-            try:
-                self.session.reset(self.settings.initial_speed)
-            except InputError as error:  # the step is too large for that speed
-                response.success, response.message = False, str(error)
-                return response
-            self._restart()
-            if self._has_begun:
-                self._publish_all()
-        response.success = True
-        response.message = f"static equilibrium at {self.settings.initial_speed:g} m/s"
-        return response
-
-    def _pause(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
-        with self.lock:
-            self.session.paused = request.data
-            self._restart()
-        response.success = True
-        response.message = "paused" if request.data else "running"
-        return response
-
-    def _step(self, _, response: Trigger.Response) -> Trigger.Response:
-        with self.lock:
-            can_step = self.session.paused and not self.session.stopped
-            response.success = can_step and self._has_begun
-            if response.success:
-                self.run_period(time.monotonic_ns())
-                response.message = f"{self.session.simulation.time:.9g} s"
-            elif not self._has_begun:
-                response.message = "not started yet: waiting for the lockstep partners"
-            elif self.session.stopped:
-                response.message = "the model has stopped: reset first"
-            else:
-                response.message = "running: pause first"
-        return response
 
 
 def _driver(settings: Settings, period_ns: int) -> Lockstep | RealTime:

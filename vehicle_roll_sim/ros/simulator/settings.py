@@ -3,7 +3,7 @@
 import dataclasses
 import math
 
-from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
 from vehicle_roll_sim.live.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
 from vehicle_roll_sim.live.pacing import (
     AS_FAST_AS_POSSIBLE,
@@ -143,9 +143,27 @@ class Settings:
         "vehicle",
         default="",
     )
+    snapshot: str = parameter(
+        "token of the state to restore; empty: the last one saved",
+        tunable=True,
+        default="",
+    )
+    snapshot_folder: str = parameter(
+        "folder in which saved states are also kept as files; empty: none",
+        default="",
+    )
     strict: bool = parameter(
         "refuse an implausible vehicle instead of logging a warning", default=False
     )
+
+    def memory(self) -> dict:
+        """The values that may change while the node runs, without the token of a snapshot."""
+        return {name: getattr(self, name) for name in KEPT_WITH_SNAPSHOTS}
+
+    def remember(self, memory: dict) -> None:
+        """Take over what `memory` returned."""
+        for name in KEPT_WITH_SNAPSHOTS:
+            setattr(self, name, memory[name])
 
     def check(self, options: Options) -> None:
         """Raise InputError for a combination of values that is not allowed."""
@@ -180,3 +198,8 @@ class Settings:
     def has_own_clock(self) -> bool:
         """Whether stamps are simulated time from 0, published on /clock."""
         return self.publish_clock or self.is_lockstep or self.real_time_factor != 1.0
+
+
+KEPT_WITH_SNAPSHOTS = tuple(
+    name for name, each in parameters_of(Settings).items() if each.tunable and name != "snapshot"
+)
