@@ -47,6 +47,15 @@ class Session:
         self.controller.reset()
         self.applied = Command()
 
+    def set_going(self, speed: float) -> None:
+        """Bring the vehicle to static equilibrium at `speed` (m/s) where it is, as it heads.
+
+        Time goes on, and so do the commands. Raises InputError like `reset`.
+        """
+        self.simulation.roll_freely(speed)
+        self.controller.reset()
+        self.applied = Command()
+
     def snapshot(self) -> SessionSnapshot:
         """The present state of everything, but for the pause and the counts of messages."""
         return SessionSnapshot.of(

@@ -13,12 +13,13 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.live.command_inbox import DROPPED, CommandInbox
 from vehicle_roll_sim.live.log_limiter import LogLimiter
 from vehicle_roll_sim.live.session import Session
+from vehicle_roll_sim.live.standard_simulator import StandardSimulator
 from vehicle_roll_sim.live.status import ending
 from vehicle_roll_sim.messages.topics import COMMANDS, Topic
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.ros.node_main import lifetime, node_main
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
-from vehicle_roll_sim.ros.simulator import parameters
+from vehicle_roll_sim.ros.simulator import parameters, standard_services
 from vehicle_roll_sim.ros.simulator.compile_status import compile_and_tell
 from vehicle_roll_sim.ros.simulator.control import Control
 from vehicle_roll_sim.ros.simulator.diagnostics import Reporter
@@ -26,6 +27,7 @@ from vehicle_roll_sim.ros.simulator.lockstep import Lockstep, UnansweredError
 from vehicle_roll_sim.ros.simulator.publications import Publications, published_topics
 from vehicle_roll_sim.ros.simulator.real_time import RealTime
 from vehicle_roll_sim.ros.simulator.settings import Settings
+from vehicle_roll_sim.ros.simulator.standard_services import StandardServices
 from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, message_class
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
@@ -69,9 +71,18 @@ class Simulator(Node):
         self._commands = {topic.name: self._subscribe(topic) for topic in COMMANDS}
         self._control = Control(self, lambda: parameters.show_changes(self, declared))
         self._control.serve()
+        if standard_services.is_installed():
+            self._serve_standard()
         report = Reporter(self, self.session, self.driver, self._publications, self.lock).report
         steady = RosClock(clock_type=ClockType.STEADY_TIME)
         self.create_timer(DIAGNOSTICS_PERIOD, report, clock=steady)
+
+    def _serve_standard(self) -> None:
+        """Offer the services of the standard for simulators."""
+        fulfilled = StandardSimulator(self.session, self._control, self.lock)
+        stamp, frame = self._publications.present_stamp, f"{self.settings.frame_prefix}odom"
+        self._standard = StandardServices(self, fulfilled, stamp, frame)
+        self._standard.serve()
 
     def begin(self) -> None:
         """Publish the first set and discard any command received before it.
