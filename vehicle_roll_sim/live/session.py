@@ -53,8 +53,8 @@ class Session:
         Time goes on, and so do the commands. Raises InputError like `reset`.
         """
         self.simulation.roll_freely(speed)
-        self.controller.reset()
         self.applied = Command()
+        self.controller.reset()
 
     def snapshot(self) -> SessionSnapshot:
         """The present state of everything, but for the pause and the counts of messages."""

@@ -1,5 +1,6 @@
 """The node `simulator`: takes commands, steps the model and publishes the results."""
 
+import functools
 import sys
 import threading
 from collections.abc import Sequence
@@ -10,12 +11,14 @@ from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.node import Node
 
 from vehicle_roll_sim.arguments import OneLineParser
+from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.live.command_inbox import DROPPED, CommandInbox
 from vehicle_roll_sim.live.log_limiter import LogLimiter
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.live.standard_simulator import StandardSimulator
 from vehicle_roll_sim.live.status import ending
-from vehicle_roll_sim.messages.topics import COMMANDS, Topic
+from vehicle_roll_sim.live.ways_in import PARTS
+from vehicle_roll_sim.messages.topics import Topic
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.ros.node_main import lifetime, node_main
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
@@ -28,7 +31,7 @@ from vehicle_roll_sim.ros.simulator.publications import Publications, published_
 from vehicle_roll_sim.ros.simulator.real_time import RealTime
 from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.ros.simulator.standard_services import StandardServices
-from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, message_class
+from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, heard_commands, message_class
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
 
@@ -56,7 +59,7 @@ class Simulator(Node):
         refuse_wrong_overrides(
             self,
             publishers=[each.name for each in published_topics(self.settings, declared.options)],
-            subscriptions=[each.name for each in COMMANDS],
+            subscriptions=[each.name for each in heard_commands()],
             lossless=self.settings.is_lockstep,
         )
         self.lock = threading.Lock()
@@ -68,7 +71,7 @@ class Simulator(Node):
         self.has_begun = False
         self._warnings = LogLimiter(WARNING_INTERVAL)
         parameters.follow_changes(self, declared, self.lock)
-        self._commands = {topic.name: self._subscribe(topic) for topic in COMMANDS}
+        self._commands = {topic.name: self._subscribe(topic) for topic in heard_commands()}
         self._control = Control(self, lambda: parameters.show_changes(self, declared))
         self._control.serve()
         if standard_services.is_installed():
@@ -121,23 +124,38 @@ class Simulator(Node):
         ]
 
     def _subscribe(self, topic: Topic):
-        def receive(message):
-            self._receive(topic.name, message.data)
+        receive = self._receive_parts if topic.name in PARTS else self._receive
 
         return make_subscription(
             self,
             message_class(topic.type),
             topic.name,
-            receive,
+            functools.partial(receive, topic.name),
             EVERY_ANSWER if self.settings.is_lockstep else NEWEST_ONLY,
             event_callbacks=SubscriptionEventCallbacks(use_default_callbacks=False),
         )
 
-    def _receive(self, topic: str, data) -> None:
+    def _receive(self, topic: str, message) -> None:
+        data = message.data
         values = [data] if isinstance(data, float) else data
         with self.lock:
             now_ns = self.session.simulation.time_ns
             problem = self.session.inbox.receive(topic, values, now_ns)
+        self._warn(topic, problem)
+
+    def _receive_parts(self, topic: str, message) -> None:
+        inbox, simulation = self.session.inbox, self.session.simulation
+        try:
+            parts = PARTS[topic](message, simulation.vehicle.wheelbase)
+        except InputError as error:
+            with self.lock:
+                problem = inbox.drop(topic, str(error))
+        else:
+            with self.lock:
+                problem = inbox.receive_parts(topic, parts, simulation.time_ns)
+        self._warn(topic, problem)
+
+    def _warn(self, topic: str, problem: str) -> None:
         if problem and self._warnings.allows((topic, problem.startswith(DROPPED))):
             self.get_logger().warning(f"{topic}: {problem}")
 

@@ -11,8 +11,16 @@ from vehicle_roll_sim.live.pacing import (
     FASTEST_FACTOR,
     SLOWEST_FACTOR,
 )
-from vehicle_roll_sim.messages.topics import COMMANDS, ROLL_CENTRE, STAMPED, STATE_SET, set_of
+from vehicle_roll_sim.messages.topics import (
+    COMMANDS,
+    ROLL_CENTRE,
+    STAMPED,
+    STATE_SET,
+    WAYS_IN,
+    set_of,
+)
 from vehicle_roll_sim.ros.simulator.lockstep import STOP
+from vehicle_roll_sim.ros.topics import is_installed
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
@@ -27,6 +35,7 @@ from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DE
 
 REAL_TIME, LOCKSTEP = "real_time", "lockstep"
 COMMANDED = tuple(topic.name for topic in COMMANDS)
+AWAITED = (*COMMANDED, *(topic.name for topic in WAYS_IN))
 NAMES_OF_STAMPED = tuple(topic.name for topic in STAMPED)
 PUBLISHED_IN_SETS = tuple(topic.name for topic in STATE_SET)
 """With every model."""
@@ -112,7 +121,7 @@ class Settings:
     )
     lockstep_topics: tuple = parameter(
         "command topics on which lockstep waits for a message in every period",
-        choices=COMMANDED,
+        choices=AWAITED,
         default=("steering_cmd",),
     )
     lockstep_wait: tuple = parameter(
@@ -170,6 +179,11 @@ class Settings:
         if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
             allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
             raise InputError("real_time_factor", self.real_time_factor, allowed)
+        for topic in WAYS_IN:
+            if topic.name in self.lockstep_topics and not is_installed(topic):
+                package = topic.type.partition("/")[0]
+                problem = f"{topic.name} needs {package}, which is not installed"
+                raise InputError("lockstep_topics", "", "other topics", problem)
         published = {topic.name for topic in set_of(options, self.publish_stamped)}
         if not published.issuperset(self.lockstep_wait):
             allowed = f"topics that end in _stamped only with publish_stamped, {ROLL_CENTRE.name} "
