@@ -301,6 +301,7 @@ def test_a_way_in_can_be_awaited_and_has_its_counts_in_the_diagnostics():
     session.run_period()
     told = command_values(session, {"cmd_vel": []})
     assert told["cmd_vel age (s)"] == "0.010"
+    assert told["steering_cmd age (s)"] == "none"  # nothing has come on that topic
 
 
 def test_the_way_that_a_quantity_was_commanded_in_is_part_of_a_snapshot():

@@ -110,15 +110,18 @@ def command_values(session: Session, publishers: Publishers) -> dict[str, str]:
             f"{topic} dropped": str(traffic.dropped),
             f"{topic} clamped": str(traffic.clamped),
             f"{topic} last problem": traffic.last_problem or NOTHING,
-            f"{topic} age (s)": _age(traffic, session.simulation.time_ns),
+            f"{topic} age (s)": _age(topic, traffic, session.simulation.time_ns),
             f"{topic} publishers": str(len(names)),
             f"{topic} publisher names": ", ".join(names) or NOTHING,
         }
     return values
 
 
-def _age(traffic: Traffic, now_ns: int) -> str:
-    """Simulated time (s) since the last valid message; `none` if there was none since the reset."""
-    if traffic.arrival_ns is None:
+def _age(topic: str, traffic: Traffic, now_ns: int) -> str:
+    """Simulated time (s) since the last valid message on a topic.
+
+    `none` if there was none since the reset, or a later one in another way.
+    """
+    if traffic.arrival_ns is None or getattr(traffic, "source", topic) != topic:
         return NOTHING
     return f"{(now_ns - traffic.arrival_ns) / NANOSECONDS:.3f}"
