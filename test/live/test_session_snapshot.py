@@ -105,7 +105,7 @@ def kept() -> SessionSnapshot:
 def continued(kept) -> list:
     """What a fresh session sees that goes on from a snapshot, or from one in a file."""
     session = made(6)
-    session.restore(kept if isinstance(kept, SessionSnapshot) else SessionSnapshot.read(kept))
+    session.restore(kept if isinstance(kept, SessionSnapshot) else SessionSnapshot.of_file(kept))
     return drive(session, np.random.default_rng(7), 20)
 
 
@@ -120,7 +120,7 @@ def test_a_snapshot_is_a_value(kept):
 def test_another_process_goes_on_from_a_file(kept, tmp_path):
     path = tmp_path / "kept.snapshot"
     kept.write(path)
-    assert SessionSnapshot.read(path) == kept
+    assert SessionSnapshot.of_file(path) == kept
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         there = pool.apply(continued, (path,))
     assert there == continued(kept)
@@ -211,23 +211,23 @@ def test_a_damaged_file_and_one_of_another_version_are_refused_in_one_line(kept,
     for text, words in damages(path.read_text()).items():
         path.write_text(text)
         with pytest.raises(InputError) as refusal:
-            SessionSnapshot.read(path)
+            SessionSnapshot.of_file(path)
         assert words in str(refusal.value)
         assert str(path) in str(refusal.value)
         assert "\n" not in str(refusal.value)
     with pytest.raises(InputError, match="existing file"):
-        SessionSnapshot.read(tmp_path / "none")
+        SessionSnapshot.of_file(tmp_path / "none")
 
 
 def test_a_snapshot_of_a_simulation_is_none_of_a_session_and_the_other_way_round(kept, tmp_path):
     path = tmp_path / "kept.snapshot"
     kept.simulation.write(path)
-    assert Snapshot.read(path) == kept.simulation
+    assert Snapshot.of_file(path) == kept.simulation
     with pytest.raises(InputError, match="a snapshot of a session"):
-        SessionSnapshot.read(path)
+        SessionSnapshot.of_file(path)
     kept.write(path)
     with pytest.raises(InputError, match="a snapshot of a simulation"):
-        Snapshot.read(path)
+        Snapshot.of_file(path)
 
 
 def test_a_file_that_cannot_be_written_leaves_nothing(kept, tmp_path):

@@ -144,7 +144,7 @@ def test_a_simulation_made_from_a_snapshot_in_a_file_goes_on_alike(reference, pl
     original.reset(speed=20.0)
     turned(original, 0.07)
     original.snapshot().write(tmp_path / "kept.snapshot")
-    kept = Snapshot.read(tmp_path / "kept.snapshot")
+    kept = Snapshot.of_file(tmp_path / "kept.snapshot")
     assert kept == original.snapshot()
     other = Simulation.from_snapshot(kept, reference, **plant)
     assert turned(other, 0.07) == turned(original, 0.07)

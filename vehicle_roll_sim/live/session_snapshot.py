@@ -69,6 +69,6 @@ class SessionSnapshot:
         write_snapshot(path, KIND, self.text)
 
     @classmethod
-    def read(cls, path: str | Path) -> Self:
+    def of_file(cls, path: str | Path) -> Self:
         """The snapshot in a file; raises InputError if it is damaged or of another version."""
         return cls(read_snapshot(path, KIND))

@@ -57,7 +57,7 @@ class Snapshot:
         write_snapshot(path, KIND, text_of(self.as_plain()))
 
     @classmethod
-    def read(cls, path: str | Path) -> Self:
+    def of_file(cls, path: str | Path) -> Self:
         """The snapshot in a file; raises InputError if it is damaged or of another version."""
         return cls.of_plain(json.loads(read_snapshot(path, KIND)))
 

@@ -59,7 +59,7 @@ class SnapshotStore:
         if path is None or not path.exists():
             where = f"no file in {self._folder}" if path else "not in memory"
             raise InputError("snapshot", token, "a token of a snapshot that is kept", where)
-        snapshot = SessionSnapshot.read(path)
+        snapshot = SessionSnapshot.of_file(path)
         if snapshot.token != token:
             raise InputError(f"file {path}", "", "the name that it was saved under", "renamed")
         return snapshot
