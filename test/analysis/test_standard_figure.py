@@ -17,10 +17,11 @@ from drawn_runs import (
     same,
     shown_texts,
 )
+from matplotlib.axes import Axes
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from vehicle_roll_sim import WHEELS
-from vehicle_roll_sim.analysis.drawing import save_figure
+from vehicle_roll_sim.analysis.drawing import DrawnFigure, save_figure
 from vehicle_roll_sim.analysis.plots import plot_run, standard_figure
 from vehicle_roll_sim.runs.history import COLUMNS, History
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio, sideslip_angle
@@ -201,9 +202,39 @@ def test_few_samples_are_a_figure_too(history, tmp_path, rows):
     assert (tmp_path / "figure.png").stat().st_size > 0
 
 
-def test_the_last_bits_of_the_layout_do_not_reach_the_file(history, tmp_path, monkeypatch):
+@pytest.fixture
+def contents(history, tmp_path):
+    """Writes the figure as SVG; its bytes."""
+    path = tmp_path / "figure.svg"
+
+    def write() -> bytes:
+        plot_run(history, events_of(history, ANGLE), path, "run")
+        return path.read_bytes()
+
+    return write
+
+
+@pytest.fixture(scope="module")
+def as_it_is() -> list[bytes]:
+    """The bytes of that figure, once a test has drawn it."""
+    return []
+
+
+def test_drawn_once_it_has_the_bytes_of_matplotlibs_two_drawings(contents, as_it_is, monkeypatch):
+    drawn_axes, draw = [], Axes.draw
+    note = lambda axes, renderer: (drawn_axes.append(axes), draw(axes, renderer))  # noqa: E731
+    monkeypatch.setattr(Axes, "draw", note)
+    as_it_is.append(contents())
+    count = len(drawn_axes)
+    assert count == len({*drawn_axes}) > 4
+    monkeypatch.delattr(DrawnFigure, "draw")
+    assert contents() == as_it_is[0]
+    assert len(drawn_axes) == count + 2 * count
+
+
+def test_the_last_bits_of_the_layout_do_not_reach_the_file(contents, as_it_is, monkeypatch):
     """They differ from run to run; here by more than they do."""
-    path, lay_out = tmp_path / "figure.svg", ConstrainedLayoutEngine.execute
+    lay_out = ConstrainedLayoutEngine.execute
 
     def nudge(engine, figure):
         lay_out(engine, figure)
@@ -212,10 +243,6 @@ def test_the_last_bits_of_the_layout_do_not_reach_the_file(history, tmp_path, mo
             axes.set_position(bounds + 1e-13)
             axes.set_in_layout(True)
 
-    def contents():
-        plot_run(history, events_of(history, ANGLE), path, "run")
-        return path.read_bytes()
-
-    as_solved = contents()
+    as_solved = as_it_is[0] if as_it_is else contents()
     monkeypatch.setattr(ConstrainedLayoutEngine, "execute", nudge)
     assert contents() == as_solved

@@ -33,9 +33,10 @@ def test_the_shipped_log_is_accepted_and_its_known_delay_is_told(command, log):
     shifts = {name: float(row_of(result, name)[-6]) for name in ("yaw_rate", "roll")}
     assert shifts["yaw_rate"] == pytest.approx(0.02, abs=2e-3)  # noise of 1 % of the peak
     assert shifts["roll"] == pytest.approx(0.0, abs=2e-3)
-    compare("log.csv", "log_map.yaml").write_csv("again.csv")
+    again = compare("log.csv", "log_map.yaml")
+    again.write_csv("again.csv")
     assert (log / "again.csv").read_bytes() == (log / "out.csv").read_bytes()
-    command(*WORDS, "--plot", "again.svg")
+    again.plot("again.svg", title="log.csv")
     assert (log / "again.svg").read_bytes() == (log / "out.svg").read_bytes()
 
 

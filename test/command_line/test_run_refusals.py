@@ -18,21 +18,23 @@ NUMBERS = {
 }
 """Lowest and highest value, and unit."""
 NO_NUMBERS = ("nan", "inf", "-inf", "fast", "", "1,5", "0x10", "1_0", "1٠")
-BEYOND = [
-    (option, repr(float(limit) + direction * max(abs(float(limit)), 1.0) * 1e-3))
-    for option, limits in NUMBERS.items()
-    for limit, direction in zip(limits[:2], (-1, 1), strict=True)
-]
 
 
-@pytest.mark.parametrize(
-    ("option", "value"), [(option, value) for option in NUMBERS for value in NO_NUMBERS] + BEYOND
-)
-def test_a_value_that_is_no_number_in_the_range_is_refused(refused, option, value):
+def beyond(limits: tuple[str, str]) -> list[str]:
+    """A number below the lowest, and one above the highest."""
+    return [
+        repr(float(limit) + direction * max(abs(float(limit)), 1.0) * 1e-3)
+        for limit, direction in zip(limits, (-1, 1), strict=True)
+    ]
+
+
+@pytest.mark.parametrize("option", NUMBERS)
+def test_a_value_that_is_no_number_in_the_range_is_refused(refused, option):
     low, high, unit = NUMBERS[option]
-    words = ("run", "step_steer", f"{option}={value}", "--csv", "rows.csv")
-    line = refused(words, option, f"from {float(low):g} to {float(high):g} {unit}")
-    assert value.strip("-0") in line
+    for value in (*NO_NUMBERS, *beyond((low, high))):
+        words = ("run", "step_steer", f"{option}={value}", "--csv", "rows.csv")
+        line = refused(words, option, f"from {float(low):g} to {float(high):g} {unit}")
+        assert value.strip("-0") in line
 
 
 def test_with_steady_state_slip_a_speed_below_its_lowest_is_refused(refused):

@@ -84,13 +84,6 @@ def test_a_speed_hold_that_drives_a_vehicle_beyond_any_engine_ends_as_diverged(c
     assert "torques" in result.value["end"]
 
 
-def test_files_are_named_when_they_are_written_and_only_then(command, folder):
-    result = command(*SHORT, "--csv", "rows.csv", "--plot", "figure.png")
-    assert (result.value["CSV"], result.value["plot"]) == ("rows.csv", "figure.png")
-    assert sorted(file.name for file in folder.iterdir()) == ["figure.png", "rows.csv"]
-    assert not {"CSV", "plot"} & set(command(*SHORT).value)
-
-
 @pytest.fixture(scope="module")
 def written(tmp_path_factory):
     """written(name): a result of that name, twice, in 1970 and in 2001; by folders."""
@@ -147,10 +140,15 @@ def test_an_svg_figure_has_the_title_the_axes_and_the_wheels(command, folder):
         assert f"<!-- {word}" in text  # text is drawn as paths, and kept as comments
 
 
-def test_a_format_may_be_written_in_capitals(command, folder, written):
-    assert command(*SHORT, "--plot", "figure.PNG").status == 0
+def test_files_are_named_when_they_are_written_and_only_then_capitals_or_not(
+    command, folder, written
+):
+    result = command(*SHORT, "--csv", "rows.csv", "--plot", "figure.PNG")
+    assert (result.value["CSV"], result.value["plot"]) == ("rows.csv", "figure.PNG")
+    assert sorted(file.name for file in folder.iterdir()) == ["figure.PNG", "rows.csv"]
     figure, _ = written("figure.png")
     assert (folder / "figure.PNG").read_bytes() == figure.read_bytes()
+    assert not {"CSV", "plot"} & set(command(*SHORT).value)
 
 
 def test_a_pdf_figure_is_a_whole_pdf(written):

@@ -1,6 +1,7 @@
 """`series`: a table with its verdict, the same as CSV, and refusals."""
 
 import csv
+import dataclasses
 import itertools
 import json
 
@@ -81,15 +82,18 @@ def test_what_is_wrong_is_refused_in_one_line(refused, words, named):
 
 
 def test_a_double_lane_change_takes_the_options_of_body_and_driver(command, monkeypatch):
-    for name, step in (("COARSE", 20), ("FINE", 10)):  # km/h: fewer runs
-        monkeypatch.setattr(f"vehicle_roll_sim.manoeuvres.series.entry_speed_search.{name}", step)
+    for which, step in (("COARSE", 20), ("FINE", 10)):  # km/h: fewer runs
+        monkeypatch.setattr(f"vehicle_roll_sim.manoeuvres.series.entry_speed_search.{which}", step)
+    name = "iso_severe_double_lane_change"
+    shorter = dataclasses.replace(catalogue.SERIES[name], slowest=40)
+    monkeypatch.setitem(catalogue.SERIES, name, shorter)
     narrow = ("--preview-time", "0.3", "--vehicle-width", "1.9", *STABLE)
-    result = command("series", "iso_severe_double_lane_change", *narrow)
+    result = command("series", name, *narrow)
     assert (result.status, result.err) == (0, "")
-    plain = command("series", "iso_severe_double_lane_change", *STABLE)
+    plain = command("series", name, *STABLE)
     assert result.value["verdict"] != plain.value["verdict"]
     first = result.out.splitlines()[1].split()
-    assert first[:2] == ["left", "20"]
+    assert first[:2] == ["left", "40"]
     assert first[2].isdigit()
 
 

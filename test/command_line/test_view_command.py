@@ -3,6 +3,7 @@
 import importlib.util
 import os
 import shutil
+import tempfile
 
 import pytest
 
@@ -186,8 +187,12 @@ def test_no_process_goes_on_of_a_browser_that_takes_too_long(
 ):
     """It is ended as after an interruption, which would end this process too at a wrong moment."""
     os.mkfifo(folder / "alive")
-    fake = folder / "browser"
-    fake.write_text(f"#!/bin/sh\nexec 3>{folder}/alive\nsleep 1000 &\necho began >&3\nwait\n")
+    fake, temporary = folder / "browser", folder / "temporary"
+    temporary.mkdir()
+    monkeypatch.setenv("TMPDIR", str(temporary))
+    monkeypatch.setattr(tempfile, "tempdir", None)  # so that it is looked for again
+    begins = f"exec 3>{folder}/alive\nmktemp\nsleep 1000 &\necho began >&3\nwait"
+    fake.write_text(f"#!/bin/sh\n{begins}\n")
     fake.chmod(0o700)
     monkeypatch.setattr(browser, "browser", lambda: str(fake))
     monkeypatch.setattr(browser, "LONGEST", 1.0)
@@ -199,6 +204,7 @@ def test_no_process_goes_on_of_a_browser_that_takes_too_long(
     with os.fdopen(alive) as told:  # up to the end of the last process that has it open
         assert told.read() in ("began\n", "")  # nothing yet on a busy machine
     assert not (folder / "run.png").exists()
+    assert not [*temporary.iterdir()]
 
 
 @pytest.mark.unmeasured

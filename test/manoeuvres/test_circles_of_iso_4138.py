@@ -34,7 +34,8 @@ def circle(name: str, **changes):
 def driven(manoeuvre, duration: float | None = None) -> History:
     simulation = Simulation(preset())
     simulation.reset(manoeuvre.speed)
-    return run(simulation, manoeuvre.driver(), duration or manoeuvre.duration, sample=0.05)
+    whole = duration or manoeuvre.duration
+    return run(simulation, manoeuvre.driver(), whole, sample=0.05, command_period=0.05)
 
 
 @pytest.fixture(scope="module")

@@ -19,21 +19,22 @@ MAY_IMPORT = {
     "logs": {*SIMULATED},
     "batch": {*SIMULATED, "manoeuvres"},
     "analysis": {*SIMULATED},
+    "control": {*SIMULATED, "analysis"},
     "comparison": {*SIMULATED, "logs", "analysis"},
     "paper": {*SIMULATED, "manoeuvres", "analysis"},
     "viewer": {*SIMULATED, "manoeuvres", "analysis"},
     "messages": {*SIMULATED, "live"},
     "bags": {*SIMULATED, "live", "messages"},
-    "studies": {*SIMULATED, "manoeuvres", "batch", "analysis"},
-    "learning": {*SIMULATED, "live", "manoeuvres", "batch", "analysis", "studies"},
+    "studies": {*SIMULATED, "manoeuvres", "batch", "analysis", "control"},
+    "learning": {*SIMULATED, "live", "manoeuvres", "batch", "analysis", "control", "studies"},
     "offline": {
         *SIMULATED,
-        *("manoeuvres", "batch", "analysis", "studies", "bags", "logs", "comparison"),
+        *("manoeuvres", "batch", "analysis", "control", "studies", "bags", "logs", "comparison"),
     },
     "arguments": set(),
     "command_line": {
         *SIMULATED,
-        *("manoeuvres", "batch", "analysis", "studies", "paper", "bags", "offline"),
+        *("manoeuvres", "batch", "analysis", "control", "studies", "paper", "bags", "offline"),
         *("viewer", "logs", "comparison", "arguments"),
     },
     "ros": {
@@ -41,7 +42,7 @@ MAY_IMPORT = {
         *("live", "manoeuvres", "analysis", "viewer", "messages", "bags", "arguments"),
     },
     "controller": {"ros", "messages"},
-    "examples": {"controller", "ros", "analysis"},
+    "examples": {"controller", "ros", "control", "analysis"},
 }
 """What a part may import beside itself."""
 ROOMS_OF_ROS = ("simulator", "clients", "orchestration")

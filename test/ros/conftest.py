@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import tempfile
 
 import launch_files
 import pytest
@@ -87,6 +88,7 @@ def peer(make_peer):
 
 @pytest.fixture
 def launching(monkeypatch, tmp_path):
-    """The module of the launch files."""
+    """The module of the launch files, which leaves the end of a launch to remove what it writes."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     with launch_files.stand_in(monkeypatch, tmp_path / "install") as module:
         yield module

@@ -17,7 +17,7 @@ PROGRAMS = {
         "print(sys.argv, sys.path, __name__, sys.modules['__main__'].__name__)\n"
         "print(sorted(os.environ), os.environ['ROS_LOG_DIR'])\n"
         "print(os.getcwd(), os.getsid(0) == os.getpid())\n"
-        "print([(n, signal.getsignal(n)) for n in sorted(signal.valid_signals())])\n"
+        "print(*[(n, signal.getsignal(n)) for n in sorted(signal.valid_signals())], sep='\\n')\n"
         "print(signal.pthread_sigmask(signal.SIG_BLOCK, []), threading.active_count())\n"
         "print(repr(sys.stdin.read()), [(s.encoding, s.errors, s.line_buffering)\n"
         "      for s in (sys.stdout, sys.stderr)])\n"

@@ -9,6 +9,7 @@ import pytest
 from vehicle_roll_sim import Command, InputError, Options, Simulation, Vehicle, preset
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.model.records import COMMAND
+from vehicle_roll_sim.simulation.command import held_command
 from vehicle_roll_sim.simulation.road import Road
 
 NUMBERS = {
@@ -92,6 +93,25 @@ def test_a_wheel_that_gets_no_finite_number_is_named(field, wrong):
     with pytest.raises(InputError) as refusal:
         Command(**{field: (0.0, wrong, 0.0, 0.0)})
     assert refusal.value.field == field
+
+
+def test_floats_are_kept_as_they_are_even_where_their_sum_is_none():
+    """As is most often: a tuple of finite floats is not made anew, and is one if its sum is."""
+    usual, huge = (1.0, -2.0, 0.5, 0.0), (1e308,) * 4
+    assert Command(wheel_torque=usual).wheel_torque is usual
+    assert Command(wheel_torque=huge).wheel_torque == huge
+    for wrong in ((math.inf, -math.inf, 0.0, 0.0), (1e308, 1e308, math.nan, 0.0)):
+        with pytest.raises(InputError, match="a finite number"):
+            Command(wheel_torque=wrong)
+
+
+def test_a_held_command_has_the_torque_of_the_speed_hold_and_leaves_the_record():
+    given = {"wheel_torque": (1.0, 2.0, 3.0, 4.0), "wind": (5.0, 6.0)}
+    records = Command(0.1, 0.2, **given, speed_hold_gain=10.0, speed_hold_target=7.0).records()
+    before = records.copy()
+    held = held_command(records[0], np.float64(6.5))
+    assert held == Command(0.1, 0.2, (1.0, 2.0, 8.0, 9.0), wind=(5.0, 6.0))
+    assert records == before
 
 
 @pytest.mark.parametrize("sequence", [list, tuple, np.array])

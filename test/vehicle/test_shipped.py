@@ -28,6 +28,16 @@ def test_every_shipped_vehicle_is_plausible(name):
     assert combinations(vehicle) == []
 
 
+def test_each_is_read_once_and_what_is_done_to_one_does_nothing_to_the_next(monkeypatch):
+    changed = preset()
+    monkeypatch.setattr("vehicle_roll_sim.vehicle.vehicle_file.load_vehicle", None)
+    changed.tire.coefficients["PDY1"] *= 2.0
+    object.__setattr__(changed, "cg_height", 2.0)
+    assert changed != preset()
+    assert preset().tire.coefficients["PDY1"] == changed.tire.coefficients["PDY1"] / 2.0
+    assert preset().cg_height == 0.75
+
+
 def test_each_has_its_file_and_each_file_its_name():
     assert {*SHIPPED} == {path.stem for path in PRESETS.iterdir() if path.name.endswith(".yaml")}
 

@@ -3,13 +3,14 @@
 import json
 import os
 import shutil
+import tempfile
 
 import pytest
 from patience import PATIENCE
 from viewed_runs import viewed
 
 from vehicle_roll_sim.viewer.browser import browser as found_browser
-from vehicle_roll_sim.viewer.browser import options_of_browser
+from vehicle_roll_sim.viewer.browser import environment_of_browser, options_of_browser
 from vehicle_roll_sim.viewer.page import write_page
 
 SIZE = (1280, 900)
@@ -93,10 +94,12 @@ def driver():
     for each in (*options_of_browser(), f"--window-size={SIZE[0]},{SIZE[1]}"):
         options.add_argument(each)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
-    driver = webdriver.Chrome(options=options, service=service)
-    yield driver
-    driver.quit()
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        program, environment = shutil.which("chromedriver"), environment_of_browser(folder)
+        service = webdriver.ChromeService(executable_path=program, env=environment)
+        driver = webdriver.Chrome(options=options, service=service)
+        yield driver
+        driver.quit()
 
 
 @pytest.fixture(scope="module")

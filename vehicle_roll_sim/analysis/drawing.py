@@ -57,6 +57,17 @@ class DrawnFigure(Figure):
         FigureCanvasAgg(self)
         self.scale, self.dpi_of_file = scale, dpi
 
+    def draw(self, renderer) -> None:
+        """Draw the figure; while it has a layout to compute, only compute that when saving.
+
+        matplotlib draws a figure twice to save it: first, without output, for the layout alone.
+        """
+        layout = self.get_layout_engine()
+        if self.canvas.is_saving() and isinstance(layout, SteadyLayout):
+            layout.execute(self)
+        else:
+            super().draw(renderer)
+
 
 @contextlib.contextmanager
 def drawn_at(scale: float) -> Iterator[None]:

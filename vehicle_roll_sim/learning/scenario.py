@@ -89,7 +89,7 @@ class Scenario:
         for name, value in mapping_of("options", chosen, EXAMPLE).items():
             if name not in drawn:
                 raise unknown_name(str(name), drawn, "options")
-            declared = quantity(name, study.manoeuvre, name)
+            declared = quantity(name, study.driving, name)
             drawn[name] = declared.validate(value, f"options: {name}")
         with unwarned():
             return self._started(number, drawn)

@@ -5,6 +5,12 @@ import numpy as np
 from vehicle_roll_sim.model.records import FRONT, LR, REAR, STATE, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.radii import free_spin
 
+AT_REST = (
+    *("cg_height", "static_suspension_compression", "static_tire_compression"),
+    *("tire_radius", "tire_stiffness", "tire_progression"),
+)
+"""Fields of VEHICLE on which the equilibrium depends."""
+
 
 def axle_load_share(to_front: float, to_rear: float) -> np.ndarray:
     """Share of the sprung weight on each wheel, shape (4,); the sum is 1.
@@ -54,16 +60,16 @@ def equilibrium(vehicle: np.ndarray, tires: np.ndarray, speed: float) -> np.ndar
     vehicle: VEHICLE, shape (1,). tires: TIRE, of front and rear axle, shape (2,).
     """
     state = np.zeros(1, STATE)
-    car, start = vehicle[0], state[0]
-    start.z = car.cg_height
-    start.u = speed
-    start.suspension_compression = car.static_suspension_compression
-    start.tire_compression = car.static_tire_compression
-    radius = car.tire_radius - car.static_tire_compression
-    start.wheel_speed = np.full(WHEEL_COUNT, speed) / radius
-    load = static_tire_load(car.static_tire_compression, car.tire_stiffness, car.tire_progression)
+    car = {name: vehicle[name][0] for name in AT_REST}
+    compression = car["static_tire_compression"]
+    state["z"], state["u"] = car["cg_height"], speed
+    state["suspension_compression"] = car["static_suspension_compression"]
+    state["tire_compression"] = compression
+    speeds = np.full(WHEEL_COUNT, speed) / (car["tire_radius"] - compression)
+    load = static_tire_load(compression, car["tire_stiffness"], car["tire_progression"])
     for i in range(WHEEL_COUNT):
         tire = tires[FRONT if i < LR else REAR]
         if tire["rolls_on_own_radius"]:
-            start.wheel_speed[i] = free_spin(speed, load[i], tire)
+            speeds[i] = free_spin(speed, load[i], tire)
+    state["wheel_speed"] = speeds
     return state

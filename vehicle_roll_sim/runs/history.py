@@ -106,10 +106,10 @@ def roll_centres_of(simulation: Simulation) -> np.ndarray:
 class History:
     """Samples of a run; `history["roll"]` is one column, shape (rows,).
 
-    rows: values of COLUMNS, shape (rows, columns). commands: values of COMMANDS, shape (rows,
-    commands), or None if they are unknown. roll_centres: values of ROLL_CENTRES, shape (rows, 4),
-    or None if the model has none or they are unknown. wind: values of WIND, shape (rows, 2), or
-    None if the vehicle does not feel it or it is unknown.
+    rows: values of COLUMNS, shape (rows, columns); an array is kept, not copied. commands: values
+    of COMMANDS, shape (rows, commands), or None if they are unknown. roll_centres: values of
+    ROLL_CENTRES, shape (rows, 4), or None if the model has none or they are unknown. wind: values
+    of WIND, shape (rows, 2), or None if the vehicle does not feel it or it is unknown.
     """
 
     def __init__(
@@ -119,7 +119,7 @@ class History:
         roll_centres: np.ndarray | None = None,
         wind: np.ndarray | None = None,
     ):
-        self.rows, self.commands, self.roll_centres = np.array(rows), commands, roll_centres
+        self.rows, self.commands, self.roll_centres = np.asarray(rows), commands, roll_centres
         self.wind = wind
 
     @classmethod

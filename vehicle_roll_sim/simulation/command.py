@@ -45,8 +45,10 @@ class Command:
     wind: tuple[float, float] = STILL_AIR
 
     def __post_init__(self):
-        for name, kept in KEPT.items():
-            object.__setattr__(self, name, kept(name, getattr(self, name)))
+        for name, checked in KEPT.items():
+            value = getattr(self, name)
+            if (kept := checked(name, value)) is not value:
+                object.__setattr__(self, name, kept)
         if min(self.brake_torque) < 0.0:
             raise InputError("brake_torque", self.brake_torque, "numbers of at least 0")
         for name in ("steering", "rear_steering"):
@@ -86,6 +88,8 @@ def _horizontal(field: str, value) -> tuple[float, ...]:
 
 
 def _numbers(field: str, value, count: int, allowed: str) -> tuple[float, ...]:
+    if _are_floats(value, count):
+        return value
     is_text = isinstance(value, str | bytes)
     is_sequence = (isinstance(value, Sequence) and not is_text) or getattr(value, "ndim", None) == 1
     if not is_sequence or len(value) != count:
@@ -93,11 +97,22 @@ def _numbers(field: str, value, count: int, allowed: str) -> tuple[float, ...]:
     return tuple([_number(field, each) for each in value])
 
 
+def _are_floats(value, count: int) -> bool:
+    """Whether this is what `_numbers` returns, as in most of the commands of a run.
+
+    A sum is finite only if all of its terms are; one that overflows says nothing.
+    """
+    is_tuple = type(value) is tuple and len(value) == count
+    return is_tuple and {*map(type, value)} == {float} and math.isfinite(sum(value))
+
+
 _CHECKS = {NO_FORCE: _of_wheels, STILL_AIR: _horizontal}
 KEPT = {field.name: _CHECKS.get(field.default, _number) for field in dataclasses.fields(Command)}
 """The function that checks each value of a command and converts it."""
 
 
+IDLE = Command()
+"""No command."""
 Programme = Callable[[np.ndarray], np.ndarray]
 """Commands as a function of time: takes an array of n times (s), returns n COMMAND records.
 
@@ -174,12 +189,8 @@ def command_at(driver: Programme | Feedback, time: float, state) -> Command:
 
 def held_command(record: np.record, speed: float) -> Command:
     """The command in a COMMAND record, its speed hold replaced by the torque at a speed (m/s)."""
-    torque = record["wheel_torque"].copy()
-    torque[LR:] += record["speed_hold_gain"] * (record["speed_hold_target"] - speed)
-    return Command(
-        float(record["steering"]),
-        float(record["rear_steering"]),
-        tuple(torque.tolist()),
-        *(tuple(record[name].tolist()) for name in ("brake_torque", "normal_force")),
-        wind=tuple(record["wind"].tolist()),
-    )
+    steering, rear_steering, torque, brakes, forces, gain, target, wind = record.tolist()
+    torque = torque.copy()
+    torque[LR:] += gain * (target - float(speed))
+    wheels = (tuple(each.tolist()) for each in (torque, brakes, forces))
+    return Command(steering, rear_steering, *wheels, wind=tuple(wind.tolist()))

@@ -1,5 +1,6 @@
 """The simulated vehicle: reset it, step it, read its state. Everything else builds on this."""
 
+import functools
 import math
 
 import numpy as np
@@ -34,7 +35,13 @@ from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
 from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.simulation.actuators import Actuation
 from vehicle_roll_sim.simulation.advance_address import address_of_advance
-from vehicle_roll_sim.simulation.command import Command, Programme, held_command, records_of
+from vehicle_roll_sim.simulation.command import (
+    IDLE,
+    Command,
+    Programme,
+    held_command,
+    records_of,
+)
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.road import Road
@@ -134,11 +141,9 @@ class Simulation(Restorable):
         ]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
         self._records = (*plant, self._limits)
-        self._plant = plant.arguments(self._limits, Command().records())
+        self._plant = plant.arguments(self._limits, IDLE.records())
         self.actuation = Actuation(vehicle, self.step_ns)
         self.has_actuators = self.actuation.is_present
-        described = (*self._records, self.actuation.actuators)
-        self._identity = identity(type(self).__name__, described, self.step_ns)
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
@@ -151,7 +156,12 @@ class Simulation(Restorable):
         self._modes = Modes(plant, self._places)
         self._checks_step, self._checked_speed = check_step, None
         self._start(self._equilibrium(DEFAULT_SPEED))
-        self._built = {"_built", *vars(self)} - before
+        self._built = {"_built", "_identity", *vars(self)} - before
+
+    @functools.cached_property
+    def _identity(self) -> str:
+        described = (*self._records, self.actuation.actuators)
+        return identity(type(self).__name__, described, self.step_ns)
 
     @property
     def time(self) -> float:
@@ -253,7 +263,7 @@ class Simulation(Restorable):
         self.actuation.rest()
         self.time_ns = 0
         self.condition, self.implausible = Condition.RUNNING, None
-        self._advance(Command().records(), 0)
+        self._advance(IDLE.records(), 0)
 
     def step(self, command: Command | Programme, duration: float) -> Condition:
         """Advance by `duration` (s, a multiple of the step), or until the run must stop.
@@ -295,7 +305,7 @@ class Simulation(Restorable):
 
         command: the command held; by default none. nan if the linearization is not finite.
         """
-        return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
+        return self._modes.largest_step(self.state_vector, command or IDLE, LONGEST_STEP)
 
     def acting(self, command: Command) -> Command:
         """What acts at the present time, `command` being the last one that was given.

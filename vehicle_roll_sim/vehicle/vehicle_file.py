@@ -1,7 +1,9 @@
 """Vehicle files (YAML with the parameters of `Vehicle`) and the presets of the package."""
 
+import copy
 import dataclasses
 import errno
+import functools
 import os
 from dataclasses import MISSING
 from importlib.resources import as_file, files
@@ -185,5 +187,11 @@ def shipped_tire() -> Tire:
 
 def preset(name: str = "reference") -> Vehicle:
     """A vehicle that comes with the package; `reference` is that of Shim and Ghike (2007)."""
+    return copy.deepcopy(_shipped(name))
+
+
+@functools.cache
+def _shipped(name: str) -> Vehicle:
+    """The vehicle in a file of the package, which is read once."""
     with as_file(PRESETS) as folder:
         return load_vehicle(folder / f"{name}.yaml")

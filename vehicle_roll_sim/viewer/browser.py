@@ -1,11 +1,13 @@
 """Pictures of a page, taken with an installed Chromium or Chrome."""
 
+import contextlib
 import os
 import shutil
 import signal
 import subprocess
 import tempfile
 from pathlib import Path
+from time import monotonic, sleep
 from urllib.parse import urlencode
 
 from vehicle_roll_sim.files.output_file import replaced_file
@@ -18,6 +20,8 @@ SIZE = (1280, 900)
 """Pixels of a picture."""
 LONGEST = 120.0
 """s: time that the browser may take."""
+LONGEST_END, LOOK = 2.0, 0.01
+"""s: time that the processes of a killed browser may take to end, and interval between looks."""
 SETTLED = 2000
 """ms of the page's own time before the picture is taken."""
 OPTIONS = (
@@ -25,6 +29,7 @@ OPTIONS = (
     *("--enable-unsafe-swiftshader", "--hide-scrollbars", "--force-device-scale-factor=1"),
     *("--no-first-run", "--disable-extensions", "--disable-background-networking"),
     "--disable-dev-shm-usage",  # which is small in containers
+    "--disable-gpu-watchdog",  # which ends a browser that waits long for a busy processor
 )
 """The picture does not depend on a graphics card, and nothing is fetched."""
 
@@ -39,6 +44,14 @@ def need_browser(field: str) -> None:
     if browser() is None:
         allowed = "install Chromium or Chrome (Debian: apt install chromium)"
         raise InputError(field, "", allowed, f"none of {', '.join(BROWSERS)} is installed")
+
+
+def environment_of_browser(folder: str) -> dict[str, str]:
+    """The environment of a browser whose temporary files are in a folder.
+
+    A browser that is killed leaves some behind.
+    """
+    return os.environ | {"TMPDIR": folder}
 
 
 def options_of_browser() -> list[str]:
@@ -62,7 +75,7 @@ def write_picture(page: Path, path: Path, time: float, camera: str, theme: str) 
             f"{page.resolve().as_uri()}#{shown}",
         ]
         try:
-            _run(words)
+            _run(words, environment_of_browser(profile))
         except (OSError, subprocess.SubprocessError) as error:
             reason = f"{words[0]} failed ({type(error).__name__})"
             raise NotWrittenError("--png", "", "a browser that works", reason) from None
@@ -70,17 +83,28 @@ def write_picture(page: Path, path: Path, time: float, camera: str, theme: str) 
             raise NotWrittenError("--png", "", "a browser that works", f"{words[0]} wrote nothing")
 
 
-def _run(words: list[str]) -> None:
+def _run(words: list[str], environment: dict[str, str]) -> None:
     """Run a browser; if it takes too long or is interrupted, none of its processes goes on.
 
     Raises OSError and SubprocessError.
     """
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    with subprocess.Popen(words, process_group=0, **quiet) as process:
+    with subprocess.Popen(words, process_group=0, env=environment, **quiet) as process:
         try:
             status = process.wait(LONGEST)
         except BaseException:
             os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+            _wait_for_end_of_group(process.pid)
             raise
     if status:
         raise subprocess.CalledProcessError(status, words)
+
+
+def _wait_for_end_of_group(group: int) -> None:
+    """Wait until a group that was killed has no process that could still write to the profile."""
+    until = monotonic() + LONGEST_END
+    with contextlib.suppress(ProcessLookupError):
+        while monotonic() < until:
+            os.killpg(group, 0)
+            sleep(LOOK)

@@ -16,7 +16,13 @@ import numpy as np
 
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.input_errors import InputError, NotWrittenError
-from vehicle_roll_sim.viewer.browser import SIZE, browser, need_browser, options_of_browser
+from vehicle_roll_sim.viewer.browser import (
+    SIZE,
+    browser,
+    environment_of_browser,
+    need_browser,
+    options_of_browser,
+)
 
 MP4, GIF = ".mp4", ".gif"
 MOST_FRAMES = 3000
@@ -96,17 +102,20 @@ def _pictures(page: Path, times: Iterable[float], camera: str, theme: str) -> It
     size = {"width": SIZE[0], "height": SIZE[1], "deviceScaleFactor": 1, "mobile": False}
     shown = urlencode({"camera": camera, "theme": theme})
     try:
-        service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
-        driver = webdriver.Chrome(options=options, service=service)
-        try:
-            driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
-            driver.get(f"{page.resolve().as_uri()}#{shown}")
-            for time in times:
-                driver.execute_async_script(DRAWN, float(time))
-                taken = driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})
-                yield base64.b64decode(taken["data"])
-        finally:
-            driver.quit()
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+            service = webdriver.ChromeService(
+                executable_path=shutil.which("chromedriver"), env=environment_of_browser(folder)
+            )
+            driver = webdriver.Chrome(options=options, service=service)
+            try:
+                driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+                driver.get(f"{page.resolve().as_uri()}#{shown}")
+                for time in times:
+                    driver.execute_async_script(DRAWN, float(time))
+                    taken = driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})
+                    yield base64.b64decode(taken["data"])
+            finally:
+                driver.quit()
     except (OSError, WebDriverException) as error:
         reason = f"{browser()} failed ({type(error).__name__})"
         raise NotWrittenError(f"film of {page}", "", "a browser that works", reason) from None

@@ -85,13 +85,8 @@ def beyond(declared) -> list:
     return [math.nan, math.inf, -math.inf, "1", None, True, *beside]
 
 
-WRONG_VALUES = [
-    (name, value) for name, declared in PARAMETERS.items() for value in beyond(declared)
-]
-
-
-@pytest.mark.parametrize(("name", "value"), WRONG_VALUES)
-def test_every_parameter_refuses_what_is_out_of_its_range_and_says_what_is_allowed(name, value):
+def assert_refused(name: str, value) -> None:
+    """In one line that says what is allowed."""
     declared = PARAMETERS[name]
     with pytest.raises(InputError) as refusal:
         declared.validate(value, name)
@@ -103,6 +98,12 @@ def test_every_parameter_refuses_what_is_out_of_its_range_and_says_what_is_allow
         assert f"{declared.minimum:g}" in text
         assert f"{declared.maximum:g}" in text
         assert declared.unit in text
+
+
+def test_every_parameter_refuses_what_is_out_of_its_range_and_says_what_is_allowed():
+    for name, declared in PARAMETERS.items():
+        for value in beyond(declared):
+            assert_refused(name, value)
 
 
 def test_a_misspelt_parameter_in_a_file_is_refused_with_the_nearest_name(context, tmp_path):
