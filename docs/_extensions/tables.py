@@ -265,6 +265,7 @@ def _of_one_wheel() -> list:
 SET = (*topics.STATE_SET, *topics.OF_SOME_SETS)
 TABLES: dict[str, Callable[[], str]] = {
     "commands": command_table,
+    "ways in": lambda: topic_table(topics.WAYS_IN),
     "set": lambda: topic_table(SET),
     "stamped": lambda: topic_table(topics.STAMPED),
     "others": lambda: topic_table(t for t in topics.PUBLISHED if t not in SET),

@@ -26,6 +26,7 @@ from vehicle_roll_sim.messages.topics import (
     STAMPED,
     STATE_SET,
     TRANSFORMS,
+    WAYS_IN,
     WRENCH,
     Topic,
     set_of,
@@ -316,7 +317,9 @@ def test_the_description_has_the_joints_that_joint_states_moves(model, kind, lim
     assert all((joint.find("limit") is not None) == limited for joint in struts)
 
 
-@pytest.mark.parametrize("topic", [*COMMANDS, *PUBLISHED, *STAMPED], ids=lambda topic: topic.name)
+@pytest.mark.parametrize(
+    "topic", [*COMMANDS, *WAYS_IN, *PUBLISHED, *STAMPED], ids=lambda topic: topic.name
+)
 def test_every_topic_says_in_one_phrase_what_it_means(topic):
     assert topic.meaning
     assert not topic.meaning.endswith(".")

@@ -67,6 +67,30 @@ COMMANDS = tuple(
     for name, channel in channels().items()
 )
 """What the simulator subscribes to; the depth is that of publishers in this package."""
+WAYS_IN = (
+    Topic(
+        "ackermann_cmd",
+        "ackermann_msgs/msg/AckermannDriveStamped",
+        depth=1,
+        meaning="angle of the front wheels and speed, as `steering_cmd` and `speed_cmd`; where "
+        "ackermann_msgs is installed",
+    ),
+    Topic(
+        "cmd_vel",
+        "geometry_msgs/msg/TwistStamped",
+        depth=1,
+        meaning="forward speed and yaw rate, as `speed_cmd` and the `steering_cmd` of a kinematic "
+        "bicycle",
+    ),
+    Topic(
+        "joint_commands",
+        JOINTS,
+        depth=1,
+        meaning="positions of steering joints, efforts of wheel joints and of suspension joints, "
+        "as commands for these",
+    ),
+)
+"""Other ways in: topics of standard types, each for several of the commands."""
 TOTAL_TORQUES = tuple(topic for topic in COMMANDS if channels()[topic.name].field in (DRIVE, BRAKE))
 """Commands that the vehicle distributes to the wheels."""
 OF_WIND = tuple(topic for topic in COMMANDS if channels()[topic.name].field == WIND)

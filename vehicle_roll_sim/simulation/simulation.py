@@ -230,6 +230,35 @@ class Simulation(Restorable):
             self._modes.check_start(start.view(np.float64), self.step_ns / NANOSECONDS)
         self._checked_speed = speed
 
+    def place(self, x: float, y: float, yaw: float, command: Command | None = None) -> None:
+        """Move the c.g. to x, y (m) and turn the heading to `yaw` (rad); all else stays as it is.
+
+        Velocities turn with the vehicle. command: the one applied last, for the outputs. Raises
+        InputError for a number that is not finite, or one that no vehicle reaches.
+        """
+        for name, value in {"x": x, "y": y, "yaw": yaw}.items():
+            most = float(plausible_magnitudes()[0][name])
+            _within(name, value, -most, most, "m" if name != "yaw" else "rad")
+        state = self.state
+        state["x"], state["y"], state["yaw"] = 0.0, 0.0, yaw
+        ahead, left, *_ = self.cg_motion  # of the c.g. from the point that the states describe
+        state["x"], state["y"] = x - ahead, y - left
+        self._stages[KEPT] = self.state_vector
+        before = self.condition
+        self._advance(self.acting(command or Command()).records(), 0)
+        if before is not Condition.RUNNING:
+            self.condition = before
+
+    def roll_freely(self, speed: float) -> None:
+        """Bring the vehicle to static equilibrium at `speed` (m/s) where it is, as it heads.
+
+        Time goes on; all else is as after a reset. Raises InputError like `reset`.
+        """
+        (x, y, *_), yaw, time_ns = self.cg_motion, float(self.state["yaw"]), self.time_ns
+        self.reset(speed)
+        self.time_ns = time_ns
+        self.place(x, y, yaw)
+
     def _start(self, state: np.ndarray) -> None:
         self._state[:], self._events[:] = state, no_events()
         self._stages[KEPT] = self.state_vector

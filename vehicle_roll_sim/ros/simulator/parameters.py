@@ -153,8 +153,7 @@ def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None
 
     lock: held while values change, so that they change between two periods only.
     """
-    settings = declared.settings
-    tunable = {name: part for part in (settings, declared.limits) for name in parameters_of(part)}
+    settings, tunable = declared.settings, _tunable(declared)
 
     def check(changes) -> SetParametersResult:
         values = {change.name: change.value for change in changes if change.name in tunable}
@@ -171,6 +170,24 @@ def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None
 
     node.add_pre_set_parameters_callback(_numbers_for_integers)
     node.add_on_set_parameters_callback(check)
+
+
+def _tunable(declared: Declared) -> dict[str, Settings | CommandLimits]:
+    """The object that has each parameter that may change."""
+    parts = (declared.settings, declared.limits)
+    return {name: part for part in parts for name, p in parameters_of(part).items() if p.tunable}
+
+
+def show_changes(node: Node, declared: Declared) -> None:
+    """Set the ROS parameters to values that have changed with a snapshot. Call without the lock."""
+    now = {name: getattr(part, name) for name, part in _tunable(declared).items()}
+    changed = [
+        RosParameter(name, value=value)
+        for name, value in now.items()
+        if node.get_parameter(name).value != value
+    ]
+    if changed:
+        node.set_parameters_atomically(changed)
 
 
 def _numbers_for_integers(changes: list) -> list:

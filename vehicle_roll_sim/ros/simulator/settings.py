@@ -4,7 +4,7 @@ import dataclasses
 import math
 from collections.abc import Collection
 
-from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
 from vehicle_roll_sim.live.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
 from vehicle_roll_sim.live.pacing import (
     AS_FAST_AS_POSSIBLE,
@@ -18,9 +18,11 @@ from vehicle_roll_sim.messages.topics import (
     ROLL_CENTRE,
     STAMPED,
     STATE_SET,
+    WAYS_IN,
     set_of,
 )
 from vehicle_roll_sim.ros.simulator.lockstep import STOP
+from vehicle_roll_sim.ros.topics import is_installed
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
@@ -35,6 +37,7 @@ from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DE
 
 REAL_TIME, LOCKSTEP = "real_time", "lockstep"
 COMMANDED = tuple(topic.name for topic in COMMANDS)
+AWAITED = (*COMMANDED, *(topic.name for topic in WAYS_IN))
 NAMES_OF_STAMPED = tuple(topic.name for topic in STAMPED)
 OF_CHANGING_SETS = tuple(topic.name for topic in OF_SOME_SETS)
 PUBLISHED_IN_SETS = tuple(topic.name for topic in STATE_SET)
@@ -121,7 +124,7 @@ class Settings:
     )
     lockstep_topics: tuple = parameter(
         "command topics on which lockstep waits for a message in every period",
-        choices=COMMANDED,
+        choices=AWAITED,
         default=("steering_cmd",),
     )
     lockstep_wait: tuple = parameter(
@@ -152,9 +155,27 @@ class Settings:
         "vehicle",
         default="",
     )
+    snapshot: str = parameter(
+        "token of the state to restore; empty: the last one saved",
+        tunable=True,
+        default="",
+    )
+    snapshot_folder: str = parameter(
+        "folder in which saved states are also kept as files; empty: none",
+        default="",
+    )
     strict: bool = parameter(
         "refuse an implausible vehicle instead of logging a warning", default=False
     )
+
+    def memory(self) -> dict:
+        """The values that may change while the node runs, without the token of a snapshot."""
+        return {name: getattr(self, name) for name in KEPT_WITH_SNAPSHOTS}
+
+    def remember(self, memory: dict) -> None:
+        """Take over what `memory` returned."""
+        for name in KEPT_WITH_SNAPSHOTS:
+            setattr(self, name, memory[name])
 
     def check(self, options: Options, devices: Collection[str]) -> None:
         """Raise InputError for a combination of values that is not allowed.
@@ -164,6 +185,11 @@ class Settings:
         if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
             allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
             raise InputError("real_time_factor", self.real_time_factor, allowed)
+        for topic in WAYS_IN:
+            if topic.name in self.lockstep_topics and not is_installed(topic):
+                package = topic.type.partition("/")[0]
+                problem = f"{topic.name} needs {package}, which is not installed"
+                raise InputError("lockstep_topics", "", "other topics", problem)
         published = {topic.name for topic in set_of(options, self.publish_stamped, devices)}
         if not published.issuperset(self.lockstep_wait):
             allowed = f"topics that end in _stamped only with publish_stamped, {ROLL_CENTRE.name} "
@@ -192,3 +218,8 @@ class Settings:
     def has_own_clock(self) -> bool:
         """Whether stamps are simulated time from 0, published on /clock."""
         return self.publish_clock or self.is_lockstep or self.real_time_factor != 1.0
+
+
+KEPT_WITH_SNAPSHOTS = tuple(
+    name for name, each in parameters_of(Settings).items() if each.tunable and name != "snapshot"
+)
