@@ -27,6 +27,7 @@ MAY_IMPORT = {
     "messages": {*SIMULATED, "live"},
     "bags": {*SIMULATED, "live", "messages"},
     "studies": {*SIMULATED, "manoeuvres", "batch", "analysis", "control"},
+    "scoring": {*SIMULATED, "live", "manoeuvres", "analysis", "viewer", "bags", "arguments"},
     "learning": {*SIMULATED, "live", "manoeuvres", "batch", "analysis", "control", "studies"},
     "offline": {
         *SIMULATED,
@@ -37,11 +38,12 @@ MAY_IMPORT = {
     "command_line": {
         *SIMULATED,
         *("manoeuvres", "batch", "analysis", "control", "studies", "paper", "bags", "offline"),
-        *("viewer", "logs", "comparison", "identification", "arguments"),
+        *("viewer", "logs", "comparison", "identification", "scoring", "arguments"),
     },
     "ros": {
         *SIMULATED,
-        *("live", "manoeuvres", "analysis", "viewer", "messages", "bags", "arguments"),
+        *("live", "manoeuvres", "analysis", "viewer", "messages", "bags", "scoring"),
+        "arguments",
     },
     "controller": {"ros", "messages"},
     "examples": {"controller", "ros", "control", "analysis"},

@@ -9,6 +9,7 @@ COMMANDS = {
     "replay": "Simulate the runs in a bag again from their applied commands, and compare.",
     "series": "Run a test series of a standard or a search over entry speeds: table and verdict.",
     "study": "Run a study: many runs over varied values, with tables, probabilities and figures.",
+    "score": "Score controllers in lockstep over a catalogue of tests (needs ROS 2): report.",
     "compare": "Compare a measured log with the model that is driven by it: errors and verdict.",
     "identify": "Identify values of a vehicle from measured logs: intervals and a vehicle file.",
     "plot": "Plot recorded runs in the standard figure.",

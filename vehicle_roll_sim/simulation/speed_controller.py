@@ -61,6 +61,14 @@ class SpeedController:
         """Reset the integral part."""
         self._kept, self._held = 0.0, False
 
+    def memory(self) -> dict:
+        """The integral part (m/s^2), and whether the brakes hold the vehicle."""
+        return {"kept": float(self._kept), "held": bool(self._held)}
+
+    def remember(self, memory: dict) -> None:
+        """Take over what `memory` returned."""
+        self._kept, self._held = memory["kept"], memory["held"]
+
     def drive(
         self, command: Command, target: float, speed: float, period: float, slope: float = 0.0
     ) -> Command:
