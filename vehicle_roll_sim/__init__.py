@@ -9,6 +9,7 @@ _HOMES = {
     **dict.fromkeys(("LF", "LR", "RF", "RR", "WHEELS"), "model.records"),
     "RollPlane": "model.roll_plane",
     "compare": "offline.comparing",
+    "identify": "offline.identifying",
     "linearize": "offline.linearizing",
     "parameter": "declaration",
     "replay": "offline.replaying",

@@ -15,7 +15,7 @@ CONTROLLERS = (
     *("rollover_warning", "stability_control", "yaw_control"),
 )
 EXECUTABLES = (
-    *("simulator", "manoeuvre", "recorder", "live_view", "demo", "compare"),
+    *("simulator", "manoeuvre", "recorder", "live_view", "demo", "compare", "score"),
     *("vehicle_roll_sim", "offline"),
     *CONTROLLERS,
 )

@@ -28,7 +28,7 @@ from vehicle_roll_sim.declaration import (
 )
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.messages.set_synchronizer import KEPT, SetSynchronizer
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, ROLL_CENTRE, STATE_SET, Topic
+from vehicle_roll_sim.messages.topics import COMMANDS, OF_SOME_SETS, PUBLISHED, STATE_SET, Topic
 from vehicle_roll_sim.ros.compatibility import UNNAMED
 from vehicle_roll_sim.ros.node_main import LOOK, lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import (
@@ -41,7 +41,7 @@ from vehicle_roll_sim.ros.topics import message_class
 ASK_AGAIN = 1.0
 """Time (s) after which a request is repeated: a node that has not found us yet drops its answer."""
 QUEUED = QoSProfile(depth=KEPT)
-HEARD = {topic.name: topic for topic in (*STATE_SET, ROLL_CENTRE, *COMMANDS)}
+HEARD = {topic.name: topic for topic in (*STATE_SET, *OF_SOME_SETS, *COMMANDS)}
 """What controllers can hear, besides topics among themselves."""
 SIZES = {name: channel.size for name, channel in channels().items()}
 """The number of values of each command."""
