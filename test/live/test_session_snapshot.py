@@ -20,12 +20,18 @@ from vehicle_roll_sim.simulation.speed_controller import SpeedController
 PERIOD_NS = 2_000_000
 TIMEOUT = 0.01
 """s: five periods, so that commands expire in every branch."""
-ACTUATED = preset().with_values(
+EQUIPPED = preset().with_values(
     {
         "steering_actuator_frequency": 6.0,
         "steering_actuator_dead_time": 0.007,
         "wheel_torque_actuator_time_constant": 0.02,
         "side_force_area": 4.0,
+        "wheel_speed_sensor_period": 0.004,
+        "wheel_speed_sensor_delay": 0.008,
+        "wheel_speed_sensor_noise_density": 0.01,
+        "wheel_speed_sensor_bias_walk": 0.1,
+        "wheel_speed_sensor_dropout": 0.2,
+        "sensor_seed": 11,
     }
 )
 BRANCHES, PERIODS = 1000, 6
@@ -54,7 +60,7 @@ class Noise:
 
 def made(seed: int = 0) -> Session:
     inbox = CommandInbox(TIMEOUT, "centre", CommandLimits(steering_rate_limit=2.0))
-    session = Session(Simulation(ACTUATED), inbox, PERIOD_NS, 20.0)
+    session = Session(Simulation(EQUIPPED), inbox, PERIOD_NS, 20.0)
     session.parts["noise"] = Noise(seed)
     return session
 
@@ -73,7 +79,8 @@ def drive(session: Session, rng: np.random.Generator, periods: int) -> list:
         noise = session.parts["noise"].generator.normal(size=4)
         session.inbox.receive("brake_torque_cmd", abs(noise).tolist(), now)
         session.run_period()
-        seen.append((everything(session.simulation), session.applied))
+        readings = session.simulation.sensors.devices["wheel_speed_sensor"].memory.tobytes()
+        seen.append((everything(session.simulation), session.applied, readings))
     return seen
 
 
@@ -129,7 +136,7 @@ def test_another_process_goes_on_from_a_file(kept, tmp_path):
 def test_the_simulation_in_a_snapshot_goes_on_alone(kept):
     session = made()
     session.restore(kept)
-    alone = Simulation.from_snapshot(kept.simulation, ACTUATED)
+    alone = Simulation.from_snapshot(kept.simulation, EQUIPPED)
     assert everything(alone) == everything(session.simulation)
 
 
@@ -143,16 +150,16 @@ def test_a_pause_and_the_counts_of_messages_stay_as_they_are(kept):
 
 
 def other_period() -> Session:
-    return Session(Simulation(ACTUATED), CommandInbox(), 2 * PERIOD_NS, 20.0)
+    return Session(Simulation(EQUIPPED), CommandInbox(), 2 * PERIOD_NS, 20.0)
 
 
 def other_limit() -> Session:
-    controller = SpeedController(ACTUATED, drive_limit=100.0)
-    return Session(Simulation(ACTUATED), CommandInbox(), PERIOD_NS, 20.0, controller)
+    controller = SpeedController(EQUIPPED, drive_limit=100.0)
+    return Session(Simulation(EQUIPPED), CommandInbox(), PERIOD_NS, 20.0, controller)
 
 
 def other_parts() -> Session:
-    return Session(Simulation(ACTUATED), CommandInbox(), PERIOD_NS, 20.0)
+    return Session(Simulation(EQUIPPED), CommandInbox(), PERIOD_NS, 20.0)
 
 
 def other_vehicle() -> Session:

@@ -13,6 +13,7 @@ from vehicle_roll_sim.manoeuvres.base import SIDES
 from vehicle_roll_sim.scoring.catalogue import TESTS
 from vehicle_roll_sim.scoring.plan import ladders
 from vehicle_roll_sim.scoring.spread import NOMINAL, SPREAD
+from vehicle_roll_sim.vehicle.sensor_parameters import devices_of
 
 PAGE = Path(__file__).parents[2] / "docs" / "scores.md"
 CARS = ("reference", "small_sedan", "large_sedan", "suv", "van", "delivery_truck", "city_bus")
@@ -61,6 +62,7 @@ def test_variants_change_what_they_say():
     assert heavy.sprung_mass == 1.15 * vehicle.sprung_mass
     assert slow.brake_torque_actuator_dead_time == 0.05
     less = SPREAD["grip_less"].of(vehicle).axle_tires["rear"].coefficients
+    assert set(devices_of(SPREAD["noisy_imu"].of(vehicle))) == {"imu"}
     assert less["LMUY"] == 0.85 * vehicle.axle_tires["rear"].coefficients["LMUY"]
     assert "sprung_mass × 1.15" in SPREAD["heavy"].changes
 

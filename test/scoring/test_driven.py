@@ -30,9 +30,9 @@ def test_a_run_alone_is_the_offline_run_whose_commands_are_held():
     assert not found.has_failed
 
 
-@pytest.mark.parametrize("variant", ["nominal", "grip_less", "slow_actuators"])
+@pytest.mark.parametrize("variant", ["nominal", "grip_less", "slow_actuators", "noisy_imu"])
 def test_a_run_with_a_controller_is_repeated_from_its_commands(variant):
-    """Also on other tires and through actuators; and from the bytes of its file."""
+    """Also on other tires, through actuators and with sensors; and from the bytes of its file."""
     setup, ladder = make_setup(), fishhook(variant)
     driven, simulation = drive(ladder, LEVEL, setup, brake(800.0))
     again = Driven.from_bytes(driven.to_bytes())

@@ -71,5 +71,19 @@ SPREAD = {
         values={f"{name}_actuator_dead_time": 0.05 for name in DELAYED},
         is_quick=True,
     ),
+    "noisy_imu": Variant(
+        "an imu with the noise and the errors of one in a series car",
+        values={
+            "accelerometer_noise_density": 2e-3,
+            "accelerometer_bias_y": 0.05,
+            "accelerometer_scale_error": 0.01,
+            "gyro_noise_density": 2e-4,
+            "gyro_bias_x": 2e-3,
+            "gyro_bias_z": 2e-3,
+            "imu_delay": 0.01,
+            "sensor_seed": 1,
+        },
+        is_quick=True,
+    ),
 }
 """By name, the vehicle itself first."""

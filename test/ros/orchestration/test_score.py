@@ -88,10 +88,9 @@ def call(tmp_path, domain, monkeypatch, capsys):
     """
     monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
     monkeypatch.setitem(catalogue.TESTS, "fishhook", SHORT)
-    heavy = dataclasses.replace(spread.SPREAD["heavy"], is_quick=False)
-    slow = dataclasses.replace(spread.SPREAD["slow_actuators"], is_quick=False)
-    monkeypatch.setitem(spread.SPREAD, "heavy", heavy)
-    monkeypatch.setitem(spread.SPREAD, "slow_actuators", slow)
+    for name in spread.SPREAD.keys() - {spread.NOMINAL}:
+        variant = dataclasses.replace(spread.SPREAD[name], is_quick=False)
+        monkeypatch.setitem(spread.SPREAD, name, variant)
     monkeypatch.setattr(report, "write_report", write_text)
     nodes = []
 
