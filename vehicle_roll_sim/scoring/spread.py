@@ -83,7 +83,6 @@ SPREAD = {
             "imu_delay": 0.01,
             "sensor_seed": 1,
         },
-        is_quick=True,
     ),
 }
 """By name, the vehicle itself first."""
