@@ -48,10 +48,13 @@ def static_strut_length(cg_height, tire_radius, tire_compression) -> np.ndarray:
     return cg_height - (tire_radius - tire_compression)
 
 
-def equilibrium(vehicle: np.ndarray, tires: np.ndarray, speed: float) -> np.ndarray:
+def equilibrium(
+    vehicle: np.ndarray, tires: np.ndarray, speed: float, *, is_kinematic: bool
+) -> np.ndarray:
     """The state of free rolling straight ahead at `speed` (m/s): an array of one STATE record.
 
-    vehicle: VEHICLE, shape (1,). tires: TIRE, of front and rear axle, shape (2,).
+    vehicle: VEHICLE, shape (1,). tires: TIRE, of front and rear axle, shape (2,). is_kinematic:
+    whether it is that of model 2, where leaning wheels have their loaded radius along their plane.
     """
     state = np.zeros(1, STATE)
     car, start = vehicle[0], state[0]
@@ -60,6 +63,8 @@ def equilibrium(vehicle: np.ndarray, tires: np.ndarray, speed: float) -> np.ndar
     start.suspension_compression = car.static_suspension_compression
     start.tire_compression = car.static_tire_compression
     radius = car.tire_radius - car.static_tire_compression
+    if is_kinematic:
+        radius = np.where(car.camber != 0.0, car.static_loaded_radius, radius)
     start.wheel_speed = np.full(WHEEL_COUNT, speed) / radius
     load = static_tire_load(car.static_tire_compression, car.tire_stiffness, car.tire_progression)
     for i in range(WHEEL_COUNT):
