@@ -22,7 +22,7 @@ export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 # Hundreds of processes need not compile the package and the tests each for itself.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations controllers tables viewer docs lint format build clean
+.PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations identification controllers score tables viewer docs lint format build clean
 
 setup: $(VENV)/.ready
 
@@ -92,9 +92,19 @@ soak: setup
 mutations: setup
 	$(BIN)/python -m benchmarks.mutations $(OPTIONS)
 
+# Identify 200 vehicles with hidden values from their logs, and update the tables in
+# docs/identification.md: about a quarter of an hour on two cores.
+identification: setup
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 \
+		$(BIN)/python -m benchmarks.identification docs/identification.md $(OPTIONS)
+
 # Measure the effect of each example controller in lockstep, and update the table in docs/controllers.md.
 controllers: setup
 	$(BIN)/python -m benchmarks.controllers docs/controllers.md
+
+# Score the example controllers, and update the tables in docs/scores.md. Interrupted, it goes on in .score.
+score: setup
+	$(BIN)/python -m benchmarks.scores docs/scores.md --out .score $(OPTIONS)
 
 # Write the tables that are generated from declarations into the pages of docs/.
 tables: setup
@@ -131,4 +141,4 @@ build: setup
 	. $(BIN)/activate && colcon build
 
 clean:
-	rm -rf .venv .venv-* build install log run docs/_build
+	rm -rf .venv .venv-* build install log run docs/_build .score

@@ -77,6 +77,7 @@ setup(
             f"live_view = {NAME}.ros.executables:live_view",
             f"demo = {NAME}.ros.executables:demo",
             f"compare = {NAME}.ros.executables:compare",
+            f"score = {NAME}.ros.executables:score",
             *(f"{name} = {NAME}.examples.executables:{name}" for name in EXAMPLES),
         ],
     },

@@ -6,6 +6,8 @@ RATES = "test/model/test_properties_of_rates.py::"
 WHEEL = "test/model/test_wheel.py::"
 INBOX = "test/live/test_command_inbox.py::"
 SESSION = "test/live/test_session.py::"
+SNAPSHOTS = "test/live/test_session_snapshot.py::"
+WAYS = "test/live/test_ways_in.py::"
 OF_MESSAGES = "test/messages/test_messages.py::"
 STAMPS = "test/ros/simulator/test_stamps.py::"
 
@@ -166,6 +168,20 @@ FAULTS = (
         SESSION + "test_a_reset_forgets_what_the_speed_controller_has_learnt",
     ),
     Fault(
+        "a snapshot lacks the command that the rate limit starts from",
+        "live/session.py",
+        '        self.applied = Command(**kept["applied"])\n',
+        "",
+        SNAPSHOTS + "test_a_thousand_random_branches_equal_their_straight_runs",
+    ),
+    Fault(
+        "two ways in at once: both command the same quantity",
+        "live/command_inbox.py",
+        "flaw = _flaw(values, channel) or self._conflict(channel, topic, now_ns)",
+        "flaw = _flaw(values, channel)",
+        WAYS + "test_of_two_ways_in_the_second_is_refused_by_name_until_the_first_has_expired",
+    ),
+    Fault(
         "deadlines drift: each period adds a period of delay",
         "live/pacing.py",
         "self._next = (origin_ns, count + 1 + given_up)",
@@ -202,9 +218,9 @@ FAULTS = (
     ),
     Fault(
         "missing lock: a reset during a period",
-        "ros/simulator/node.py",
-        "        with self.lock:\n            try:\n                self.session.reset(",
-        "        if self.lock:\n            try:\n                self.session.reset(",
+        "ros/simulator/control.py",
+        "        with simulator.lock:\n            try:\n                simulator.session.reset(",
+        "        if simulator.lock:\n            try:\n                simulator.session.reset(",
         "test/ros/simulator/test_lock.py",
     ),
     Fault(

@@ -23,7 +23,7 @@ LONGEST = (
     *("test_multibody", "test_environment", "test_lockstep", "test_drives", "test_wheel"),
     *("test_entry_speed_search", "test_circles_of_iso_4138", "test_properties_of_runs"),
     *("test_energy", "test_double_lane_change", "test_run_results", "test_mutated_tire_files"),
-    *("test_mirror", "test_plain_python"),
+    *("test_mirror", "test_plain_python", "test_score"),
     *("test_standard_figure", "test_waiting_in_lockstep", "test_real_time", "test_in_browser"),
 )
 """Files of 10 to 60 s of processor time, or of waiting."""

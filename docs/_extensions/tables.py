@@ -32,6 +32,8 @@ from vehicle_roll_sim.runs.history import ROLL_CENTRES, WIND
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.signals import as_markdown
+from vehicle_roll_sim.vehicle.sensor_parameters import QUANTITIES as MEASURED
+from vehicle_roll_sim.vehicle.sensor_parameters import Quantity, labels_of, parameters_of_quantity
 
 DOCS = Path(__file__).parents[1]
 NAME = re.compile(r"(?<![\w`/])(/\w+|\w+_\w+)")
@@ -103,6 +105,7 @@ def label_table() -> str:
     }
     labels["`tire_normal_forces`, `lift_off`"] = WHEELS
     labels["`roll_centre`"] = ROLL_CENTRES
+    labels["`measurements`, of the devices that there are"] = ("time", *labels_of(MEASURED))
     return table(
         ("topic", "values", "names"),
         *((name, str(len(each)), ", ".join(abridged(each))) for name, each in labels.items()),
@@ -223,6 +226,27 @@ def observation_table() -> str:
     return table(("observation", "numbers", "unit", "bound", "meaning"), *rows)
 
 
+def sensor_table() -> str:
+    """What sensors measure, and the parameters of its errors."""
+    rows = (
+        (
+            f"`{name}`",
+            each.device,
+            each.what,
+            each.unit,
+            ", ".join(f"`{value}`" for value in each.values),
+            f"`{each.prefix}_` and " + ", ".join(f"`{ending}`" for ending in _endings(each)),
+        )
+        for name, each in MEASURED.items()
+    )
+    return table(("quantity", "device", "what it is", "unit", "values", "parameters"), *rows)
+
+
+def _endings(quantity: Quantity) -> list[str]:
+    names = parameters_of_quantity(quantity)
+    return [name.removeprefix(f"{quantity.prefix}_") for name in names]
+
+
 def quantity_table() -> str:
     """What a log may have; those of the four wheels in one row."""
     rows = (
@@ -238,9 +262,10 @@ def _of_one_wheel() -> list:
     return [each for name, each in QUANTITIES.items() if not name.endswith(others)]
 
 
-SET = (*topics.STATE_SET, topics.ROLL_CENTRE)
+SET = (*topics.STATE_SET, *topics.OF_SOME_SETS)
 TABLES: dict[str, Callable[[], str]] = {
     "commands": command_table,
+    "ways in": lambda: topic_table(topics.WAYS_IN),
     "set": lambda: topic_table(SET),
     "stamped": lambda: topic_table(topics.STAMPED),
     "others": lambda: topic_table(t for t in topics.PUBLISHED if t not in SET),
@@ -258,6 +283,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "actions": action_table,
     "observations": observation_table,
     "quantities": quantity_table,
+    "sensors": sensor_table,
     "plausibility": lambda: table(("quantity", "usual"), *usual_values()),
     "combinations": lambda: table(("quantity", "usual"), *usual_combinations()),
     "vehicle": lambda: parameter_table(preset()),

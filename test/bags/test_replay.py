@@ -1,11 +1,13 @@
 """Replay of a recording: bit for bit or with the largest difference; bad recordings are refused."""
 
 import contextlib
+import json
 import shutil
 
 import numpy as np
 import pytest
 from actuated import actuated
+from measured import measured
 from recorded import record
 
 from vehicle_roll_sim import InputError, Options, Simulation, preset
@@ -52,6 +54,41 @@ def test_a_run_with_actuators_is_reproduced_from_what_was_demanded(tmp_path, mor
     assert (history.wind is None) == (not more)
     acting = simulation.actuation.records()["wheel_torque"][0]
     assert history.commands[-1][1:5].tolist() == acting.tolist() != [0.0] * 4
+
+
+@pytest.fixture(scope="module")
+def measured_run(tmp_path_factory):
+    """The bag of a run with sensors, and its simulation at the end."""
+    bag = tmp_path_factory.mktemp("measured") / "bag"
+    return bag, record(bag, duration=0.8, vehicle=measured())
+
+
+def test_what_sensors_measured_is_reproduced_with_the_seed_in_the_bag(measured_run):
+    bag, simulation = measured_run
+    (run,) = recorded_runs(bag)
+    assert json.loads(run.description)["vehicle"]["sensor_seed"] == 17
+    assert (run.measurements[0.8] == simulation.sensors.readings()).all()
+    (result,) = replayed(bag)
+    assert (result.is_exact, result.end) == (True, 0.8)
+
+
+def test_the_history_of_a_bag_is_the_truth_whatever_the_sensors_say(measured_run, tmp_path):
+    plain = record(tmp_path / "bag", duration=0.8)
+    assert plain.state.tobytes() == measured_run[1].state.tobytes()
+    rows = [last_run(bag)[0].rows for bag in (measured_run[0], tmp_path / "bag")]
+    np.testing.assert_array_equal(*rows)
+
+
+def test_a_measurement_that_is_another_is_found(measured_run, changed):
+    def shift(topic, sent, data):
+        if topic == "/measurements" and sent == 500_000_000:
+            message = decode(data, ARRAY)
+            message.data = message.data + 1e-9 * (np.arange(len(message.data)) == 1)
+            data = bytes(TYPES.serialize_cdr(message, ARRAY))
+        return [(topic, sent, data)]
+
+    (result,) = replayed(changed(measured_run[0], shift))
+    assert (result.is_exact, result.name, result.time) == (False, "accelerometer_x", 0.5)
 
 
 def test_a_run_of_model_2_is_reproduced_with_its_roll_centres(tmp_path):

@@ -6,6 +6,7 @@ import pickle
 import numpy as np
 import pytest
 from actuated import actuated
+from measured import measured
 
 from vehicle_roll_sim import Command, Condition, InputError, Options, Simulation, preset
 from vehicle_roll_sim.batch.fleet import Fleet
@@ -32,6 +33,8 @@ def test_a_fleet_gives_the_bits_of_simulations_with_their_own_models_and_command
     for longest in (0.01, 0.1):
         delayed = actuated(**late | {"steering_actuator_dead_time": longest})
         simulations.append(Simulation(delayed, step=STEP))
+    clocks = {"wheel_speed_sensor_period": 0.005}
+    simulations += [Simulation(measured(**clocks, imu_delay=late), step=STEP) for late in (0, 0.03)]
     simulations.append(Simulation(preset("van"), step=STEP, rollover_angle=0.03))
     for each in simulations:
         each.reset(22.0)
@@ -48,6 +51,8 @@ def test_a_fleet_gives_the_bits_of_simulations_with_their_own_models_and_command
         assert fleet.outputs[i].tobytes() == each.outputs.tobytes()
         assert fleet.events[i].tobytes() == each.events.tobytes()
         assert (fleet.times[i], fleet.conditions[i]) == (each.time, each.condition)
+        if each.has_sensors:
+            assert (fleet.sensors[i].readings() == each.sensors.readings()).all()
     assert {*fleet.conditions.tolist()} == {Condition.RUNNING, Condition.ROLLED_OVER}
     fleet.close()
 

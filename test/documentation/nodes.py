@@ -19,18 +19,19 @@ from parsing import PACKAGE, arguments_of, executables
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED
+from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED, WAYS_IN
 from vehicle_roll_sim.ros import services
 from vehicle_roll_sim.ros.clients import controller as base
 from vehicle_roll_sim.ros.clients.recorder import Recorder
 from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
-from vehicle_roll_sim.ros.orchestration import compare
+from vehicle_roll_sim.ros.orchestration import compare, score
 from vehicle_roll_sim.ros.orchestration.domains import own_domain
 from vehicle_roll_sim.ros.simulator.node import Simulator
 from vehicle_roll_sim.ros.simulator.parameters import PARAMETERS
 from vehicle_roll_sim.ros.topics import message_class
 
-TOPICS = {topic.name.lstrip("/"): topic.type for topic in (*COMMANDS, *PUBLISHED, *STAMPED)}
+EVERY_TOPIC = (*COMMANDS, *WAYS_IN, *PUBLISHED, *STAMPED)
+TOPICS = {topic.name.lstrip("/"): topic.type for topic in EVERY_TOPIC}
 SERVICES = {f"/simulator/{each.name}": each for each in services.SERVICES}
 NODES = {"simulator": Simulator, "recorder": Recorder}
 """Executables whose parameters are known only from their node, and its class."""
@@ -45,6 +46,8 @@ def check_run(name: str, words: list[str]) -> None:
         for script in arguments.scripts:
             if script.endswith(".py"):
                 check_script(script)
+    elif name == "score":
+        score.controllers_of(arguments)
     elif name in NODES:
         _make(NODES[name], words)
     elif executables()[name].module.startswith(f"{PACKAGE}.examples"):
@@ -119,9 +122,16 @@ def _check_service(verb: str, words: list[str]) -> None:
 
 def _fill(message, text: str = "{}") -> None:
     """Set the fields of a message from a YAML text."""
-    for name, value in yaml.safe_load(text).items():
+    _fill_fields(message, yaml.safe_load(text))
+
+
+def _fill_fields(message, values: dict) -> None:
+    for name, value in values.items():
         assert hasattr(message, name), f"{type(message).__name__} has no field {name}"
-        setattr(message, name, value)
+        if isinstance(value, dict):
+            _fill_fields(getattr(message, name), value)
+        else:
+            setattr(message, name, value)
 
 
 def _controller_in(script: Path) -> type[Node]:

@@ -11,6 +11,7 @@ gymnasium = pytest.importorskip("gymnasium", reason="gymnasium is not installed"
 
 from gymnasium.error import ResetNeeded  # noqa: E402
 from gymnasium.utils.env_checker import check_env  # noqa: E402
+from measured import measured  # noqa: E402
 
 import vehicle_roll_sim.learning  # noqa: E402, F401
 from vehicle_roll_sim import Command, Simulation, preset, run  # noqa: E402
@@ -40,7 +41,13 @@ def played(env, action=0.0, seed: int = 0, **options):
     return found
 
 
-@pytest.mark.parametrize("given", [{}, AGENT_STEERS, {"observations": tuple(OBSERVATIONS)}])
+SENSING = {
+    "vehicle": measured(wheel_speed_sensor_period=0.005),
+    "observations": tuple(OBSERVATIONS),
+}
+
+
+@pytest.mark.parametrize("given", [{}, AGENT_STEERS, SENSING])
 def test_gymnasium_finds_nothing_to_say(given):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -182,3 +189,33 @@ def test_a_copy_in_the_middle_of_an_episode_goes_on_to_the_same_bits(copied):
         mine, its = env.step(action), other.step(action)
         assert (mine[0].tobytes(), *mine[1:]) == (its[0].tobytes(), *its[1:])
     assert env.reset()[1] == other.reset()[1]
+
+
+def test_observations_are_what_the_sensors_of_the_vehicle_measure():
+    """With the noise of a seed that is drawn for the episode, and that its info names."""
+    names = tuple(name for name in OBSERVATIONS if name.startswith("measured_"))
+    about = {"observations": names, "fixed": {"manoeuvre.duration": 0.5}}
+    env = environment(vehicle=SENSING["vehicle"], **about)
+    assert env.observation_names[:4] == tuple(
+        f"measured_{name}"
+        for name in ("accelerometer_x", "accelerometer_y", "accelerometer_z", "gyro_x")
+    )
+    found, again, other = (played(env, seed=seed) for seed in (5, 5, 6))
+    assert [step[0].tolist() for step in found] == [step[0].tolist() for step in again]
+    seeds = [each[0][1]["drawn"]["vehicle.sensor_seed"] for each in (found, again, other)]
+    assert seeds[0] == seeds[1] != seeds[2]
+    speed = found[0][1]["drawn"]["manoeuvre.speed"]
+    seeded = SENSING["vehicle"].with_values({"sensor_seed": seeds[0]})
+    single = run("j_turn", seeded, amplitude=0.0, speed=speed, duration=0.5, step=STEP)
+    assert env.observation_names == single.history.measured_names
+    measurements = np.array([step[0] for step in found])
+    expected = single.history.measured.astype(measurements.dtype)
+    np.testing.assert_array_equal(measurements, expected)
+    fixed = environment(
+        vehicle=SENSING["vehicle"],
+        observations=names,
+        fixed={"manoeuvre.duration": 0.5, "vehicle.sensor_seed": 3},
+    )
+    one, other = (played(fixed, seed=0) for _ in range(2))
+    assert "vehicle.sensor_seed" not in one[0][1]["drawn"]
+    assert [step[0].tolist() for step in one] == [step[0].tolist() for step in other]

@@ -20,7 +20,7 @@ REFUSED = {
     "actions: brake is given twice: each name once": {"actions": ["brake", "brake"]},
     "actions: 'steering' is not allowed: with manoeuvre=None only": {"actions": ["steering"]},
     "observations: 'rol' is unknown: did you mean roll?": {"observations": ["rol"]},
-    "observations: 'pitch' is not allowed: a quantity that the model has": {
+    "observations: 'pitch' is not allowed: a quantity that the model, or a sensor, has": {
         "observations": ["roll", "pitch"],
         "model": "8dof",
     },

@@ -9,6 +9,7 @@ import pytest
 from vehicle_roll_sim import InputError, Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import PAPER, STANDARD
 from vehicle_roll_sim.runs.run import run
+from vehicle_roll_sim.simulation.command import command_at
 
 AT_03G = 20.0
 """deg"""
@@ -202,3 +203,11 @@ def test_an_angle_of_ones_own_beyond_the_wheels_is_refused_with_the_steering_rat
         ready("slowly_increasing_steer", 4.0, handwheel_angle=271.0)
     for word in ("271", "240 deg", "60 deg at the road wheels", "steering_ratio 4"):
         assert word in str(refusal.value)
+
+
+@pytest.mark.parametrize("name", ["nhtsa_j_turn", "nhtsa_fishhook", "sine_with_dwell"])
+def test_a_handwheel_manoeuvre_without_its_vehicle_is_refused_when_it_is_driven(name):
+    """Also with a speed hold of its own: the steering gear is that of the vehicle."""
+    given = dataclasses.replace(STANDARD[name], speed_hold=2000.0, steering_at_03g=30.0)
+    with pytest.raises(InputError, match=r"gear: missing: a manoeuvre completed by for_vehicle"):
+        command_at(given.driver(), 2.0, {"u": 15.0, "roll_rate": 0.0})

@@ -26,6 +26,7 @@ from vehicle_roll_sim.messages.topics import (
     STAMPED,
     STATE_SET,
     TRANSFORMS,
+    WAYS_IN,
     WRENCH,
     Topic,
     set_of,
@@ -34,6 +35,8 @@ from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.ros.encoding import encode
 from vehicle_roll_sim.ros.topics import message_class
 
+OF_SENSORS = ("measurements_stamped",)
+"""See test_measured_messages.py."""
 OF_FOUR = ("wheel_torque", "brake_torque", "normal_force")
 ROUNDING = 1e-12
 """Of a few operations in double precision on numbers of order 1."""
@@ -198,7 +201,7 @@ def test_applied_command_names_every_element(messages):
     assert torques == list(range(1, 13))
 
 
-@pytest.mark.parametrize("topic", STAMPED)
+@pytest.mark.parametrize("topic", [each for each in STAMPED if each.name not in OF_SENSORS])
 def test_what_is_stamped_has_every_number_of_the_plain_one_by_name(session, topic):
     messages = Messages(session.simulation, "", encode)
     messages.applied = session.applied
@@ -314,7 +317,9 @@ def test_the_description_has_the_joints_that_joint_states_moves(model, kind, lim
     assert all((joint.find("limit") is not None) == limited for joint in struts)
 
 
-@pytest.mark.parametrize("topic", [*COMMANDS, *PUBLISHED, *STAMPED], ids=lambda topic: topic.name)
+@pytest.mark.parametrize(
+    "topic", [*COMMANDS, *WAYS_IN, *PUBLISHED, *STAMPED], ids=lambda topic: topic.name
+)
 def test_every_topic_says_in_one_phrase_what_it_means(topic):
     assert topic.meaning
     assert not topic.meaning.endswith(".")

@@ -1,7 +1,8 @@
 """A run in a separate process: python plain_run.py STEPS FILE [without-numba | 8dof | steady].
 
 Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran; with
-`variants` for the last word, those of a swerve on a slope, one after the other, of every variant.
+`variants` for the last word, those of a swerve on a slope, one after the other, of every variant,
+and what sensors read.
 """
 
 import sys
@@ -15,8 +16,10 @@ from swing_axles import on_swing_axles
 
 from vehicle_roll_sim import Options, Simulation, Vehicle, preset
 from vehicle_roll_sim.model.compiled import jit
+from vehicle_roll_sim.model.records import OUTPUTS, STATE
 from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.sensors import Sensors
 
 STEP = 0.004
 """s; long, for plain Python takes 2 to 13 ms for one."""
@@ -52,6 +55,15 @@ DETAILS = {
     "engine_drag": 1.0,
 }
 """Of vehicles with gyroscopic wheels."""
+SENSED = {
+    "imu_x": 1.0,
+    "imu_roll": 0.3,
+    "accelerometer_noise_density": 0.1,
+    "gyro_bias_walk": 0.1,
+    "imu_orientation_noise_density": 0.01,
+    "wheel_speed_sensor_resolution": 0.01,
+}
+PERIOD_NS = 10_000_000
 SLOPE = Road(grade=0.05, bank=-0.03)
 
 
@@ -76,7 +88,23 @@ def run_variants(steps: int) -> dict[str, np.ndarray]:
         )
         for options in VARIANTS
     ]
-    return {part: np.concatenate([getattr(r, part) for r in runs]) for part in ("state", "outputs")}
+    parts = {p: np.concatenate([getattr(r, p) for r in runs]) for p in ("state", "outputs")}
+    return parts | {"readings": readings(steps)}
+
+
+def readings(samples: int) -> np.ndarray:
+    """What sensors read of random states, one row a sample."""
+    generator, found = np.random.default_rng(1), []
+    sensors = Sensors(preset().with_values(SENSED), PERIOD_NS, None)
+    sensors.rest()
+    for number in range(samples):
+        state, outputs = (np.zeros(1, kind) for kind in (STATE, OUTPUTS))
+        for record in (state, outputs):
+            numbers = record.view(float)
+            numbers[:] = generator.uniform(-1.0, 1.0, numbers.shape)
+        sensors.sample(number * PERIOD_NS, state[0], outputs[0])
+        found.append(sensors.readings())
+    return np.array(found)
 
 
 if __name__ == "__main__":

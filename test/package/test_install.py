@@ -14,7 +14,7 @@ CONTROLLERS = (
     *("active_roll_bar", "rear_steering", "roll_braking", "rollover_warning", "yaw_control"),
 )
 EXECUTABLES = (
-    *("simulator", "manoeuvre", "recorder", "live_view", "demo", "compare"),
+    *("simulator", "manoeuvre", "recorder", "live_view", "demo", "compare", "score"),
     *("vehicle_roll_sim", "offline"),
     *CONTROLLERS,
 )

@@ -38,6 +38,7 @@ PRELOADED = (
     "vehicle_roll_sim.ros.clients.manoeuvre",
     "vehicle_roll_sim.ros.clients.recorder",
     "vehicle_roll_sim.ros.orchestration.compare",
+    "vehicle_roll_sim.ros.orchestration.score",
     "vehicle_roll_sim.ros.simulator.node",
 )
 """Neither `executables`, which a forked process runs as its program, nor `controller`, which
@@ -52,11 +53,11 @@ def preload() -> None:
     import rclpy
     from rclpy.type_support import check_for_type_support
 
-    from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED
+    from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED, WAYS_IN
     from vehicle_roll_sim.ros.topics import is_installed, message_class
     from vehicle_roll_sim.simulation.compilation import call_every_kernel
 
-    for topic in filter(is_installed, (*COMMANDS, *PUBLISHED, *STAMPED)):
+    for topic in filter(is_installed, (*COMMANDS, *WAYS_IN, *PUBLISHED, *STAMPED)):
         check_for_type_support(message_class(topic.type))
     rclpy.get_rmw_implementation_identifier()
     call_every_kernel()

@@ -103,11 +103,15 @@ class Server:
         command: list[str],
         *,
         env: dict[str, str],
+        stdin: int | None = None,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         start_new_session: bool = False,
     ) -> Forked:
-        """Fork a process that runs a command which `can_start`; options as those of Popen."""
+        """Fork a process that runs a command which `can_start`; options as those of Popen.
+
+        stdin: that of a forked process is always empty.
+        """
         if self._process is None:
             self._begin()
         program = None if command[1] == "-m" else command[1]
@@ -169,10 +173,10 @@ def open_process(
 
 
 def fork_nodes(monkeypatch, opened=open_process) -> None:
-    """Have `compare` and `demo`, called in this process, fork the nodes that they start.
+    """Have `compare`, `score` and `demo`, called in this process, fork the nodes that they start.
 
     opened: with the arguments of `open_process`.
     """
     forking = SimpleNamespace(**vars(subprocess) | {"Popen": opened})
-    for name in ("comparison", "demo"):
+    for name in ("comparison", "controller_processes", "demo"):
         monkeypatch.setattr(f"vehicle_roll_sim.ros.orchestration.{name}.subprocess", forking)

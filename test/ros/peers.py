@@ -15,7 +15,7 @@ from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED
+from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED, WAYS_IN
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class, recording_qos
 
 ASK_AGAIN = 5.0
@@ -26,7 +26,7 @@ memory that it wanted. It takes the next one."""
 EVERY_STATE = "qos_overrides./state.publisher.depth:=1000"
 """A simulator that catches up sends some ten sets at once, as many as its queues hold by default:
 a peer that is held up just then would miss one."""
-TOPICS = {topic.name: topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED)}
+TOPICS = {topic.name: topic for topic in (*COMMANDS, *WAYS_IN, *PUBLISHED, *STAMPED)}
 
 
 class Peer:
@@ -140,7 +140,9 @@ class Peer:
 
 
 def message_of(name: str, value):
-    """A command message with `value` as its data."""
+    """A command message with `value` as its data, unless it is a message itself."""
+    if hasattr(value, "get_fields_and_field_types"):
+        return value
     data = value if isinstance(value, float) else array("d", value)
     return message_class(TOPICS[name].type)(data=data)
 

@@ -8,8 +8,8 @@ import pytest
 from recordings import heard_so_far, read_bag
 
 from vehicle_roll_sim.command_line.main import main as offline
-from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED, STAMPED
-from vehicle_roll_sim.ros.topics import is_installed
+from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED, STAMPED, WAYS_IN
+from vehicle_roll_sim.ros.topics import is_installed, message_class
 
 pytestmark = pytest.mark.unmeasured
 
@@ -102,8 +102,9 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
         "drive_torque_cmd": 0.0,
         "brake_cmd": 0.0,
         "wind_cmd": [0.0, 0.0],
-    }
-    topics = [topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED) if is_installed(topic)]
+    } | {topic.name: message_class(topic.type)() for topic in WAYS_IN if is_installed(topic)}
+    topics = (*COMMANDS, *WAYS_IN, *PUBLISHED, *STAMPED)
+    topics = [topic for topic in topics if is_installed(topic)]
     names = {f"/{topic.name.removeprefix('/')}" for topic in topics}
 
     def is_complete():

@@ -1,12 +1,16 @@
 """The SROS2 policy allows exactly what the nodes use. It cannot be enforced here."""
 
+import functools
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
+from rclpy.action import get_action_server_names_and_types_by_node
 
 import vehicle_roll_sim
-from vehicle_roll_sim.messages.topics import TRANSFORMS
+from vehicle_roll_sim.messages.topics import TRANSFORMS, WAYS_IN
+from vehicle_roll_sim.ros.simulator import standard_services
+from vehicle_roll_sim.ros.simulator.standard_services import ACTION, SERVICES, name_of
 from vehicle_roll_sim.ros.topics import is_installed
 
 ROOT = Path(vehicle_roll_sim.__file__).parent.parent
@@ -17,8 +21,10 @@ ALLOWED = {
     ("topics", "subscribe"): "subscriber",
     ("services", "reply"): "service",
     ("services", "request"): "client",
+    ("actions", "execute"): "action",
 }
 """Kinds of rules, and what rclpy calls what they allow."""
+KINDS = tuple(ALLOWED.values())
 CHILDREN = {
     "policy": {"enclaves"},
     "enclaves": {"enclave"},
@@ -28,7 +34,9 @@ CHILDREN = {
     "topics": {"topic"},
     "services": {"service"},
     "topic": set(),
+    "actions": {"action"},
     "service": set(),
+    "action": set(),
 }
 """What the schema of SROS2 policies, version 0.2.0, lets lie within what."""
 ATTRIBUTES = {"enclave": {"path"}, "profile": {"ns", "node"}, "policy": {"version"}}
@@ -42,7 +50,7 @@ def policy() -> ElementTree.Element:
 def allowed(policy, node: str) -> dict[str, set[str]]:
     """Full names that a node in the root namespace may use, by what rclpy calls their kind."""
     (profile,) = policy.findall(f".//profile[@node='{node}']")
-    names = {kind: set() for kind in ALLOWED.values()}
+    names = {kind: set() for kind in KINDS}
     for rules in profile:
         (action,) = rules.attrib
         for rule in rules:
@@ -53,12 +61,11 @@ def allowed(policy, node: str) -> dict[str, set[str]]:
 
 def used(peer, node: str) -> dict[str, set[str]]:
     """The same as the graph has it."""
-    return {
-        kind: {
-            name for name, _ in getattr(peer.node, f"get_{kind}_names_and_types_by_node")(node, "/")
-        }
-        for kind in ALLOWED.values()
+    ask_for = {
+        **{kind: getattr(peer.node, f"get_{kind}_names_and_types_by_node") for kind in KINDS[:-1]},
+        KINDS[-1]: functools.partial(get_action_server_names_and_types_by_node, peer.node),
     }
+    return {kind: {name for name, _ in ask(node, "/")} for kind, ask in ask_for.items()}
 
 
 def test_the_policy_is_one_after_the_schema_and_denies_by_allowing_nothing_else(policy):
@@ -67,7 +74,7 @@ def test_the_policy_is_one_after_the_schema_and_denies_by_allowing_nothing_else(
         assert {child.tag for child in element} <= CHILDREN[element.tag], element.tag
         if element.tag in ATTRIBUTES:
             assert set(element.attrib) == ATTRIBUTES[element.tag]
-        elif element.tag in ("topics", "services"):
+        elif element.tag in ("topics", "services", "actions"):
             assert set(element.attrib.values()) == {"ALLOW"}
             assert len(element) > 0
         elif not len(element):
@@ -76,7 +83,9 @@ def test_the_policy_is_one_after_the_schema_and_denies_by_allowing_nothing_else(
 
 
 def test_what_live_nodes_use_is_what_the_policy_allows(start, peer, policy, tmp_path):
-    every_topic = ("publish_clock:=true", "publish_stamped:=true", "model:='2'")
+    sensors = ("imu_period", "odom_period", "steering_sensor_period")
+    of_sensors = (f"vehicle.{name}:=0.01" for name in sensors)
+    every_topic = ("publish_clock:=true", "publish_stamped:=true", "model:='2'", *of_sensors)
     start("simulator", "--ros-args", *(word for each in every_topic for word in ("-p", each)))
     start("recorder", "--output", str(tmp_path / "bag"))
     start("live_view", "--port", "0")
@@ -87,7 +96,11 @@ def test_what_live_nodes_use_is_what_the_policy_allows(start, peer, policy, tmp_
         # Its endpoints may be found before the node itself.
         peer.wait(lambda node=node: node in peer.node.get_node_names(), f"the node {node}")
         names = allowed(policy, node)
-        if not is_installed(TRANSFORMS):  # allowed for where it is
-            for kind in ("publisher", "subscriber"):
-                names[kind].discard(TRANSFORMS.name)
+        for topic in (TRANSFORMS, *WAYS_IN):
+            if not is_installed(topic):  # allowed for where it is
+                for kind in ("publisher", "subscriber"):
+                    names[kind].discard("/" + topic.name.lstrip("/"))
+        if not standard_services.is_installed():
+            names["action"].discard(f"/{node}/{name_of(ACTION)}")
+            names["service"] -= {f"/{node}/{name_of(kind)}" for kind in SERVICES}
         peer.wait(lambda node=node, names=names: used(peer, node) == names, f"the uses of {node}")

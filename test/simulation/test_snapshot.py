@@ -12,6 +12,7 @@ from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.paper.multibody import Multibody
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.snapshot import Snapshot
 
 TURN = Command(steering=0.12, wheel_torque=(0.0, 0.0, 60.0, 60.0))
 PERIOD_NS = 10_000_000
@@ -135,6 +136,24 @@ def test_a_snapshot_of_a_different_vehicle_is_refused(reference):
         Simulation(reference.with_values({"cg_height": 0.7})).restore(
             Simulation(reference).snapshot()
         )
+
+
+@pytest.mark.parametrize("plant", PLANTS.values(), ids=PLANTS)
+def test_a_simulation_made_from_a_snapshot_in_a_file_goes_on_alike(reference, plant, tmp_path):
+    original = Simulation(reference, **plant)
+    original.reset(speed=20.0)
+    turned(original, 0.07)
+    original.snapshot().write(tmp_path / "kept.snapshot")
+    kept = Snapshot.of_file(tmp_path / "kept.snapshot")
+    assert kept == original.snapshot()
+    other = Simulation.from_snapshot(kept, reference, **plant)
+    assert turned(other, 0.07) == turned(original, 0.07)
+
+
+def test_a_simulation_of_another_vehicle_is_not_made_from_a_snapshot(reference):
+    kept = Simulation(reference).snapshot()
+    with pytest.raises(InputError, match="taken from a different simulation"):
+        Simulation.from_snapshot(kept, reference.with_values({"cg_height": 0.7}))
 
 
 @pytest.mark.parametrize("wrong", [None, 0.5, b"", {}])

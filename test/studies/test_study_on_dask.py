@@ -20,8 +20,25 @@ dask = pytest.importorskip("dask", reason="distributed is not installed")
 pytest.importorskip("distributed", reason="distributed is not installed")
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+LAW = """\
+import dataclasses
+
+from vehicle_roll_sim import ControlLaw, parameter
+
+DIRECTION = -1.0
+
+
+@dataclasses.dataclass(kw_only=True)
+class Damper(ControlLaw):
+    commands = ("rear_steering",)
+    gain: float = parameter("angle per yaw rate", "s", 0.0, 1.0, default=0.1)
+
+    def answer(self, sensed):
+        return {"rear_steering": DIRECTION * self.gain * sensed.state["yaw_rate"]}
+"""
 TEXT = """\
 manoeuvre: step_steer
+controller: damper.py:Damper
 vehicle: car.yaml
 fixed: {manoeuvre.duration: 0.3}
 factors:
@@ -77,13 +94,14 @@ def dask_cluster(tmp_path_factory):
 
 @pytest.fixture
 def study(tmp_path, monkeypatch):
-    """A study whose vehicle and tire files no longer exist."""
+    """A study whose vehicle and tire files, and code of the user's own, no longer exist."""
     monkeypatch.setattr(folder, "draw", lambda results, path: [])
     place = tmp_path / "files"
     place.mkdir()
     for name in ("car.yaml", "tire.tir"):
         shutil.copy(EXAMPLES / name, place)
     (place / "study.yaml").write_text(TEXT)
+    (place / "damper.py").write_text(LAW)
     found = study_of(Source.of_file(place / "study.yaml"))
     shutil.rmtree(place)
     return found

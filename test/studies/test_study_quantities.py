@@ -62,5 +62,5 @@ def test_a_value_that_is_not_allowed_is_refused_when_the_case_is_made(study):
 
 def test_quantities_have_the_units_of_their_declarations(study):
     names = ("vehicle.cg_height", "manoeuvre.speed", "road.bank", "payload.2.mass", "tire.LMUY")
-    units = [unit_of(name, study().manoeuvre) for name in names]
+    units = [unit_of(name, study()) for name in names]
     assert units == ["m", "m/s", "m/m", "kg", ""]

@@ -10,7 +10,12 @@ from vehicle_files import REFERENCE_YAML, refused, write
 
 from vehicle_roll_sim import load_vehicle, preset
 from vehicle_roll_sim.model.work_space import KNOTS
-from vehicle_roll_sim.vehicle.travel_curves import TravelCurve, tabulated
+from vehicle_roll_sim.vehicle.travel_curves import (
+    TravelCurve,
+    _knots_and_ends,
+    _piece,
+    tabulated,
+)
 
 SMOOTH = tuple((q, math.sin(4 * q) + 0.3 * q) for q in np.linspace(-0.15, 0.2, 15).tolist())
 STEPPED = ((-0.1, -0.05), (-0.05, -0.05), (-0.01, -0.04), (0.0, 0.0), (0.01, 0.05), (0.1, 0.06))
@@ -72,6 +77,17 @@ def test_a_number_is_a_straight_line():
     curve = TravelCurve(-0.4)
     assert len(curve.knots) == 0
     np.testing.assert_allclose(curve.piece(0.2, 0.7), [-0.08, -0.4, 0, 0, 0, 0], atol=1e-17)
+
+
+@pytest.mark.parametrize("slope", [-0.4, 0.3, 1.0, 0.0, -0.0])
+def test_a_line_has_the_bits_of_the_polynomials_between_and_beside_its_points(slope):
+    """Of the points 0 and 1, as if they were a table."""
+    points = np.array([(0.0, 0.0), (1.0, slope)]).tobytes()
+    for is_change in (True, False):
+        curve, table = TravelCurve(slope, is_change), _knots_and_ends(points, is_change)
+        for origin, inside in itertools.product((0.0, -0.3, 0.7, 1.0, 1.7), (-1.0, 0.0, 0.4, 1.0)):
+            expected = _piece(*table, origin, inside)
+            assert curve.piece(origin, inside).tobytes() == expected.tobytes()
 
 
 def test_the_table_of_an_axle_holds_all_its_curves():

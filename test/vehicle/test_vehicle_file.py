@@ -11,6 +11,7 @@ from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.files.text_file import LARGEST_FILE
 from vehicle_roll_sim.model.records import VEHICLE
 from vehicle_roll_sim.vehicle.actuator_parameters import OF_ACTUATORS
+from vehicle_roll_sim.vehicle.sensor_parameters import OF_DEVICE, SEED
 
 SOURCE = {
     "sprung_mass": 1440.0,
@@ -123,6 +124,8 @@ ABSENT = {
     "front_differential_locking": 0.2,
     "rear_differential_locking": 0.4,
     **{name: ACTUATOR[name.partition("_actuator_")[-1]] for name in OF_ACTUATORS},
+    **{name: 0.01 for names in OF_DEVICE.values() for name in names},
+    SEED: 100.0,
 }
 """What the reference vehicle does not have."""
 TABLES = {"steering_gear": ("steering_ratio", "[[0, 0], [1, 0.1], [6, 0.5]]")} | {
@@ -157,6 +160,8 @@ def needed_by(name: str) -> list[str]:
     """Parameters without which this one is refused."""
     if name.startswith("pressure_centre"):
         return ["side_force_area"]
+    if name == SEED:
+        return ["imu_x"]
     if name.endswith("_actuator_damping"):
         return [name.replace("damping", "frequency")]
     axle, _, of = name.partition("_differential_")

@@ -19,7 +19,7 @@ LIFTED = 1.0
 """Magnitude of the load transfer ratio at which the inner wheels lift off."""
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass
 class Foresight:
     """Parameters of the prediction."""
 

@@ -21,26 +21,28 @@ from vehicle_roll_sim.messages.run_messages import (
     by_name,
     is_ours,
 )
-from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.messages.topics import MEASUREMENTS, SIMULATION_DESCRIPTION, Topic
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.description import Described, described
 from vehicle_roll_sim.simulation.road import Road
 
 A_BAG = "a complete bag of a simulator: metadata.yaml and the file that it names"
-READ = (*COLLECTED, *NOT_OF_EVERY_MODEL, SIMULATION_DESCRIPTION)
+READ = (*COLLECTED, *NOT_OF_EVERY_MODEL, MEASUREMENTS, SIMULATION_DESCRIPTION)
 
 
 @dataclasses.dataclass
 class RecordedRun:
     """What was recorded from one reset to the next.
 
-    description: of the simulation (simulation.description), '' if the bag has none. commands: the
-    values of `applied_command` by the time of their set (s).
+    description: of the simulation (simulation.description), '' if the bag has none. commands,
+    measurements: the values of `applied_command` and of `measurements` by the time of their set
+    (s).
     """
 
     description: str
     kept: RunMessages = dataclasses.field(default_factory=RunMessages)
     commands: dict[float, np.ndarray] = dataclasses.field(default_factory=dict)
+    measurements: dict[float, np.ndarray] = dataclasses.field(default_factory=dict)
 
     @property
     def states(self) -> list[dict[str, float]]:
@@ -54,6 +56,9 @@ class RecordedRun:
 
     def keep(self, topic: str, sent: int, message) -> None:
         """Add a message of a topic other than `state`. sent: when it was sent (ns)."""
+        if topic == MEASUREMENTS.name:
+            self.measurements[float(message.data[0])] = message.data[1:]
+            return
         self.kept.keep(topic, sent, message)
         if topic == COMMAND:
             self.commands[float(message.data[0])] = message.data

@@ -25,7 +25,7 @@ class Replay:
     end: simulated time (s) up to which they were compared, after `periods` periods. missing_from:
     time (s) at which the recording has a gap, else nan. relative: the largest difference of any
     state, as a fraction of that state's peak; difference, name and time: that difference in the
-    state's unit, the state, and when it occurs (s).
+    state's unit, the state, and when it occurs (s). What sensors measured is compared like states.
     """
 
     end: float
@@ -38,7 +38,7 @@ class Replay:
 
     @property
     def is_exact(self) -> bool:
-        """Whether every compared state was reproduced bit for bit."""
+        """Whether every compared state and measurement was reproduced bit for bit."""
         return self.difference == 0.0
 
     @property
@@ -56,6 +56,7 @@ def replay(run: RecordedRun, simulation: Simulation, period: float | None = None
     recorded = _recorded_states(run, simulation)
     _reset_as(recorded[0], simulation)
     own, missing_from = [_state(simulation)], np.nan
+    measured = [simulation.sensors.readings()]
     if period is None:
         period = float(np.median(np.diff(np.unique(recorded[:, 0])))) if len(recorded) > 1 else 0.0
     for before, now in itertools.pairwise(recorded[:, 0].tolist()):
@@ -67,7 +68,24 @@ def replay(run: RecordedRun, simulation: Simulation, period: float | None = None
             command = _command(run.commands[now])
             simulation.step(command, steps * simulation.step_ns / NANOSECONDS)
         own.append(_state(simulation))
-    return _compared(recorded[: len(own)], np.array(own), simulation.state_names, missing_from)
+        measured.append(simulation.sensors.readings())
+    found = np.hstack((own, measured))
+    recorded = np.hstack((recorded[: len(own)], _measured(run, recorded[: len(own), 0], measured)))
+    names = (*simulation.state_names, *simulation.sensors.labels)
+    return _compared(recorded, found, names, missing_from)
+
+
+def _measured(run: RecordedRun, times: np.ndarray, own: list[np.ndarray]) -> np.ndarray:
+    """What was measured in the sets at these times (s); where no message has it, what is expected.
+
+    Raises InputError for measurements of other sensors.
+    """
+    found = [run.measurements.get(time, own[k]) for k, time in enumerate(times.tolist())]
+    size = len(own[0])
+    if any(len(each) != size for each in found):
+        problem = "values of other sensors"
+        raise InputError("BAG: measurements", "", f"{size} values of those of the vehicle", problem)
+    return np.array(found)
 
 
 def _recorded_states(run: RecordedRun, simulation: Simulation) -> np.ndarray:

@@ -7,15 +7,15 @@ from pathlib import Path
 from vehicle_roll_sim.bags.encoding import encode
 from vehicle_roll_sim.bags.writing import Bag, whole_bag
 from vehicle_roll_sim.live.command_inbox import channels
-from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.measured import messages_of
 from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     COMMANDS,
+    OF_SOME_SETS,
     OF_WIND,
     PUBLISHED,
     ROBOT_DESCRIPTION,
-    ROLL_CENTRE,
     ROLLOVER,
     SIMULATION_DESCRIPTION,
     STAMPED,
@@ -67,11 +67,11 @@ class RunBag:
         stamped: bool = False,
     ):
         self._simulation, self._bag = simulation, bag
-        in_set = set_of(simulation.options, stamped)
+        in_set = set_of(simulation.options, stamped, simulation.sensors.devices)
         absent = [
             *TOTAL_TORQUES,
             *(() if simulation.feels_wind else OF_WIND),
-            *(() if ROLL_CENTRE in in_set else (ROLL_CENTRE,)),
+            *(topic for topic in OF_SOME_SETS if topic not in in_set),
         ]
         with_header = (topic for topic in in_set if topic in STAMPED)
         present = (topic for topic in (*COMMANDS, *PUBLISHED) if topic not in absent)
@@ -80,7 +80,7 @@ class RunBag:
             topic.name: bag.add_topic(topic, "/" + topic.name.lstrip("/")) for topic in topics
         }
         self._types = {topic.name: topic.type for topic in topics}
-        messages = self._messages = Messages(simulation, "", encode)
+        messages = self._messages = messages_of(simulation, "", encode)
         self._set = [
             (topic.name, builder(messages, encode, topic)) for topic in (CLOCK, *in_set, TRANSFORMS)
         ]

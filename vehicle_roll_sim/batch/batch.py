@@ -11,6 +11,7 @@ from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.runs.control_law import ControlLaw
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.simulation.options import Options
@@ -28,8 +29,9 @@ class Batch:
     Every argument is one value for all runs, or a sequence with one for each run. vehicles: a
     Vehicle. options: Options, or None for those of the vehicle. manoeuvre: a name of the catalogue
     or a Manoeuvre. speed: entry speed (m/s), duration: simulated time (s), by default those of the
-    manoeuvre. model: in place of that of the options. road: by default level. step: integration
-    step (s). rollover_angle: roll angle at which a run stops (rad).
+    manoeuvre. controller: a ControlLaw, by default none. model: in place of that of the options.
+    road: by default level. step: integration step (s). rollover_angle: roll angle at which a run
+    stops (rad).
 
     Raises InputError for sequences of different lengths, and for unknown manoeuvres. All else is
     checked run by run: a run that is refused does not stop the others. `len(batch)` is the number
@@ -44,6 +46,7 @@ class Batch:
         manoeuvre: str | Manoeuvre | Sequence[str | Manoeuvre],
         speed: float | Sequence[float | None] | None = None,
         duration: float | Sequence[float | None] | None = None,
+        controller: ControlLaw | Sequence[ControlLaw | None] | None = None,
         model: str | Sequence[str | None] | None = None,
         road: Road | Sequence[Road | None] | None = None,
         step: float | Sequence[float] = DEFAULT_STEP,
@@ -54,6 +57,7 @@ class Batch:
             "manoeuvre": _named(manoeuvre),
             "speed": speed,
             "duration": duration,
+            "controller": controller,
             "options": options,
             "model": model,
             "road": road,

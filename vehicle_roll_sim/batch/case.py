@@ -11,7 +11,9 @@ from vehicle_roll_sim.manoeuvres.command_file import CommandTable
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import STATE
 from vehicle_roll_sim.model.variants import MODELS
+from vehicle_roll_sim.runs.control_law import ControlLaw, Controlled
 from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP, Simulation
@@ -25,15 +27,17 @@ class Case:
     vehicle: the vehicle. manoeuvre: a Manoeuvre, such as `STANDARD["j_turn"]` of the catalogue; it
     is completed for the vehicle. speed: entry speed (m/s), by default that of the manoeuvre.
     duration: simulated time (s), by default that of the manoeuvre; that of a command table is
-    rounded up to a multiple of the step. options: options of the model, by default those of the
-    vehicle. model: name of the model, in place of that of the options. road: by default level.
-    step: integration step (s). rollover_angle: roll angle at which the run stops (rad).
+    rounded up to a multiple of the step. controller: a ControlLaw, with which all commands are held
+    for periods of 10 ms. options: options of the model, by default those of the vehicle. model:
+    name of the model, in place of that of the options. road: by default level. step: integration
+    step (s). rollover_angle: roll angle at which the run stops (rad).
     """
 
     vehicle: Vehicle
     manoeuvre: Manoeuvre
     speed: float | None = None
     duration: float | None = None
+    controller: ControlLaw | None = None
     options: Options | None = None
     model: str | None = None
     road: Road | None = None
@@ -50,6 +54,13 @@ class Case:
             rollover_angle=self.rollover_angle,
             road=self.road,
         )
+
+    def driver(self, manoeuvre: Manoeuvre, simulation: Simulation) -> Programme | Feedback:
+        """A new driver of a ready manoeuvre for one run of the simulation, with the controller."""
+        driver = manoeuvre.driver()
+        if self.controller is None:
+            return driver
+        return Controlled(simulation, driver, given("controller", self.controller, ControlLaw))
 
     def _options(self) -> Options:
         options = options_for(self.vehicle) if self.options is None else self.options

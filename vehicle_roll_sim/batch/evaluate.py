@@ -79,9 +79,8 @@ def _driven(case: Case, keeps_history: bool) -> Outcome:
     manoeuvre = case.ready_manoeuvre(simulation)
     whole_steps(manoeuvre.duration, simulation.step_ns, "duration")
     simulation.reset(manoeuvre.speed)
-    history = history_of(
-        simulation, manoeuvre.driver(), manoeuvre.duration, with_commands=keeps_history
-    )
+    driver = case.driver(manoeuvre, simulation)
+    history = history_of(simulation, driver, manoeuvre.duration, with_commands=keeps_history)
     metrics, failure = metrics_of(history, simulation.events, simulation.time), ""
     if simulation.condition is Condition.DIVERGED:
         culprit = simulation.implausible

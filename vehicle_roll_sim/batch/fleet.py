@@ -16,6 +16,7 @@ from vehicle_roll_sim.model.integration.step_each import CONDITION, NOW, PROGRES
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
 from vehicle_roll_sim.simulation.actuators import Actuation
 from vehicle_roll_sim.simulation.advance_address import PLANT, address_of_advance
+from vehicle_roll_sim.simulation.sensors import NEVER, Sensors
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 
@@ -28,8 +29,8 @@ class Fleet:
 
     Attributes, arrays with one element or row for each place, which the next call overwrites:
     `states` (STATE records), `outputs` (OUTPUTS), `events` (EVENTS), `state_vectors`, shape (count,
-    STATE_SIZE), and `output_vectors`, the same numbers as flat vectors. A copied or pickled fleet
-    is independent of the original and has its own threads.
+    STATE_SIZE), and `output_vectors`, the same numbers as flat vectors. `sensors` has those of each
+    place, or None. A copied or pickled fleet is independent of the original, with its own threads.
     """
 
     def __init__(self, count: int, step_ns: int, workers: int | None = None):
@@ -41,6 +42,8 @@ class Fleet:
         self._actuators = np.zeros(count, ACTUATORS)
         self._acting = np.zeros((count, 0), COMMAND)
         self._progress = np.zeros((count, PROGRESS_SIZE), np.int64)
+        self.sensors: list[Sensors | None] = [None] * count
+        self._sensing: list[int] = []
         threads = min(checked_workers(workers), count)
         self._bounds = [count * i // threads for i in range(threads + 1)]
         self._complete()
@@ -94,6 +97,8 @@ class Fleet:
         for kept, given in zip(of_fleet, (*plant, *memory), strict=True):
             kept[i] = given if kept is self._stages else given[0]
         self._place_actuators(i, simulation.actuation)
+        self.sensors[i] = simulation.sensors.copy() if simulation.has_sensors else None
+        self._sensing = [k for k, each in enumerate(self.sensors) if each]
         self._progress[i] = simulation.time_ns, simulation.condition
         self._arguments = ()
 
@@ -112,6 +117,28 @@ class Fleet:
         place that does not move.
         """
         steps = np.where(self.runs, steps, 0)
+        while self._sensing and steps.any():
+            some = np.minimum(steps, self._steps_to_samples())
+            self._move(commands, some)
+            self._sample(some)
+            steps = np.where(self.runs, steps - some, 0)
+        self._move(commands, steps)
+
+    def _steps_to_samples(self) -> np.ndarray:
+        """Steps of each place until a sensor takes a sample, shape (count,)."""
+        until = np.full(len(self), NEVER)
+        for i in self._sensing:
+            until[i] = self.sensors[i].until(int(self.times_ns[i]))
+        return (until - self.times_ns) // self.step_ns
+
+    def _sample(self, moved: np.ndarray) -> None:
+        """Let sensors take their samples where steps were made, shape (count,)."""
+        for i in self._sensing:
+            if moved[i]:
+                self.sensors[i].sample(int(self.times_ns[i]), self.states[i], self.outputs[i])
+
+    def _move(self, commands: np.ndarray, steps: np.ndarray) -> None:
+        """Advance as `step` does, without sensors."""
         held = kernel_argument(np.ascontiguousarray(commands))
         arguments = (*self._as_arguments(), held, steps, self.step_ns, self._progress)
         ranges = itertools.pairwise(self._bounds)

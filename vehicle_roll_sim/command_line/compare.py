@@ -47,14 +47,14 @@ def compare_command(words: list[str], program: str) -> int:
         chosen = [kind(**declared_values(arguments, kind)) for kind in comparing.SETTINGS]
         log = comparing.load_log(path, map_file, chosen[0])
     except InputError as error:
-        raise _as_setting(error, comparing.SETTINGS) from None
+        raise as_setting(error, comparing.SETTINGS) from None
     warn_or_refuse(log.doubts, arguments)
     simulation = chosen_simulation(arguments)
     try:
         with signals.exit_on_signal():
             result = comparing.compared(log, simulation, *chosen[1:], arguments.align)
     except InputError as error:
-        raise _as_setting(error, comparing.SETTINGS) from None
+        raise as_setting(error, comparing.SETTINGS) from None
     if csv:
         result.write_csv(csv)
     if plot:
@@ -65,7 +65,7 @@ def compare_command(words: list[str], program: str) -> int:
     return 0
 
 
-def _as_setting(error: InputError, declaring: tuple[type, ...]) -> InputError:
+def as_setting(error: InputError, declaring: tuple[type, ...]) -> InputError:
     """The same error; one of a setting is reported for its option."""
     is_setting = any(error.field in parameters_of(kind) for kind in declaring)
     return as_option(error) if is_setting else error

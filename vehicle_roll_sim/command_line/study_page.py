@@ -117,7 +117,7 @@ def _map(results, numbers: Sequence[int]) -> StudyMap:
     study, columns = results.study, results.columns
     inputs = []
     for name, values in columns.inputs.items():
-        label = labelled(name, unit_of(name, study.manoeuvre))
+        label = labelled(name, unit_of(name, study))
         texts = () if study.kinds[name] is float else tuple(dict.fromkeys(map(str, values)))
         places = np.array([texts.index(str(each)) for each in values] if texts else values, float)
         inputs.append(Quantity(label, places, texts))

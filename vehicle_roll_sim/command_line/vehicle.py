@@ -176,7 +176,7 @@ def _turning_lines(vehicle: Vehicle, options: Options, speed: float) -> list[str
 
 def _limit_of_speed(vehicle: Vehicle, understeer: float) -> tuple[str, str]:
     """Characteristic or critical speed: at which L = |K| u^2 (K in rad/(m/s^2))."""
-    wheelbase = vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle
+    wheelbase = vehicle.wheelbase
     label = "critical speed" if understeer < 0.0 else "characteristic speed"
     speed = math.sqrt(wheelbase / abs(understeer)) if understeer else math.inf
     return label, f"{speed:.4g} m/s"

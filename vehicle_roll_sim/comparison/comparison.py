@@ -151,7 +151,7 @@ def _steady_part(
     if ACCELERATION not in measured or not steady.has_range(simulated[ACCELERATION], chosen):
         return None
     vehicle = simulation.vehicle
-    wheelbase = vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle
+    wheelbase = vehicle.wheelbase
     sides = [
         steady.gradients(side, driven.steering, chosen, wheelbase) for side in (measured, simulated)
     ]

@@ -4,25 +4,29 @@ import dataclasses
 
 import numpy as np
 
+from vehicle_roll_sim.comparison.log_commands import LogCommands, Plan
 from vehicle_roll_sim.declaration import keep_validated, parameter
-from vehicle_roll_sim.input_errors import InputError
 from vehicle_roll_sim.logs.log import Log
-from vehicle_roll_sim.logs.quantities import BODY, SPEED, TORQUES
-from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.logs.quantities import BODY, SPEED
 from vehicle_roll_sim.model.integration.events import Condition
-from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
-from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.model.records import OUTPUTS, STATE_NAMES, WHEEL_COUNT, WHEELS
 from vehicle_roll_sim.runs.metrics import sideslip_angle
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Command, Feedback
 from vehicle_roll_sim.simulation.simulation import Simulation
-from vehicle_roll_sim.simulation.speed_controller import SpeedController
-from vehicle_roll_sim.vehicle.derived_values import GRAVITY
-from vehicle_roll_sim.vehicle.steering_gear import to_road_wheels
 
-PERIOD = 0.002
-"""s: commands are those of the middle of such a period, so that holding them delays nothing."""
+
+def output_places(*wanted: tuple) -> list[int]:
+    """Places of (name, element) in the flat vector of OUTPUTS."""
+    places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
+    found = [np.atleast_1d(places[name][element]) for name, element in wanted]
+    return np.concatenate(found).astype(int).tolist()
+
+
 SPEED_HELD, TORQUES_APPLIED = DRIVES = ("speed", "torques")
+NOTED_STATES = [STATE_NAMES.index(name) for name in ("u", "roll", "pitch", "yaw_rate", "roll_rate")]
+NOTED_OUTPUTS = output_places(("acceleration", 1), ("specific_force", 1), ("normal_force", ...))
+"""Where the quantities are in the flat vectors of states and outputs."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,6 +51,11 @@ class Driving:
     def __post_init__(self):
         keep_validated(self)
 
+    @property
+    def holds_speed(self) -> bool:
+        """Whether the speed is held from the beginning to the end."""
+        return self.drive_by == SPEED_HELD
+
 
 @dataclasses.dataclass(frozen=True)
 class Driven:
@@ -64,115 +73,96 @@ class Driven:
 
 def drive(log: Log, simulation: Simulation, driving: Driving) -> Driven:
     """Drive a simulation by a log from the run-up to its end, or until the model stops."""
-    step = simulation.step_ns / NANOSECONDS
-    period = max(1, round(PERIOD / step)) * step
-    ahead = round(driving.run_up / period)
-    periods = ahead + int(np.ceil((log.time[-1] - log.time[0]) / period - 1e-6))
-    middles = (np.arange(periods) - ahead + 0.5) * period + log.time[0]
-    driver = _Driver(log, simulation, driving.drive_by, middles, ahead, period)
-    simulation.reset(float(driver.speeds[0]))
+    plan = Plan.of(log, driving.run_up, simulation.step_ns)
+    commands = LogCommands(log, simulation.vehicle, driving.holds_speed, plan)
+    simulation.reset(float(commands.speeds[0]))
     recorder = _Recorder(simulation)
-    history = run(
+    run(
         simulation,
-        driver,
-        periods * period,
-        sample=period,
-        command_period=period,
+        _Driver(commands, simulation, plan.period),
+        plan.periods * plan.period,
+        sample=plan.period,
+        command_period=plan.period,
         observer=recorder,
     )
-    rows = min(len(history.rows), len(recorder.rows))
-    times = history["time"][:rows] - ahead * period + log.time[0]
+    return driven_of(log, plan, commands, np.array(recorder.columns).T, simulation.condition)
+
+
+def driven_of(
+    log: Log, plan: Plan, commands: LogCommands, columns: np.ndarray, condition: Condition
+) -> Driven:
+    """What the model did, from what was noted at the end of each period.
+
+    columns: of `noted`, shape (quantities, periods + 1), fewer if the model stopped.
+    """
+    times = plan.instants[: columns.shape[1]]
     is_driven = log.time <= times[-1] + 1e-9
     wanted = log.time[is_driven]
-    found = _signals(history, np.array(recorder.rows), log.frame, rows)
+    found = _signals(columns, log.frame)
     signals = {name: np.interp(wanted, times, values) for name, values in found.items()}
     error = np.nan
-    if driving.drive_by == SPEED_HELD and len(wanted):
+    if commands.is_held.all() and len(wanted):
         error = float(np.abs(signals[SPEED] - log.signals[SPEED][is_driven]).max())
-    steering = np.interp(wanted, middles, driver.steering)
-    return Driven(signals, steering, error, driver.unused, simulation.condition)
+    steering = np.interp(wanted, plan.middles, commands.steering)
+    return Driven(signals, steering, error, commands.unused, condition)
 
 
 class _Driver(Feedback):
-    """The commands of a log, one for each period. ahead: periods of the run-up.
+    """The commands of a log, one for each period."""
 
-    speeds, steering: of each period (m/s, rad). unused: what does not drive the model.
-    """
-
-    def __init__(self, log, simulation, drive_by, middles, ahead, period):
-        self._simulation, self._period = simulation, period
-        vehicle = simulation.vehicle
-        given = {name: np.interp(middles, *channel) for name, channel in log.inputs.items()}
-        torques = [name for name in given if name in TORQUES]
-        self._held = np.arange(len(middles)) < ahead
-        if drive_by == SPEED_HELD:
-            self._held[:] = True
-        elif not torques:
-            raise InputError(
-                "drive_by", drive_by, "drive_torque, brake or those of wheels in the log"
-            )
-        self.unused = torques if drive_by == SPEED_HELD else []
-        self.speeds, self.steering = given[SPEED], given.get("steering")
-        if self.steering is None:
-            degrees = to_road_wheels(np.degrees(given["handwheel"]), vehicle.gear)
-            self.steering = np.radians(degrees)
-        self._rear = given.get("rear_steering", np.zeros(len(middles)))
-        self._drives = _of_wheels(given, "drive_torque", "wheel_torque", vehicle.drive_shares)
-        self._brakes = _of_wheels(given, "brake", "brake_torque", vehicle.brake_shares)
-        radius = float(np.mean(vehicle.per_wheel("tire_radius")))
-        limit = vehicle.mass * GRAVITY * radius / WHEEL_COUNT
-        self._controller = SpeedController(vehicle, limit, limit)
+    def __init__(self, commands: LogCommands, simulation: Simulation, period: float):
+        self._commands, self._simulation, self._period = commands, simulation, period
 
     def command(self, time: float, state) -> Command:
-        place = min(round(time / self._period), len(self.steering) - 1)
-        command = Command(float(self.steering[place]), float(self._rear[place]))
-        if self._held[place]:
+        given = self._commands
+        place = min(round(time / self._period), len(given.steering) - 1)
+        command = Command(float(given.steering[place]), float(given.rear_steering[place]))
+        if given.is_held[place]:
             slope = float(self._simulation.outputs["slope_gravity"][0])
-            target, speed = float(self.speeds[place]), float(state["u"])
-            return self._controller.drive(command, target, speed, self._period, slope)
+            target, speed = float(given.speeds[place]), float(state["u"])
+            return given.controller.drive(command, target, speed, self._period, slope)
         return dataclasses.replace(
             command,
-            wheel_torque=tuple(self._drives[place].tolist()),
-            brake_torque=tuple(self._brakes[place].tolist()),
+            wheel_torque=tuple(given.wheel_torques[place].tolist()),
+            brake_torque=tuple(given.brake_torques[place].tolist()),
         )
 
 
-def _of_wheels(given: dict, total: str, each: str, shares: np.ndarray) -> np.ndarray:
-    """Torques of the wheels (N m), shape (n, 4), from their total or from those of each."""
-    count = len(given[SPEED])
-    singles = [f"{each}_{wheel}" for wheel in WHEELS if f"{each}_{wheel}" in given]
-    if total in given:
-        if singles:
-            problem = f"{total} together with {singles[0]}"
-            raise InputError(f"columns: {total}", "", "a total, or values of wheels", problem)
-        return np.outer(given[total], shares)
-    still = np.zeros(count)
-    return np.column_stack([given.get(f"{each}_{wheel}", still) for wheel in WHEELS])
-
-
 class _Recorder:
-    """What the history of a run does not have: specific force and velocity of the c.g."""
+    """Notes what the quantities of a log are computed from, at the end of each period."""
 
     def __init__(self, simulation: Simulation):
-        self._simulation, self.rows = simulation, []
+        self._simulation, self.columns = simulation, []
 
     def on_set(self) -> None:
-        *_, u, v, w = self._simulation.cg_motion
-        self.rows.append((float(self._simulation.outputs["specific_force"][1]), u, v, w))
+        simulation = self._simulation
+        velocity = np.array(simulation.cg_motion[3:])
+        row = noted(simulation.state_vector, simulation.output_vector, velocity)
+        self.columns.append(row)
 
     def on_command(self, command: Command) -> None:
         """Commands are those of the log."""
 
 
-def _signals(history: History, more: np.ndarray, frame: str, rows: int) -> dict[str, np.ndarray]:
-    """The quantities of a log from the rows of a run."""
-    felt, *velocity = more[:rows].T
-    roll, pitch = history["roll"][:rows], history["pitch"][:rows]
-    level = history["lateral_acceleration"][:rows]
+def noted(states: np.ndarray, outputs: np.ndarray, velocity: np.ndarray) -> np.ndarray:
+    """What `driven_of` needs at one time, shape (quantities,), or (n, quantities) of n models.
+
+    states, outputs: flat vectors, one or n of them. velocity: u, v, w of the c.g. (m/s), likewise.
+    """
+    of_model = (states[..., NOTED_STATES], outputs[..., NOTED_OUTPUTS])
+    return np.concatenate((*of_model, velocity), axis=-1)
+
+
+def _signals(columns: np.ndarray, frame: str) -> dict[str, np.ndarray]:
+    """The quantities of a log from the columns of `noted`."""
+    speed, roll, pitch, yaw_rate, roll_rate, level, felt, *others = columns
+    loads, velocity = others[:WHEEL_COUNT], others[WHEEL_COUNT:]
     return {
-        SPEED: history["u"][:rows],
+        SPEED: speed,
         "lateral_acceleration": felt if frame == BODY else level,
         "sideslip_angle": np.nan_to_num(sideslip_angle(velocity, roll, pitch)),  # 0 at standstill
-        **{name: history[name][:rows] for name in ("yaw_rate", "roll", "roll_rate")},
-        **{f"normal_force_{w}": history[f"normal_force_{w}"][:rows] for w in WHEELS},
+        "yaw_rate": yaw_rate,
+        "roll": roll,
+        "roll_rate": roll_rate,
+        **{f"normal_force_{w}": load for w, load in zip(WHEELS, loads, strict=True)},
     }

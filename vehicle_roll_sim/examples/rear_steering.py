@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Example controller: rear steering in phase with the front reduces the lateral acceleration.
 
-Answers `imu` with `rear_steering_cmd`: `gain` times the yaw rate, in the same direction as the
-front wheels, limited to `largest_angle`. The rear tires then build up their lateral force with less
-body sideslip, and the yaw rate and the lateral acceleration stay smaller.
+Answers `imu` with `rear_steering_cmd`. The law, and its parameters, are those of
+vehicle_roll_sim.control.rear_steering, which needs no ROS and can also be used in studies.
 """
 
-from vehicle_roll_sim.controller import Controller, run
+from vehicle_roll_sim.controller import Controller, run  # isort: split
+
+from vehicle_roll_sim.control import rear_steering
 
 
 class RearSteering(Controller):
@@ -16,12 +17,10 @@ class RearSteering(Controller):
 
     def __init__(self):
         super().__init__()
-        self.gain = self.parameter("gain", 0.12)  # rad per rad/s, that is, s
-        self.largest = self.parameter("largest_angle", 0.1)  # rad
+        self.law = self.parameters_for(rear_steering.RearSteering)
 
     def answer(self, imu) -> float:
-        angle = self.gain * imu.angular_velocity.z
-        return max(-self.largest, min(self.largest, angle))
+        return self.law.angle(imu.angular_velocity.z)
 
 
 def main() -> None:

@@ -7,8 +7,6 @@ predicted_load_transfer_ratio, time_to_rollover), for controllers such as roll_b
 vehicle is read from the simulator's parameters.
 """
 
-import math
-
 from vehicle_roll_sim.controller import Controller, Topic, run  # isort: split
 
 from vehicle_roll_sim.analysis.rollover_prediction import (
@@ -16,11 +14,9 @@ from vehicle_roll_sim.analysis.rollover_prediction import (
     Prediction,
     RolloverPredictor,
 )
+from vehicle_roll_sim.control.roll_braking import predicted
 from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.clients.simulator_client import SimulatorClient
-
-FORESIGHT = ("horizon", "interval", "persistence", "smoothing")
-"""Parameters of the prediction."""
 
 
 class RolloverWarning(Controller):
@@ -36,9 +32,7 @@ class RolloverWarning(Controller):
         super().__init__()
         self.simulator = self.declare_parameter("simulator", "simulator").value  # node name
         self.warning_time = self.parameter("warning_time", 0.5)  # time to rollover to warn at, s
-        self.foresight = Foresight(
-            **{name: self.parameter(name, getattr(Foresight, name)) for name in FORESIGHT}
-        )
+        self.foresight = self.parameters_for(Foresight)
         self.warned = False
 
     def prepare(self) -> None:
@@ -47,13 +41,16 @@ class RolloverWarning(Controller):
         self.predictor = RolloverPredictor(vehicle, self.foresight)
 
     def answer(self, imu) -> dict:
-        time = imu.header.stamp.sec + 1e-9 * imu.header.stamp.nanosec
-        rates, specific = imu.angular_velocity, imu.linear_acceleration
-        roll = roll_of(imu.orientation)
-        lateral = (
-            math.cos(roll) * specific.y - math.sin(roll) * specific.z
-        )  # parallel to the ground
-        found = self.predictor.update(time, roll, rates.x, lateral)
+        stamp = imu.header.stamp
+        time = (stamp.sec * 1_000_000_000 + stamp.nanosec) / 1e9  # s, rounded like simulated time
+        attitude, specific = imu.orientation, imu.linear_acceleration
+        found = predicted(
+            self.predictor,
+            time,
+            (attitude.x, attitude.y, attitude.z, attitude.w),
+            imu.angular_velocity.x,
+            [specific.x, specific.y, specific.z],
+        )
         prediction = [
             time,
             found.load_transfer_ratio,
@@ -71,11 +68,6 @@ class RolloverWarning(Controller):
             self.get_logger().warning(f"at {time:.2f} s: the {side} wheels lift in {left:.2f} s")
         self.warned = is_near
         return is_near
-
-
-def roll_of(q) -> float:
-    """Roll angle (rad) of an attitude given as a quaternion."""
-    return math.atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x**2 + q.y**2))
 
 
 def main() -> None:

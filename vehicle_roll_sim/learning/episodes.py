@@ -88,7 +88,7 @@ class Episodes:
         self.has_ended[0] = True
         if unknown.any():
             name = self.observer.elements[int(np.argmax(unknown))]
-            raise InputError("observations", name, "a quantity that the model has")
+            raise InputError("observations", name, "a quantity that the model, or a sensor, has")
 
     def begin(self, i: int, generator: np.random.Generator, chosen: Mapping) -> dict:
         """Begin an episode at a place; returns its info. Raises InputError.

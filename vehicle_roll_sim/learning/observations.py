@@ -11,25 +11,37 @@ from vehicle_roll_sim.live.command_limits import LARGEST_LIMIT
 from vehicle_roll_sim.manoeuvres.base import LONGEST
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.model.records import STATE, WHEELS
-from vehicle_roll_sim.runs.history import ACCELERATIONS, OUTPUT_QUANTITIES
+from vehicle_roll_sim.runs.history import ACCELERATIONS, MEASURED, OUTPUT_QUANTITIES
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio, sideslip_angle
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, Signal
+from vehicle_roll_sim.vehicle.sensor_parameters import QUANTITIES, Quantity
 
-LARGEST = {"s": LONGEST, "N": LARGEST_LIMIT, "": 1e3, "rad": np.pi, "m/s^2": 1e4}
+LARGEST = {
+    "s": LONGEST,
+    "N": LARGEST_LIMIT,
+    "": 1e3,
+    "rad": np.pi,
+    "m/s^2": 1e4,
+    "m": 1e12,
+    "m/s": 1e3,
+    "rad/s": 1e6,
+}
 """Bound of an output by its unit. A bound is never reached in plausible runs."""
 
 
 class Observation(NamedTuple):
     """An observation: where it comes from, and what it is.
 
-    of: the values of all places of a fleet, shape (n,) or (n, 4). bound: magnitude to which values
-    are clamped. size: number of values of one place. signal: unit and meaning.
+    of: the values of all places of a fleet, shape (n,) or (n, k). bound: magnitude to which values
+    are clamped. size: number of values of one place. signal: unit and meaning. parts: names of the
+    values if there are several.
     """
 
     of: Callable[[Fleet], np.ndarray]
     bound: float
     size: int
     signal: Signal
+    parts: tuple[str, ...] = WHEELS
 
 
 def _observations() -> dict[str, Observation]:
@@ -70,7 +82,22 @@ def _observations() -> dict[str, Observation]:
             _sideslip,
         ),
         "time": _output(Signal("s", "", "since the beginning of the episode"), lambda f: f.times),
+        **{MEASURED + name: _measured(name, each) for name, each in QUANTITIES.items()},
     }
+
+
+def _measured(name: str, quantity: Quantity) -> Observation:
+    """The last reading of a quantity; nan at places whose vehicle has no sensor of it."""
+    unknown = np.full(len(quantity.values), np.nan)
+
+    def of(fleet: Fleet) -> np.ndarray:
+        at_places = [each[name] if each and name in each else unknown for each in fleet.sensors]
+        return np.array(at_places)
+
+    unit = "" if quantity.is_orientation else quantity.unit
+    bound = 1.0 if quantity.is_orientation else LARGEST[unit]
+    meaning = f"{quantity.what}, as the sensors of the vehicle say"
+    return Observation(of, bound, len(unknown), Signal(unit, "", meaning), quantity.values)
 
 
 def _output(signal: Signal, of: Callable[[Fleet], np.ndarray], size: int = 1) -> Observation:
@@ -122,9 +149,9 @@ class Observer:
     def __init__(self, names: Sequence[str]):
         self.names = names_of("observations", names, OBSERVATIONS)
         self.elements = tuple(
-            f"{name}_{wheel}" if wheel else name
+            f"{name}_{part}" if part else name
             for name in self.names
-            for wheel in (WHEELS if OBSERVATIONS[name].size > 1 else ("",))
+            for part in (OBSERVATIONS[name].parts if OBSERVATIONS[name].size > 1 else ("",))
         )
         sizes = [OBSERVATIONS[name].size for name in self.names]
         self.bounds = np.repeat([OBSERVATIONS[name].bound for name in self.names], sizes)

@@ -18,9 +18,11 @@ from vehicle_roll_sim.studies.source import Source
 from vehicle_roll_sim.studies.study import RANDOM, Study
 from vehicle_roll_sim.studies.study_file import study_of
 from vehicle_roll_sim.vehicle.plausibility import unwarned
+from vehicle_roll_sim.vehicle.sensor_parameters import LARGEST_SEED, SEED
 
 MANOEUVRE = "manoeuvre."
 SPEED, AMPLITUDE = f"{MANOEUVRE}speed", f"{MANOEUVRE}amplitude"
+NOISE = f"vehicle.{SEED}"
 STRAIGHT = "j_turn"
 """Manoeuvre that goes straight ahead if its amplitude is 0."""
 EXAMPLE = "{'manoeuvre.speed': 20.0}"
@@ -89,12 +91,12 @@ class Scenario:
         for name, value in mapping_of("options", chosen, EXAMPLE).items():
             if name not in drawn:
                 raise unknown_name(str(name), drawn, "options")
-            declared = quantity(name, study.manoeuvre, name)
+            declared = quantity(name, study.driving, name)
             drawn[name] = declared.validate(value, f"options: {name}")
         with unwarned():
-            return self._started(number, drawn)
+            return self._started(number, drawn, generator)
 
-    def _started(self, number: int, drawn: Values) -> Start:
+    def _started(self, number: int, drawn: Values, generator: np.random.Generator) -> Start:
         study = self._studies[number]
         of_vehicle = {n: v for n, v in drawn.items() if not n.startswith(MANOEUVRE)}
         simulation = self._simulation_of(number, tuple(of_vehicle.items()))
@@ -107,6 +109,10 @@ class Scenario:
         manoeuvre = manoeuvre.for_vehicle(simulation.vehicle, simulation.options)
         whole_steps(manoeuvre.duration, simulation.step_ns, "duration")
         simulation.reset(manoeuvre.speed)
+        if simulation.has_sensors and NOISE not in (*study.fixed, *drawn):
+            drawn[NOISE] = int(generator.integers(LARGEST_SEED))
+            simulation.sensors.rest(drawn[NOISE])
+            simulation.sense()
         return Start(simulation, manoeuvre, drawn)
 
     def _new_simulation(self, number: int, values: tuple) -> Simulation:

@@ -5,6 +5,7 @@ import math
 from collections.abc import Sequence
 
 from vehicle_roll_sim.live.command_limits import CommandLimits
+from vehicle_roll_sim.live.ways_in import PARTS, Parts
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import STILL_AIR, Command
@@ -27,13 +28,38 @@ DROPPED, CLAMPED = "message dropped", "clamped"
 """How the text of a problem begins: what was done with the message."""
 
 
-@dataclasses.dataclass
-class Channel:
-    """One command topic: its field, its number of values, and what has been received.
+@dataclasses.dataclass(kw_only=True)
+class Traffic:
+    """What has been received on one topic.
 
-    limit: name of its limit in CommandLimits. smallest: lower bound of the values. value,
-    arrival_ns: the last valid message and its simulated time of arrival (ns). received, dropped,
+    arrival_ns: simulated time of arrival of the last valid message (ns). received, dropped,
     clamped: message counts. answered: whether any message arrived since commands were last read.
+    """
+
+    arrival_ns: int | None = None
+    received: int = 0
+    dropped: int = 0
+    clamped: int = 0
+    last_problem: str = ""
+    answered: bool = False
+
+    def note(self, kind: str, problem: str) -> str:
+        """Count a problem, DROPPED or CLAMPED; returns its text."""
+        if kind == DROPPED:
+            self.dropped += 1
+        else:
+            self.clamped += 1
+        self.last_problem = f"{kind}: {problem}"
+        return self.last_problem
+
+
+@dataclasses.dataclass
+class Channel(Traffic):
+    """One quantity that is commanded, and its topic: its field, its number of values, the last one.
+
+    limit: name of its limit in CommandLimits. smallest: lower bound of the values. value: that of
+    the last valid message, on its own topic or on another way in. source: the topic of that
+    message. arrival_ns is that of this message, too; the counts are those of its own topic.
     """
 
     field: str
@@ -41,12 +67,7 @@ class Channel:
     limit: str
     smallest: float = -math.inf
     value: tuple[float, ...] = ()
-    arrival_ns: int | None = None
-    received: int = 0
-    dropped: int = 0
-    clamped: int = 0
-    last_problem: str = ""
-    answered: bool = False
+    source: str = ""
 
     @property
     def is_steering(self) -> bool:
@@ -86,23 +107,49 @@ class CommandInbox:
         self.timeout, self.steering_policy = timeout, steering_policy
         self.limits = limits or CommandLimits()
         self.channels = channels()
+        self.ways = {topic: Traffic() for topic in PARTS}
+        self.topics: dict[str, Traffic] = self.channels | self.ways
         self._values, self._command = {}, Command()
 
     def receive(self, topic: str, values: Sequence[float], now_ns: int) -> str:
         """Store a message that arrived at simulated time `now_ns`; returns its problem, or ''."""
-        channel = self.channels[topic]
-        channel.received += 1
-        channel.answered = True
-        if flaw := _flaw(values, channel):
-            channel.dropped += 1
-            channel.last_problem = f"{DROPPED}: {flaw}"
-            return channel.last_problem
-        channel.value, channel.arrival_ns = tuple(values), now_ns
-        if excess := self.limits.excess(channel.limit, values):
-            channel.clamped += 1
-            channel.last_problem = f"{CLAMPED}: {excess}"
-            return channel.last_problem
-        return ""
+        return self.receive_parts(topic, {topic: values}, now_ns)
+
+    def receive_parts(self, topic: str, parts: Parts, now_ns: int) -> str:
+        """Store a message that commands one or more channels, as a whole or not at all.
+
+        A quantity that is commanded in another way is refused until that has expired.
+        """
+        traffic = self._count(topic)
+        for name, values in parts.items():
+            channel = self.channels[name]
+            flaw = _flaw(values, channel) or self._conflict(channel, topic, now_ns)
+            if flaw:
+                about = "" if name == topic else f"{channel.field}: "
+                return traffic.note(DROPPED, about + flaw)
+        excess = ""
+        for name, values in parts.items():
+            channel = self.channels[name]
+            channel.value, channel.arrival_ns, channel.source = tuple(values), now_ns, topic
+            excess = excess or self.limits.excess(channel.limit, values)
+        traffic.arrival_ns = now_ns
+        return traffic.note(CLAMPED, excess) if excess else ""
+
+    def drop(self, topic: str, flaw: str) -> str:
+        """Count a message that cannot be used for a reason; returns its problem."""
+        return self._count(topic).note(DROPPED, flaw)
+
+    def _count(self, topic: str) -> Traffic:
+        traffic = self.topics[topic]
+        traffic.received += 1
+        traffic.answered = True
+        return traffic
+
+    def _conflict(self, channel: Channel, topic: str, now_ns: int) -> str:
+        """Why a topic may not command a channel: another one does; '' if it may."""
+        if channel.source in ("", topic) or self.is_silent(channel, now_ns):
+            return ""
+        return f"{topic} is refused while {channel.source} commands {channel.field}"
 
     def command(self, now_ns: int) -> Command:
         """The command for the period that begins at simulated time `now_ns`.
@@ -110,8 +157,8 @@ class CommandInbox:
         Returns the same object as before if nothing has changed. Clears `answered` of all channels.
         """
         values = {}
+        self.await_answers()
         for channel in self.channels.values():
-            channel.answered = False
             if channel.arrival_ns is None or channel.field in TOTALS:
                 continue
             silent = self.is_silent(channel, now_ns)
@@ -147,7 +194,7 @@ class CommandInbox:
 
     def unanswered(self, topics: Sequence[str]) -> list[str]:
         """Those of `topics` that received no message, not even an invalid one, since `command`."""
-        return [topic for topic in topics if not self.channels[topic].answered]
+        return [topic for topic in topics if not self.topics[topic].answered]
 
     def is_silent(self, channel: Channel, now_ns: int) -> bool:
         """Whether a topic has received a message before, but none within the timeout."""
@@ -155,10 +202,41 @@ class CommandInbox:
             return False
         return now_ns - channel.arrival_ns > round(self.timeout * NANOSECONDS)
 
+    def memory(self) -> dict:
+        """What determines the next commands: values, times of arrival, timeouts and limits.
+
+        The counts of messages are no part of it.
+        """
+        return {
+            "timeout": self.timeout,
+            "steering_policy": self.steering_policy,
+            "limits": dataclasses.asdict(self.limits),
+            "values": {name: [list(c.value), c.source] for name, c in self.channels.items()},
+            "heard": {name: [t.arrival_ns, t.answered] for name, t in self.topics.items()},
+        }
+
+    def remember(self, memory: dict) -> None:
+        """Take over what `memory` returned."""
+        self.timeout, self.steering_policy = memory["timeout"], memory["steering_policy"]
+        for name, limit in memory["limits"].items():
+            setattr(self.limits, name, limit)
+        for name, (value, source) in memory["values"].items():
+            self.channels[name].value, self.channels[name].source = tuple(value), source
+        for name, (arrival_ns, answered) in memory["heard"].items():
+            self.topics[name].arrival_ns, self.topics[name].answered = arrival_ns, answered
+
+    def await_answers(self) -> None:
+        """Count no message that has arrived as an answer."""
+        for traffic in self.topics.values():
+            traffic.answered = False
+
     def clear(self) -> None:
         """Discard all commands; the message counts are kept."""
+        self.await_answers()
+        for traffic in self.topics.values():
+            traffic.arrival_ns = None
         for channel in self.channels.values():
-            channel.value, channel.arrival_ns, channel.answered = (), None, False
+            channel.value, channel.source = (), ""
 
 
 def _flaw(values: Sequence[float], channel: Channel) -> str:

@@ -2,10 +2,13 @@
 
 import dataclasses
 
+from vehicle_roll_sim.input_errors import InputError, given
 from vehicle_roll_sim.live.command_inbox import CommandInbox
+from vehicle_roll_sim.live.session_snapshot import SessionSnapshot
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.simulation.command import STILL_AIR, Command
+from vehicle_roll_sim.simulation.memory import WithMemory
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
 
@@ -15,7 +18,9 @@ class Session:
 
     period_ns: publish period (ns), a multiple of the step. initial_speed: m/s. controller: speed
     controller; by default one with the default torque limits. `applied`: the command applied in
-    the last period; that of a vehicle with actuators passes through them.
+    the last period; that of a vehicle with actuators passes through them. `parts`: what else has a
+    memory, by name; snapshots contain all of it, so add to it what is driven beside the simulation,
+    such as sensors or a driver.
     """
 
     def __init__(
@@ -28,6 +33,10 @@ class Session:
     ):
         self.simulation, self.inbox, self.period_ns = simulation, inbox, period_ns
         self.controller = controller or SpeedController(simulation.vehicle)
+        self.parts: dict[str, WithMemory] = {
+            "commands": inbox,
+            "speed_controller": self.controller,
+        }
         self.paused = False
         self.reset(initial_speed)
 
@@ -37,6 +46,48 @@ class Session:
         self.inbox.clear()
         self.controller.reset()
         self.applied = Command()
+
+    def set_going(self, speed: float) -> None:
+        """Bring the vehicle to static equilibrium at `speed` (m/s) where it is, as it heads.
+
+        Time goes on, and so do the commands. Raises InputError like `reset`.
+        """
+        self.simulation.roll_freely(speed)
+        self.applied = Command()
+        self.controller.reset()
+
+    def snapshot(self) -> SessionSnapshot:
+        """The present state of everything, but for the pause and the counts of messages."""
+        return SessionSnapshot.of(
+            self._settings, self.simulation.snapshot(), self.applied, self.parts
+        )
+
+    def restore(self, snapshot: SessionSnapshot) -> None:
+        """Restore a snapshot of this session or of one constructed with the same arguments.
+
+        Raises InputError, without any change, if it was taken from a different session.
+        """
+        kept = given("snapshot", snapshot, SessionSnapshot).content
+        for name, value in self._settings.items():
+            if kept["settings"][name] != value:
+                problem = f"taken with another {name}, {kept['settings'][name]}"
+                raise InputError("snapshot", "", f"one taken with {value}", problem)
+        if kept["parts"].keys() != self.parts.keys():
+            problem = f"it contains {', '.join(kept['parts'])}"
+            raise InputError("snapshot", "", f"one with {', '.join(self.parts)}", problem)
+        self.simulation.restore(snapshot.simulation)
+        self.applied = Command(**kept["applied"])
+        for name, part in self.parts.items():
+            part.remember(kept["parts"][name])
+
+    @property
+    def _settings(self) -> dict[str, float]:
+        """What a session is constructed with and does not change."""
+        return {
+            "period (s)": self.period_ns / NANOSECONDS,
+            "speed_drive_limit (N m)": self.controller.drive_limit,
+            "speed_brake_limit (N m)": self.controller.brake_limit,
+        }
 
     def run_period(self) -> None:
         """Advance by one publish period with the present commands, unless the model has stopped."""

@@ -3,7 +3,7 @@
 import enum
 from collections.abc import Mapping, Sequence
 
-from vehicle_roll_sim.live.command_inbox import SPEED, WIND, Channel
+from vehicle_roll_sim.live.command_inbox import SPEED, WIND, Channel, Traffic
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
@@ -49,9 +49,11 @@ def command_troubles(session: Session, publishers: Publishers) -> list[str]:
     for topic, channel in session.inbox.channels.items():
         if session.inbox.is_silent(channel, session.simulation.time_ns):
             timeout, instead = session.inbox.timeout, _instead(channel, session)
-            troubles.append(f"{topic}: no message within {timeout:g} s of simulation: {instead}")
+            source = channel.source
+            troubles.append(f"{source}: no message within {timeout:g} s of simulation: {instead}")
         if reason := _ignored(topic, channel, session):
-            troubles.append(f"{topic}: ignored{reason}")
+            troubles.append(f"{channel.source}: ignored{reason}")
+    for topic in session.inbox.topics:
         names = publishers.get(topic, ())
         if len(names) > 1:
             listed = ", ".join(names)
@@ -65,7 +67,7 @@ def _ignored(topic: str, channel: Channel, session: Session) -> str:
     if not inbox.is_in_force(topic, now):
         return ""
     if winner := inbox.overruled_by(topic, now):
-        return f" while {winner} is commanded"
+        return f" while {inbox.channels[winner].source} is commanded"
     is_unfelt = channel.field == WIND and not session.simulation.feels_wind
     return ", the vehicle has no air forces" if is_unfelt else ""
 
@@ -99,22 +101,27 @@ def model_values(session: Session) -> dict[str, str]:
 def command_values(session: Session, publishers: Publishers) -> dict[str, str]:
     """Counts, last problem, age and publishers of every command topic, for diagnostics."""
     values = {}
-    for topic, channel in session.inbox.channels.items():
+    for topic, traffic in session.inbox.topics.items():
+        if topic in session.inbox.ways and topic not in publishers:
+            continue  # its message package is not installed
         names = publishers.get(topic, ())
         values |= {
-            f"{topic} received": str(channel.received),
-            f"{topic} dropped": str(channel.dropped),
-            f"{topic} clamped": str(channel.clamped),
-            f"{topic} last problem": channel.last_problem or NOTHING,
-            f"{topic} age (s)": _age(channel, session.simulation.time_ns),
+            f"{topic} received": str(traffic.received),
+            f"{topic} dropped": str(traffic.dropped),
+            f"{topic} clamped": str(traffic.clamped),
+            f"{topic} last problem": traffic.last_problem or NOTHING,
+            f"{topic} age (s)": _age(topic, traffic, session.simulation.time_ns),
             f"{topic} publishers": str(len(names)),
             f"{topic} publisher names": ", ".join(names) or NOTHING,
         }
     return values
 
 
-def _age(channel: Channel, now_ns: int) -> str:
-    """Simulated time (s) since the last valid message; `none` if there was none since the reset."""
-    if channel.arrival_ns is None:
+def _age(topic: str, traffic: Traffic, now_ns: int) -> str:
+    """Simulated time (s) since the last valid message on a topic.
+
+    `none` if there was none since the reset, or a later one in another way.
+    """
+    if traffic.arrival_ns is None or getattr(traffic, "source", topic) != topic:
         return NOTHING
-    return f"{(now_ns - channel.arrival_ns) / NANOSECONDS:.3f}"
+    return f"{(now_ns - traffic.arrival_ns) / NANOSECONDS:.3f}"

@@ -77,7 +77,12 @@ class HandwheelManoeuvre(Manoeuvre):
         return self
 
     def road_wheel(self, handwheel: np.ndarray) -> np.ndarray:
-        """Convert handwheel angles (deg) to road-wheel angles (rad)."""
+        """Convert handwheel angles (deg) to road-wheel angles (rad).
+
+        Raises InputError before `for_vehicle`, when there is no steering gear.
+        """
+        if isinstance(self.gear, float) and math.isnan(self.gear):
+            raise InputError("gear", None, "a manoeuvre completed by for_vehicle(vehicle, options)")
         return np.radians(to_road_wheels(handwheel, self.gear))
 
 

@@ -1,7 +1,7 @@
 """Covariances of `imu` and `odom`, given as diagonals, for filters that use these messages.
 
-The data themselves are exact, whatever the covariances say. In sensor_msgs/Imu, all zeros mean
-"covariance unknown".
+They change nothing in the data, which are exact without sensors; those of sensors come from their
+noise. In sensor_msgs/Imu, all zeros mean "covariance unknown".
 """
 
 import dataclasses
@@ -9,13 +9,15 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.simulation.sensors import Sensors
+from vehicle_roll_sim.vehicle.sensor_parameters import AXES
 
 LARGEST = 1e12
 """Larger than any meaningful variance."""
 
 
 def _diagonal(description: str, unit: str, size: int):
-    about = f"variances of {description}; all 0: unknown"
+    about = f"variances of {description}; all 0: unknown, or of the noise of sensors"
     return parameter(about, unit, 0.0, LARGEST, size=size, default=(0.0,) * size)
 
 
@@ -53,3 +55,31 @@ class Covariances:
 
     imu: ImuCovariances = ImuCovariances()
     odom: OdomCovariances = OdomCovariances()
+
+
+MEASURED = {
+    "imu": {
+        "orientation_covariance_diagonal": ("imu_orientation",),
+        "angular_velocity_covariance_diagonal": ("gyro",),
+        "linear_acceleration_covariance_diagonal": ("accelerometer",),
+    },
+    "odom": {
+        "pose_covariance_diagonal": ("odom_position", "odom_orientation"),
+        "twist_covariance_diagonal": ("odom_velocity", "odom_rate"),
+    },
+}
+"""The quantities of each diagonal, which have three components each."""
+
+
+def of_sensors(given: Covariances, sensors: Sensors) -> Covariances:
+    """The covariances of what sensors measure; a diagonal that is given, not all 0, is kept."""
+    found = {}
+    for topic, diagonals in MEASURED.items():
+        told = getattr(given, topic)
+        missing = {
+            name: tuple(sensors.variance(quantity) for quantity in quantities for _ in AXES)
+            for name, quantities in diagonals.items()
+            if not any(getattr(told, name)) and quantities[0] in sensors
+        }
+        found[topic] = dataclasses.replace(told, **missing)
+    return Covariances(**found)

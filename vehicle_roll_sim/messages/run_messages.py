@@ -10,7 +10,13 @@ from collections.abc import Iterable
 import numpy as np
 
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS
-from vehicle_roll_sim.messages.topics import ROLL_CENTRE, STATE_SET
+from vehicle_roll_sim.messages.topics import (
+    GROUND_TRUTH,
+    MEASUREMENTS,
+    ROLL_CENTRE,
+    STATE_SET,
+    TRUTH,
+)
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, ROLL_CENTRES, WIND, History
@@ -20,8 +26,10 @@ from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 STATE, COMMAND, IMU, LOADS = "state", "applied_command", "imu", "tire_normal_forces"
 COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS))
 """The topics from which a history is built."""
-NOT_OF_EVERY_MODEL = (ROLL_CENTRE,)
-"""Topics from which columns are added to it, if there are any messages on them."""
+(TRUE_IMU,) = (topic for topic in GROUND_TRUTH if topic.name == TRUTH + IMU)
+NOT_OF_EVERY_MODEL = (ROLL_CENTRE, TRUE_IMU)
+"""Topics from which columns are added to it, if there are any messages on them, or which then take
+the place of another."""
 TIRE_FORCES = tuple(topic for topic in STATE_SET if topic.name.startswith("tire_forces/"))
 """Topics that fill the columns of horizontal tire forces, lf to rr, where they are kept."""
 OF_TIRES = {topic.name for topic in TIRE_FORCES}
@@ -104,7 +112,8 @@ class RunMessages:
         The keys are the places of their states.
         """
         sent = np.array([sent for sent, _ in self.states])
-        columns = [_shared_out(kept, sent) for kept in self._others.values()]
+        topics = self._others | {IMU: self._added[TRUE_IMU.name] or self._others[IMU]}
+        columns = [_shared_out(kept, sent) for kept in topics.values()]
         found = {}
         for k, (_, state) in enumerate(self.states):
             parts = [column.get(k) for column in columns]
@@ -115,7 +124,7 @@ class RunMessages:
 
 def _used(name: str, message):
     """The part of a message that is used: an hour of entire messages would take gigabytes."""
-    if name == IMU:
+    if name in (IMU, TRUE_IMU.name):
         reading = message.linear_acceleration
         return reading.x, reading.y, reading.z
     if name in OF_TIRES:
@@ -168,6 +177,8 @@ def is_ours(name: str, message) -> bool:
         return is_whole and set(labels) >= NEEDED and math.isfinite(message.data[0])
     if name == COMMAND:
         return len(message.data) in COMMAND_SIZES and math.isfinite(message.data[0])
+    if name == MEASUREMENTS.name:
+        return len(message.data) > 0 and math.isfinite(message.data[0])
     sizes = {LOADS: len(WHEELS), ROLL_CENTRE.name: len(ROLL_CENTRES)}
     return name not in sizes or len(message.data) == sizes[name]
 

@@ -6,12 +6,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vehicle_roll_sim.messages.covariances import Covariances
+from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     FLOAT,
+    MEASUREMENTS,
     ROLL_CENTRE,
     STATE_SET,
     TRANSFORMS,
@@ -60,7 +61,7 @@ EMPTY_LIST = 4
 """Bytes of an empty list: its length field."""
 FLAGS_MARK = (250, 251, 252, 253)
 """A placeholder that no lift-off flags contain otherwise."""
-TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE)}
+TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS)}
 
 
 class Messages:
@@ -100,14 +101,8 @@ class Messages:
         }
         self.named |= {name: ((name,), each.numbers) for name, each in self._single.items()}
         self._clock = MessageTemplate(encode(CLOCK.type, {"clock": STAMP_MARK}))
-        position = {"position": {"x": MARK}}
-        odometry = self._in_frame("odom") | {"pose": {"pose": position}}
-        odometry |= self._of_frame("base_link")
-        self._odom = MessageTemplate(encode(TYPES["odom"], odometry), OF_ODOMETRY)
-        covariances.odom.spread(self._odom.numbers)
-        imu = self._in_frame("base_link") | {"orientation": {"x": MARK}}
-        self._imu = MessageTemplate(encode(TYPES["imu"], imu), OF_IMU)
-        covariances.imu.spread(self._imu.numbers)
+        self._odom = self._odometry(covariances.odom)
+        self._imu = self._inertial("base_link", covariances.imu)
         self._joints = self._joint_states()
         force = self._in_frame("base_footprint") | {"wrench": {"force": {"x": MARK}}}
         self._forces = [MessageTemplate(encode(WRENCH, force), OF_WRENCH) for _ in WHEELS]
@@ -133,6 +128,19 @@ class Messages:
 
     def _of_frame(self, frame: str) -> dict:
         return {"child_frame_id": self._frame_prefix + frame}
+
+    def _odometry(self, covariances: OdomCovariances) -> MessageTemplate:
+        fields = self._in_frame("odom") | {"pose": {"pose": {"position": {"x": MARK}}}}
+        fields |= self._of_frame("base_link")
+        message = MessageTemplate(self._encode(TYPES["odom"], fields), OF_ODOMETRY)
+        covariances.spread(message.numbers)
+        return message
+
+    def _inertial(self, frame: str, covariances: ImuCovariances) -> MessageTemplate:
+        fields = self._in_frame(frame) | {"orientation": {"x": MARK}}
+        message = MessageTemplate(self._encode(TYPES["imu"], fields), OF_IMU)
+        covariances.spread(message.numbers)
+        return message
 
     def _joint_states(self) -> MessageTemplate:
         """Positions and velocities are contiguous, except for the length field of the latter."""
@@ -197,10 +205,12 @@ class Messages:
         return self._dated(self._imu)
 
     def joint_states(self) -> bytes:
-        position, velocity = joint_motion(self.simulation)
-        self._joints.numbers[: len(position)] = position
-        self._joints.numbers[-len(velocity) :] = velocity
-        return self._dated(self._joints)
+        return self._dated_joints(self._joints, *joint_motion(self.simulation))
+
+    def _dated_joints(self, message: MessageTemplate, position, velocity) -> bytes:
+        message.numbers[: len(position)] = position
+        message.numbers[-len(velocity) :] = velocity
+        return self._dated(message)
 
     def tire_normal_forces(self) -> bytes:
         self._loads.numbers[:] = self.simulation.outputs["normal_force"]
@@ -242,7 +252,6 @@ class Messages:
         return bytes(self._roll_centre)
 
     def _attitude(self) -> tuple[float, ...]:
-        """Attitude as a quaternion (x, y, z, w); pitch is 0 in a model without it."""
         roll, pitch, yaw = self.simulation.state_vector[ANGLES].tolist()
         return quaternion(roll, 0.0 if math.isnan(pitch) else pitch, yaw)
 

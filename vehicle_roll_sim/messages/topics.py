@@ -4,11 +4,13 @@ Nodes, bags and the documentation take them from here.
 """
 
 import dataclasses
+from collections.abc import Collection
 
 from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, WIND, channels
 from vehicle_roll_sim.live.command_limits import UNITS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.sensor_parameters import IMU, ODOMETRY, STEERING, WHEEL_SPEEDS
 
 
 @dataclasses.dataclass(frozen=True)
@@ -65,6 +67,30 @@ COMMANDS = tuple(
     for name, channel in channels().items()
 )
 """What the simulator subscribes to; the depth is that of publishers in this package."""
+WAYS_IN = (
+    Topic(
+        "ackermann_cmd",
+        "ackermann_msgs/msg/AckermannDriveStamped",
+        depth=1,
+        meaning="angle of the front wheels and speed, as `steering_cmd` and `speed_cmd`; where "
+        "ackermann_msgs is installed",
+    ),
+    Topic(
+        "cmd_vel",
+        "geometry_msgs/msg/TwistStamped",
+        depth=1,
+        meaning="forward speed and yaw rate, as `speed_cmd` and the `steering_cmd` of a kinematic "
+        "bicycle",
+    ),
+    Topic(
+        "joint_commands",
+        JOINTS,
+        depth=1,
+        meaning="positions of steering joints, efforts of wheel joints and of suspension joints, "
+        "as commands for these",
+    ),
+)
+"""Other ways in: topics of standard types, each for several of the commands."""
 TOTAL_TORQUES = tuple(topic for topic in COMMANDS if channels()[topic.name].field in (DRIVE, BRAKE))
 """Commands that the vehicle distributes to the wheels."""
 OF_WIND = tuple(topic for topic in COMMANDS if channels()[topic.name].field == WIND)
@@ -120,6 +146,27 @@ ROLL_CENTRE = Topic(
     "left of the c.g.; nan where there is none",
 )
 """Also part of the set in models whose roll centres move with the suspension."""
+MEASUREMENTS = Topic(
+    "measurements",
+    ARRAY,
+    meaning="with sensors: time since the reset, then their last readings",
+)
+"""Also part of the set if the vehicle has sensors."""
+MEASURED_BY = {"odom": (ODOMETRY,), "imu": (IMU,), "joint_states": (WHEEL_SPEEDS, STEERING)}
+"""The topics that have the readings of devices, if the vehicle has these."""
+TRUTH = "ground_truth/"
+GROUND_TRUTH = tuple(
+    Topic(
+        f"{TRUTH}{topic.name}",
+        topic.type,
+        meaning=f"with sensors, if they measure what `{topic.name}` has: the truth",
+    )
+    for topic in STATE_SET
+    if topic.name in MEASURED_BY
+)
+"""Also part of the set if devices measure what these topics have."""
+OF_SOME_SETS = (ROLL_CENTRE, MEASUREMENTS, *GROUND_TRUTH)
+"""The topics of a set that depend on model and vehicle, besides the stamped ones."""
 STAMPED_ENDING = "_stamped"
 STAMPED = tuple(
     Topic(
@@ -128,7 +175,7 @@ STAMPED = tuple(
         unit=topic.unit,
         meaning=f"`{topic.name}` with a header: values in `position`, their names in `name`",
     )
-    for topic in (*STATE_SET, ROLL_CENTRE)
+    for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS)
     if topic.type in (FLOAT, ARRAY, FLAGS)
 )
 """Also part of the set with `publish_stamped`: topics without a header, with a header and names.
@@ -158,7 +205,7 @@ DIAGNOSTICS = Topic(
 
 PUBLISHED = (
     *STATE_SET,
-    ROLL_CENTRE,
+    *OF_SOME_SETS,
     ROLLOVER,
     ROBOT_DESCRIPTION,
     SIMULATION_DESCRIPTION,
@@ -168,8 +215,17 @@ PUBLISHED = (
 )
 
 
-def set_of(options: Options, stamped: bool) -> tuple[Topic, ...]:
-    """The topics of a set of a model, in order; stamped: with those of `publish_stamped`."""
-    topics = (*STATE_SET, ROLL_CENTRE) if options.is_kinematic else STATE_SET
+def set_of(options: Options, stamped: bool, devices: Collection[str] = ()) -> tuple[Topic, ...]:
+    """The topics of a set of a model, in order.
+
+    stamped: with those of `publish_stamped`. devices: names of those of the vehicle's sensors.
+    """
+    measured = {TRUTH + name for name, by in MEASURED_BY.items() if not {*by}.isdisjoint(devices)}
+    topics = (
+        *STATE_SET,
+        *((ROLL_CENTRE,) if options.is_kinematic else ()),
+        *((MEASUREMENTS,) if devices else ()),
+        *(topic for topic in GROUND_TRUTH if topic.name in measured),
+    )
     names = {topic.name + STAMPED_ENDING for topic in topics if stamped}
     return (*topics, *(topic for topic in STAMPED if topic.name in names))

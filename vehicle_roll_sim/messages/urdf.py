@@ -10,8 +10,10 @@ from vehicle_roll_sim.simulation.drawn_vehicle import (
     wheel_centres_at_rest,
 )
 from vehicle_roll_sim.simulation.options import Options, options_for
+from vehicle_roll_sim.simulation.sensing import place_of_imu
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.sensor_parameters import IMU, has_device
 
 SPOKE_WIDTH = 0.2
 """Width of the bar that makes wheel spin visible, as a fraction of the tire radius."""
@@ -50,6 +52,9 @@ def urdf(vehicle: Vehicle, options: Options | None = None) -> str:
         material = ElementTree.SubElement(robot, "material", name=name)
         ElementTree.SubElement(material, "color", rgba=_numbers(colour))
     _body(robot, vehicle)
+    if has_device(vehicle, IMU):
+        place, turn = place_of_imu(vehicle)
+        _joint(robot, IMU, "fixed", "base_link", Z, place, turn)
     record = vehicle.record()[0]
     centres = wheel_centres_at_rest(record, options)
     strut = "fixed" if options.has_eight_dof else "prismatic"
@@ -87,11 +92,11 @@ def _wheel(link: ElementTree.Element, radius: float) -> None:
     _box(link, "spoke", size, (0.0, 0.0, size[2] / 2))
 
 
-def _joint(robot, name: str, motion: str, parent: str, axis: str, origin=HERE) -> str:
+def _joint(robot, name: str, motion: str, parent: str, axis: str, origin=HERE, turn=HERE) -> str:
     """Add a joint and then its child link; returns the link's name."""
     joint = ElementTree.SubElement(robot, "joint", name=f"{name}_joint", type=motion)
     child = f"{name}_link"
-    ElementTree.SubElement(joint, "origin", xyz=_numbers(origin), rpy=_numbers(HERE))
+    ElementTree.SubElement(joint, "origin", xyz=_numbers(origin), rpy=_numbers(turn))
     ElementTree.SubElement(joint, "parent", link=parent)
     ElementTree.SubElement(joint, "child", link=child)
     if motion != "fixed":

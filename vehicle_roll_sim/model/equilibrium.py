@@ -5,6 +5,12 @@ import numpy as np
 from vehicle_roll_sim.model.records import FRONT, LR, REAR, STATE, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.radii import free_spin
 
+AT_REST = (
+    *("cg_height", "static_suspension_compression", "static_tire_compression"),
+    *("tire_radius", "tire_stiffness", "tire_progression", "camber", "static_loaded_radius"),
+)
+"""Fields of VEHICLE on which the equilibrium depends."""
+
 
 def axle_load_share(to_front: float, to_rear: float) -> np.ndarray:
     """Share of the sprung weight on each wheel, shape (4,); the sum is 1.
@@ -57,18 +63,19 @@ def equilibrium(
     whether it is that of model 2, where leaning wheels have their loaded radius along their plane.
     """
     state = np.zeros(1, STATE)
-    car, start = vehicle[0], state[0]
-    start.z = car.cg_height
-    start.u = speed
-    start.suspension_compression = car.static_suspension_compression
-    start.tire_compression = car.static_tire_compression
-    radius = car.tire_radius - car.static_tire_compression
+    car = {name: vehicle[name][0] for name in AT_REST}
+    compression = car["static_tire_compression"]
+    state["z"], state["u"] = car["cg_height"], speed
+    state["suspension_compression"] = car["static_suspension_compression"]
+    state["tire_compression"] = compression
+    radius = car["tire_radius"] - compression
     if is_kinematic:
-        radius = np.where(car.camber != 0.0, car.static_loaded_radius, radius)
-    start.wheel_speed = np.full(WHEEL_COUNT, speed) / radius
-    load = static_tire_load(car.static_tire_compression, car.tire_stiffness, car.tire_progression)
+        radius = np.where(car["camber"] != 0.0, car["static_loaded_radius"], radius)
+    speeds = np.full(WHEEL_COUNT, speed) / radius
+    load = static_tire_load(compression, car["tire_stiffness"], car["tire_progression"])
     for i in range(WHEEL_COUNT):
         tire = tires[FRONT if i < LR else REAR]
         if tire["rolls_on_own_radius"]:
-            start.wheel_speed[i] = free_spin(speed, load[i], tire)
+            speeds[i] = free_spin(speed, load[i], tire)
+    state["wheel_speed"] = speeds
     return state

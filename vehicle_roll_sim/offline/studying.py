@@ -61,11 +61,12 @@ def study(
 ) -> StudyResult:
     """Run a study, or complete an interrupted one, like `vehicle_roll_sim study`.
 
-    given: a study file, or a mapping of the same keys, in which `vehicle` may also be a Vehicle.
-    out: folder of the results. format: of the tables, parquet or csv. progress: called after each
-    chunk with its number of runs, and whether they were in the folder already. dask: address of a
-    Dask scheduler, whose workers compute the runs. Returns a StudyResult. Raises InputError, and
-    ConnectionError if the scheduler is lost.
+    given: a study file, or a mapping of the same keys, in which `vehicle` may also be a Vehicle,
+    `manoeuvre` a Manoeuvre and `controller` a ControlLaw. out: folder of the results. format: of
+    the tables, parquet or csv. progress: called after each chunk with its number of runs, and
+    whether they were in the folder already. dask: address of a Dask scheduler, whose workers
+    compute the runs. Returns a StudyResult. Raises InputError, and ConnectionError if the scheduler
+    is lost.
     """
     if isinstance(given, Mapping):
         source = Source(given)

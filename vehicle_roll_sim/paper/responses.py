@@ -24,7 +24,7 @@ PER_G = np.degrees(GRAVITY)
 
 def response_rows(study: Study) -> list[tuple[str, ...]]:
     """One row of HEADER per model: four values from the step steer, four from the ramp steer."""
-    wheelbase = study.vehicle.cg_to_front_axle + study.vehicle.cg_to_rear_axle
+    wheelbase = study.vehicle.wheelbase
     rows = []
     for case in (*SIMPLIFIED, *VARIANTS):
         numbers = (*_of_step(study.step(case)), *_of_ramp(study.ramp(case), wheelbase))

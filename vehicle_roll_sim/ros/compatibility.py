@@ -9,7 +9,8 @@ from rclpy.publisher import Publisher
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
-from vehicle_roll_sim.messages.topics import COMMANDS, Topic
+from vehicle_roll_sim.messages.topics import Topic
+from vehicle_roll_sim.ros.topics import heard_commands
 
 UNNAMED = "_NODE_NAME_UNKNOWN_"
 """Node name of an endpoint that was discovered before its node, or that is not a ROS endpoint."""
@@ -58,7 +59,7 @@ def other_publishers(node: Node, topic: Topic) -> list[str]:
 
 def command_publishers(node: Node) -> dict[str, list[str]]:
     """`other_publishers` of every command topic, by topic name."""
-    return {topic.name: other_publishers(node, topic) for topic in COMMANDS}
+    return {topic.name: other_publishers(node, topic) for topic in heard_commands()}
 
 
 def publishers_of(node: Node, topic: str) -> list[str]:

@@ -26,8 +26,13 @@ def scripts_of(names: Iterable[str], field: str) -> list[Path]:
     return list(dict.fromkeys(found))
 
 
+def examples() -> list[str]:
+    """The names of the example controllers."""
+    return sorted(path.stem for path in EXAMPLES.glob("*.py") if path.stem not in NO_CONTROLLERS)
+
+
 def _script(name: str, field: str) -> Path:
-    there = sorted(path.stem for path in EXAMPLES.glob("*.py") if path.stem not in NO_CONTROLLERS)
+    there = examples()
     if name in there:
         return EXAMPLES / f"{name}.py"
     if Path(name).is_file():

@@ -17,6 +17,7 @@ MODULES = {
     "live_view": "clients.live_view",
     "demo": "orchestration.demo",
     "compare": "orchestration.compare",
+    "score": "orchestration.score",
 }
 """Where the main function of each executable is."""
 
@@ -45,6 +46,10 @@ def compare() -> int:
     return _run("compare", INTERRUPTED)
 
 
+def score() -> int:
+    return _run("score", INTERRUPTED)
+
+
 def _run(name: str, interrupted: int = 0) -> int:
     """Run the main function of an executable; return the exit status.
 
@@ -65,5 +70,5 @@ def _run(name: str, interrupted: int = 0) -> int:
 
 
 if __name__ == "__main__":
-    entries = (simulator, manoeuvre, recorder, live_view, demo, compare)
+    entries = (simulator, manoeuvre, recorder, live_view, demo, compare, score)
     sys.exit({each.__name__: each for each in entries}[sys.argv.pop(1)]())

@@ -55,7 +55,7 @@ def node_main(
         end_node_at_once()
         arguments = parser.parse_args(_without_ros_arguments(words))
         try:
-            _find_log_folder(parser.prog)
+            find_log_folder(parser.prog)
             _initialise(words)
             signals.shut_down_on_signal(_shut_down)
             with unwarned():  # nodes log plausibility warnings themselves
@@ -127,7 +127,7 @@ def _without_ros_arguments(words: list[str]) -> list[str]:
         raise _not_started(error) from None
 
 
-def _find_log_folder(program: str) -> None:
+def find_log_folder(program: str) -> None:
     """Direct the logs to a temporary folder if ROS cannot write them, such as without a home."""
     if os.environ.get("ROS_LOG_DIR") or os.environ.get("ROS_HOME"):
         return

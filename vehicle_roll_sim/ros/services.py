@@ -29,4 +29,13 @@ PAUSE = Service("pause", SetBool, "true: pause; false: resume")
 STEP = Service(
     "step", Trigger, "run one publish period while paused; refused while running or stopped"
 )
-SERVICES = (RESET, PAUSE, STEP)
+SAVE = Service(
+    "save", Trigger, "save the present state; the message is its token, for the parameter snapshot"
+)
+RESTORE = Service(
+    "restore",
+    Trigger,
+    "go on from the state whose token is the parameter snapshot, or from the last one saved; "
+    "refused, and the run continues, if it is unknown, damaged or that of another simulation",
+)
+SERVICES = (RESET, PAUSE, STEP, SAVE, RESTORE)

@@ -5,12 +5,13 @@ import importlib.util
 
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 
-from vehicle_roll_sim.messages.topics import COMMANDS, Topic
+from vehicle_roll_sim.messages.topics import COMMANDS, WAYS_IN, Topic
 
 NEWEST_ONLY = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
 """For command subscriptions: compatible with any publisher, and keeps only the newest message."""
-EVERY_ANSWER = QoSProfile(depth=1)
-"""For command subscriptions in lockstep: reliable, so that no answer is lost."""
+EVERY_ANSWER = QoSProfile(depth=10)
+"""For command subscriptions in lockstep: no answer is lost, nor replaced by one that comes after it
+before it was read."""
 COMMANDING = QoSProfile(depth=1)
 """For command publishers."""
 
@@ -18,6 +19,11 @@ COMMANDING = QoSProfile(depth=1)
 def is_installed(topic: Topic) -> bool:
     """Whether its message package is installed: a minimal ROS has no tf2_msgs."""
     return importlib.util.find_spec(topic.type.partition("/")[0]) is not None
+
+
+def heard_commands() -> tuple[Topic, ...]:
+    """The topics by which a simulator is commanded, as far as their types are installed."""
+    return tuple(filter(is_installed, (*COMMANDS, *WAYS_IN)))
 
 
 def message_class(type_name: str) -> type:
@@ -33,7 +39,7 @@ def offered_qos(topic: Topic) -> QoSProfile:
 
 def recording_qos(topic: Topic) -> QoSProfile:
     """The QoS profile of a subscription that needs every message of any publisher."""
-    is_command = topic in COMMANDS
+    is_command = topic in (*COMMANDS, *WAYS_IN)
     return QoSProfile(
         history=HistoryPolicy.KEEP_LAST,
         depth=1000,

@@ -40,6 +40,7 @@ from vehicle_roll_sim.runs.run import (
     add_hold,
     in_whole_steps,
     records_by_time,
+    run,
 )
 from vehicle_roll_sim.simulation.command import Programme, records_of
 from vehicle_roll_sim.simulation.driving import drive_on
@@ -66,9 +67,12 @@ def compiled_run(
 
     Arguments and result as for `run`, without command period and observer. A Programme must return
     the same commands for a time whatever the other times it is called with; it is called with
-    thousands of them. with_commands: also find the commands of the rows. Raises InputError for
-    times that are not multiples of the integration step.
+    thousands of them. with_commands: also find the commands of the rows. A vehicle with sensors,
+    which take samples on the way, is left to `run`. Raises InputError for times that are not
+    multiples of the integration step.
     """
+    if simulation.has_sensors:
+        return run(simulation, driver, duration, sample=sample)
     loop = _Loop(simulation, driver, duration, sample)
     loop.drive()
     history = loop.history()

@@ -66,6 +66,8 @@ ROLL_CENTRES = tuple(
 the roll centre of each axle (m); nan where there is none."""
 WIND = ("wind_x", "wind_y")
 """Names of further commands of vehicles with air forces (m/s), in the same sense."""
+MEASURED = "measured_"
+"""Begins the names of further columns of vehicles with sensors: the last reading of each."""
 WITH_COMMANDS = "add all commands to the CSV, not only the steering; `plot` then draws them"
 """Help text of the option of that name."""
 
@@ -103,13 +105,20 @@ def roll_centres_of(simulation: Simulation) -> np.ndarray:
     return simulation.output_vector[ROLL_CENTRE_PLACES]
 
 
+def measured_names(simulation: Simulation) -> tuple[str, ...]:
+    """Names of the columns of what the sensors of a simulation measure."""
+    return tuple(MEASURED + label for label in simulation.sensors.labels)
+
+
 class History:
     """Samples of a run; `history["roll"]` is one column, shape (rows,).
 
-    rows: values of COLUMNS, shape (rows, columns). commands: values of COMMANDS, shape (rows,
-    commands), or None if they are unknown. roll_centres: values of ROLL_CENTRES, shape (rows, 4),
-    or None if the model has none or they are unknown. wind: values of WIND, shape (rows, 2), or
-    None if the vehicle does not feel it or it is unknown.
+    rows: values of COLUMNS, shape (rows, columns); an array is kept, not copied. commands: values
+    of COMMANDS, shape (rows, commands), or None if they are unknown. roll_centres: values of
+    ROLL_CENTRES, shape (rows, 4), or None if the model has none or they are unknown. wind: values
+    of WIND, shape (rows, 2), or None if the vehicle does not feel it or it is unknown. measured:
+    the last readings of sensors, shape (rows, k), and `measured_names`, the k names of further
+    columns; none without sensors.
     """
 
     def __init__(
@@ -118,9 +127,12 @@ class History:
         commands: np.ndarray | None = None,
         roll_centres: np.ndarray | None = None,
         wind: np.ndarray | None = None,
+        measured: np.ndarray | None = None,
+        measured_names: tuple[str, ...] = (),
     ):
-        self.rows, self.commands, self.roll_centres = np.array(rows), commands, roll_centres
-        self.wind = wind
+        self.rows, self.commands, self.roll_centres = np.asarray(rows), commands, roll_centres
+        self.wind, self.measured_names = wind, measured_names
+        self.measured = np.zeros((len(self.rows), 0)) if measured is None else measured
 
     @classmethod
     def read_csv(cls, path: Path) -> "History":
@@ -183,13 +195,14 @@ class History:
         commands = None if self.commands is None else self.commands[chosen]
         centres = None if self.roll_centres is None else self.roll_centres[chosen]
         wind = None if self.wind is None else self.wind[chosen]
-        return History(self.rows[chosen], commands, centres, wind)
+        measured = (self.measured[chosen], self.measured_names)
+        return History(self.rows[chosen], commands, centres, wind, *measured)
 
     def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
         """Write all rows in full precision; the file is written completely or not at all.
 
         Columns of ROLL_CENTRES follow if they are known. with_commands: append COMMANDS to the
-        columns, nan if they are unknown, and WIND if it is known.
+        columns, nan if they are unknown, and WIND if it is known. What sensors measured comes last.
         """
         names, rows = COLUMNS, self.rows
         if self.roll_centres is not None:
@@ -198,6 +211,8 @@ class History:
             names, rows = (*names, *COMMANDS), np.hstack((rows, self._known_commands()))
             if self.wind is not None:
                 names, rows = (*names, *WIND), np.hstack((rows, self.wind))
+        if self.measured_names:
+            names, rows = (*names, *self.measured_names), np.hstack((rows, self.measured))
         with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
             file.write(",".join(names) + "\n")
             for row in rows.tolist():

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from vehicle_roll_sim.model.records import LF, RF
+from vehicle_roll_sim.model.records import LF, LR, RF, RR
 
 LEFT, RIGHT = slice(LF, None, 2), slice(RF, None, 2)
 """Wheels of each side, front and rear."""
@@ -110,7 +110,7 @@ def load_transfer_ratio(loads: np.ndarray) -> float | np.ndarray:
 
     0 if no tire carries load; a float for a single set of four.
     """
-    left, right = loads[..., LEFT].sum(axis=-1), loads[..., RIGHT].sum(axis=-1)
+    left, right = loads[..., LF] + loads[..., LR], loads[..., RF] + loads[..., RR]
     total = left + right
     return np.divide(right - left, total, out=np.zeros(np.shape(total)), where=total != 0.0)[()]
 
@@ -121,8 +121,8 @@ def two_wheel_lift_time(time: np.ndarray, tire_compression: np.ndarray) -> float
     tire_compression: (n, 4) (m), off the ground minus the height of the tire above it; nan in a
     model without it, which gives nan.
     """
-    heights = -tire_compression
-    lifted = np.any([np.all(heights[:, s] >= TWO_INCHES, axis=1) for s in (LEFT, RIGHT)], axis=0)
+    is_off = -tire_compression >= TWO_INCHES
+    lifted = (is_off[:, LF] & is_off[:, LR]) | (is_off[:, RF] & is_off[:, RR])
     return float(time[np.argmax(lifted)]) if lifted.any() else math.nan
 
 

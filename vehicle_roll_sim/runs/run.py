@@ -9,7 +9,7 @@ import numpy as np
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import LR
-from vehicle_roll_sim.runs.history import History, roll_centres_of, row_of
+from vehicle_roll_sim.runs.history import History, measured_names, roll_centres_of, row_of
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
 
@@ -59,6 +59,7 @@ def run(
     steps_at = [] if period else in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
     rows, held = [row_of(simulation)], None
     centres = [roll_centres_of(simulation)]
+    readings = [simulation.sensors.readings()]
     driven = [_driven(simulation, Command() if period else None)]
     if observer:
         observer.on_set()
@@ -77,6 +78,7 @@ def run(
         if has_moved and (ended or simulation.time_ns % every == 0):
             rows.append(row_of(simulation))
             centres.append(roll_centres_of(simulation))
+            readings.append(simulation.sensors.readings())
             driven.append(_driven(simulation, held))
         if observer and (ended or simulation.time_ns % period == 0):
             observer.on_set()
@@ -84,6 +86,7 @@ def run(
     history = History(rows)
     if simulation.options.is_kinematic:
         history.roll_centres = np.array(centres)
+    history.measured, history.measured_names = np.array(readings), measured_names(simulation)
     if driven[0] is None:
         records = records_by_time(history, driver)
     else:

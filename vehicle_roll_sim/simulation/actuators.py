@@ -15,7 +15,7 @@ from vehicle_roll_sim.model.actuators import (
 )
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
-from vehicle_roll_sim.model.records import COMMAND
+from vehicle_roll_sim.model.records import COMMAND, WHEEL_COUNT
 from vehicle_roll_sim.vehicle.actuator_parameters import (
     MEASURES,
     QUANTITIES,
@@ -60,14 +60,27 @@ def actuators_of(vehicle: Vehicle, step_ns: int) -> np.ndarray:
 
     Raises InputError for a dead time that is not a multiple of the step.
     """
-    record = np.zeros(1, ACTUATORS)
-    record["lowest"], record["highest"], record["most_per_half_step"] = -np.inf, np.inf, np.inf
-    record["present"] = has_actuators(vehicle)
+    record = _NONE.copy()
+    if not has_actuators(vehicle):
+        return record
+    record["present"] = True
     record["takes_speed_hold"] = has_actuator(vehicle, "wheel_torque")
     for quantity in QUANTITIES:
         _describe(record[0], quantity, vehicle, step_ns)
     record["slots"] = 1 + record["delay"].max()
     return record
+
+
+def _no_actuators() -> np.ndarray:
+    """One ACTUATORS record that changes nothing; brake torques are not negative."""
+    record = np.zeros(1, ACTUATORS)
+    record["lowest"], record["highest"], record["most_per_half_step"] = -np.inf, np.inf, np.inf
+    record["lowest"][0, BRAKE_TORQUE : BRAKE_TORQUE + WHEEL_COUNT] = 0.0
+    record["slots"] = 1
+    return record
+
+
+_NONE = _no_actuators()
 
 
 def _describe(record: np.record, quantity: str, vehicle: Vehicle, step_ns: int) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_of
 from vehicle_roll_sim.model.records import COMMAND, LR, WHEELS
+from vehicle_roll_sim.simulation.memory import Remembering
 from vehicle_roll_sim.vehicle.air_parameters import NO_WIND
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
@@ -110,6 +111,8 @@ KEPT = {field.name: _CHECKS.get(field.default, _number) for field in dataclasses
 """The function that checks each value of a command and converts it."""
 
 
+IDLE = Command()
+"""No command."""
 Programme = Callable[[np.ndarray], np.ndarray]
 """Commands as a function of time: takes an array of n times (s), returns n COMMAND records.
 
@@ -155,10 +158,10 @@ def _checked(records, count: int) -> np.ndarray:
     return records
 
 
-class Feedback(abc.ABC):
+class Feedback(Remembering, abc.ABC):
     """Commands that depend on the state: computed at the beginning of each period, then held.
 
-    Use a new object for each run.
+    Use a new object for each run. `memory` and `remember` save and restore its attributes.
     """
 
     @abc.abstractmethod

@@ -24,6 +24,7 @@ from vehicle_roll_sim.simulation.options import SWITCHES, Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
+from vehicle_roll_sim.vehicle.sensor_parameters import SEED
 from vehicle_roll_sim.vehicle.tire_file import DEFAULTS, Tire
 from vehicle_roll_sim.vehicle.vehicle_file import TIRES
 from vehicle_roll_sim.version import __version__
@@ -63,14 +64,16 @@ def describe(simulation: Simulation, period_ns: int) -> str:
 def _parts(simulation: Simulation) -> dict:
     """Everything that defines a simulation.
 
-    What older versions did not have is omitted where it is neutral: a description that lacks it
-    describes the same simulation as ever.
+    The seed of sensors is named even if it is 0. What older versions did not have is omitted where
+    it is neutral: a description that lacks it describes the same simulation as ever.
     """
     vehicle, options = simulation.vehicle, dataclasses.asdict(simulation.options)
     taken = vehicle.from_tires
     if simulation.options.contact_patch_shift == ON:
         taken = taken | vehicle.lateral_stiffness_from_tires
     numbers = vehicle.with_depths().given | {name: found.value for name, found in taken.items()}
+    if simulation.has_sensors:
+        numbers[SEED] = simulation.sensors.seed
     numbers = {name: numbers[name] for name in parameters_of(Vehicle) if name in numbers}
     parts = {
         "step": simulation.step_ns / NANOSECONDS,

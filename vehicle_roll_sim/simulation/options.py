@@ -121,7 +121,7 @@ class Options:
     def record(self) -> np.ndarray:
         """The options as input to the equations: an array of one OPTIONS record, shape (1,)."""
         options = np.zeros(1, OPTIONS)
-        chosen = [name for name, value in dataclasses.asdict(self).items() if value is True]
+        chosen = [name for name, value in vars(self).items() if value is True]
         for name in (*MODELS[self.model], *chosen):
             options[name] = True
         options["asymmetric_link_load_transfer"] = self.link_load_transfer == ASYMMETRIC
@@ -140,7 +140,7 @@ class Options:
             for name in SWITCHES
             if getattr(self, name) == AUTO
         }
-        return dataclasses.replace(self, **chosen)
+        return dataclasses.replace(self, **chosen) if chosen else self
 
     def _check_mass(self, vehicle: Vehicle) -> None:
         """The 8 DOF models assume a symmetric body without products of inertia."""

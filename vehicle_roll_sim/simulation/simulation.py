@@ -1,5 +1,6 @@
 """The simulated vehicle: reset it, step it, read its state. Everything else builds on this."""
 
+import functools
 import math
 
 import numpy as np
@@ -30,14 +31,22 @@ from vehicle_roll_sim.model.records import (
     STATE_SIZE,
     element_names,
 )
-from vehicle_roll_sim.model.roll_axis import motion_above_axis, roll_axis_depth
+from vehicle_roll_sim.model.roll_axis import roll_axis_depth
 from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.simulation.actuators import Actuation
 from vehicle_roll_sim.simulation.advance_address import address_of_advance
-from vehicle_roll_sim.simulation.command import Command, Programme, held_command, records_of
+from vehicle_roll_sim.simulation.command import (
+    IDLE,
+    Command,
+    Programme,
+    held_command,
+    records_of,
+)
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.sensing import cg_motion
+from vehicle_roll_sim.simulation.sensors import Sensors
 from vehicle_roll_sim.simulation.snapshot import Restorable, identity
 from vehicle_roll_sim.simulation.stability import Modes
 from vehicle_roll_sim.vehicle.air_parameters import has_air_forces
@@ -91,6 +100,7 @@ class Simulation(Restorable):
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.integration.events)
     - `feels_wind`: whether the vehicle has air forces; commands of a wind are refused otherwise
     - `has_actuators`, `actuation`: whether commands pass through actuators, and their state
+    - `has_sensors`, `sensors`: whether quantities are measured, and `sensors["gyro"]` ...
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
     Units are SI and radians. The records are views of memory that the next step overwrites: copy
@@ -128,17 +138,18 @@ class Simulation(Restorable):
         self._limits["minimum_speed"] = self._slowest or -math.inf
         self.state_names = element_names(self.options.states)
         self._places = np.array([STATE_NAMES.index(name) for name in self.state_names])
-        self._axis_depth = roll_axis_depth(kernel_argument(self._vehicle)[0])
+        depth = roll_axis_depth(kernel_argument(self._vehicle)[0])
+        self._axis_depth = depth if self.options.has_eight_dof else None
         self._absent = [
             name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
         ]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
         self._records = (*plant, self._limits)
-        self._plant = plant.arguments(self._limits, Command().records())
+        self._plant = plant.arguments(self._limits, IDLE.records())
         self.actuation = Actuation(vehicle, self.step_ns)
         self.has_actuators = self.actuation.is_present
-        described = (*self._records, self.actuation.actuators)
-        self._identity = identity(type(self).__name__, described, self.step_ns)
+        self.sensors = Sensors(vehicle, self.step_ns, self._axis_depth)
+        self.has_sensors = self.sensors.is_present
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)
         self._outputs = np.full(1, np.nan, OUTPUTS)
@@ -146,12 +157,17 @@ class Simulation(Restorable):
         self._events = no_events()
         self._stages = np.zeros((STAGE_VECTORS, STATE_SIZE))
         self._own = (self._state, self._outputs, self._events, self._stages)
-        self._memory = (*self._own, self.actuation.memory)
+        self._memory = (*self._own, self.actuation.memory, *self.sensors.memory)
         self.state, self.outputs, self.events = self._state[0], self._outputs[0], self._events[0]
         self._modes = Modes(plant, self._places)
         self._checks_step, self._checked_speed = check_step, None
         self._start(self._equilibrium(DEFAULT_SPEED))
-        self._built = {"_built", *vars(self)} - before
+        self._built = {"_built", "_identity", *vars(self)} - before
+
+    @functools.cached_property
+    def _identity(self) -> str:
+        described = (*self._records, self.actuation.actuators, *self.sensors.described)
+        return identity(type(self).__name__, described, self.step_ns)
 
     @property
     def time(self) -> float:
@@ -179,11 +195,11 @@ class Simulation(Restorable):
 
         nan for components that the model does not have: z and w in the 8 DOF model.
         """
-        now = self.state
-        if not self.options.has_eight_dof:
-            return tuple(float(now[name]) for name in ("x", "y", "z", "u", "v", "w"))
-        x, y, ahead, left = motion_above_axis(now, self._axis_depth)
-        return x, y, math.nan, ahead, left, math.nan
+        return self.cg_motion_at(self.state)
+
+    def cg_motion_at(self, state) -> tuple[float, ...]:
+        """`cg_motion` at another STATE record of the same vehicle and model."""
+        return cg_motion(state, self._axis_depth)
 
     def _without_absent(self, states: np.ndarray) -> np.ndarray:
         """Set the states that the model does not have to nan in STATE records; returns them."""
@@ -221,13 +237,44 @@ class Simulation(Restorable):
             self._modes.check_start(start.view(np.float64), self.step_ns / NANOSECONDS)
         self._checked_speed = speed
 
+    def place(self, x: float, y: float, yaw: float, command: Command | None = None) -> None:
+        """Move the c.g. to x, y (m) and turn the heading to `yaw` (rad); all else stays as it is.
+
+        Velocities turn with the vehicle. command: the one applied last, for the outputs. Raises
+        InputError for a number that is not finite, or one that no vehicle reaches.
+        """
+        for name, value in {"x": x, "y": y, "yaw": yaw}.items():
+            most = float(plausible_magnitudes()[0][name])
+            _within(name, value, -most, most, "m" if name != "yaw" else "rad")
+        state = self.state
+        state["x"], state["y"], state["yaw"] = 0.0, 0.0, yaw
+        ahead, left, *_ = self.cg_motion  # of the c.g. from the point that the states describe
+        state["x"], state["y"] = x - ahead, y - left
+        self._stages[KEPT] = self.state_vector
+        before = self.condition
+        self._advance(self.acting(command or Command()).records(), 0)
+        if before is not Condition.RUNNING:
+            self.condition = before
+
+    def roll_freely(self, speed: float) -> None:
+        """Bring the vehicle to static equilibrium at `speed` (m/s) where it is, as it heads.
+
+        Time goes on; all else is as after a reset. Raises InputError like `reset`.
+        """
+        (x, y, *_), yaw, time_ns = self.cg_motion, float(self.state["yaw"]), self.time_ns
+        self.reset(speed)
+        self.time_ns = time_ns
+        self.place(x, y, yaw)
+
     def _start(self, state: np.ndarray) -> None:
         self._state[:], self._events[:] = state, no_events()
         self._stages[KEPT] = self.state_vector
         self.actuation.rest()
+        self.sensors.rest()
         self.time_ns = 0
         self.condition, self.implausible = Condition.RUNNING, None
-        self._advance(Command().records(), 0)
+        self._advance(IDLE.records(), 0)
+        self.sense()
 
     def step(self, command: Command | Programme, duration: float) -> Condition:
         """Advance by `duration` (s, a multiple of the step), or until the run must stop.
@@ -240,10 +287,22 @@ class Simulation(Restorable):
         steps = whole_steps(duration, self.step_ns, "duration")
         if self._checked_speed is None:
             self._check_start(DEFAULT_SPEED, self._equilibrium(DEFAULT_SPEED))
-        if self.condition is Condition.RUNNING:
-            records = records_of(command, lambda: self.stage_times(steps), self.feels_wind)
+        end = self.time_ns + steps * self.step_ns
+        while self.condition is Condition.RUNNING and self.time_ns < end:
+            if self.has_sensors:
+                until = min(end, self.sensors.until(self.time_ns))
+                steps = (until - self.time_ns) // self.step_ns
+            records = records_of(
+                command, functools.partial(self.stage_times, steps), self.feels_wind
+            )
             self._advance(records, steps)
+            if self.has_sensors:
+                self.sense()
         return self.condition
+
+    def sense(self) -> None:
+        """Let the sensors that are due take a sample; whoever moves the parts calls this."""
+        self.sensors.sample(self.time_ns, self.state, self.outputs)
 
     def stage_times(self, steps: int) -> np.ndarray:
         """Times of the ends and midpoints of the next steps (s), shape (2 * steps + 1,)."""
@@ -269,7 +328,7 @@ class Simulation(Restorable):
 
         command: the command held; by default none. nan if the linearization is not finite.
         """
-        return self._modes.largest_step(self.state_vector, command or Command(), LONGEST_STEP)
+        return self._modes.largest_step(self.state_vector, command or IDLE, LONGEST_STEP)
 
     def acting(self, command: Command) -> Command:
         """What acts at the present time, `command` being the last one that was given.

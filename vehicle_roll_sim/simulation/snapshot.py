@@ -1,15 +1,22 @@
 """Snapshots: the state of a simulation as a value, to restore, branch from or transfer."""
 
 import abc
+import base64
 import dataclasses
 import hashlib
+import json
 from collections.abc import Iterable
+from pathlib import Path
+from typing import Self
 
 import numpy as np
 
 from vehicle_roll_sim.input_errors import InputError, given
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
+from vehicle_roll_sim.simulation.snapshot_file import read_snapshot, text_of, write_snapshot
+
+KIND = "simulation"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -32,6 +39,27 @@ class Snapshot:
     def time(self) -> float:
         """Simulated time (s)."""
         return self.time_ns / NANOSECONDS
+
+    def as_plain(self) -> dict:
+        """The snapshot as numbers and texts, from which `of_plain` makes an equal one."""
+        memory = [base64.b64encode(each).decode() for each in self.memory]
+        parts = {each.name: getattr(self, each.name) for each in dataclasses.fields(self)}
+        return parts | {"condition": self.condition.name, "memory": memory}
+
+    @classmethod
+    def of_plain(cls, parts: dict) -> Self:
+        """The snapshot of which `as_plain` returned these parts."""
+        memory = tuple(base64.b64decode(each) for each in parts["memory"])
+        return cls(**parts | {"condition": Condition[parts["condition"]], "memory": memory})
+
+    def write(self, path: str | Path) -> None:
+        """Write a file, whole or not at all; raises NotWrittenError if that is impossible."""
+        write_snapshot(path, KIND, text_of(self.as_plain()))
+
+    @classmethod
+    def of_file(cls, path: str | Path) -> Self:
+        """The snapshot in a file; raises InputError if it is damaged or of another version."""
+        return cls.of_plain(json.loads(read_snapshot(path, KIND)))
 
     def write_to(self, arrays: Iterable[np.ndarray], plant: str) -> None:
         """Fill the arrays; raises InputError if the snapshot belongs to another plant."""
@@ -64,6 +92,17 @@ class Restorable(abc.ABC):
         memory = tuple(each.tobytes() for each in self._memory)
         now = (self.time_ns, self.condition, self.implausible, self._checked_speed)
         return Snapshot(self._identity, *now, memory)
+
+    @classmethod
+    def from_snapshot(cls, snapshot: Snapshot, *arguments, **others) -> Self:
+        """A simulation constructed with these arguments that continues from a snapshot.
+
+        They are the arguments of the simulation of which it was taken. Raises InputError if they
+        are not, or if they are invalid.
+        """
+        simulation = cls(*arguments, **others)
+        simulation.restore(snapshot)
+        return simulation
 
     def restore(self, snapshot: Snapshot) -> None:
         """Restore a snapshot of this simulation or of one constructed with the same arguments.

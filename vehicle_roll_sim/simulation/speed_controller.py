@@ -53,13 +53,21 @@ class SpeedController:
         resistance = vehicle.rolling_resistance_coefficient * GRAVITY
         self._torque_of_resistance = resistance * self._torque_of_gravity
         is_given = vehicle.front_drive_share is not None
-        self._distribution = WHEEL_COUNT * vehicle.drive_shares if is_given else np.ones(4)
+        self.distribution = WHEEL_COUNT * vehicle.drive_shares if is_given else np.ones(4)
         """Torque of each wheel over their mean."""
         self.reset()
 
     def reset(self) -> None:
         """Reset the integral part."""
         self._kept, self._held = 0.0, False
+
+    def memory(self) -> dict:
+        """The integral part (m/s^2), and whether the brakes hold the vehicle."""
+        return {"kept": float(self._kept), "held": bool(self._held)}
+
+    def remember(self, memory: dict) -> None:
+        """Take over what `memory` returned."""
+        self._kept, self._held = memory["kept"], memory["held"]
 
     def drive(
         self, command: Command, target: float, speed: float, period: float, slope: float = 0.0
@@ -70,11 +78,25 @@ class SpeedController:
         each wheel the larger of the commanded and the controller's brake torque applies; while a
         brake is commanded there is no drive torque.
         """
+        is_braked = any(command.brake_torque)
+        return self._with(command, *self.torques(target, speed, period, slope, is_braked))
+
+    def torques(
+        self,
+        target: float,
+        speed: float,
+        period: float,
+        slope: float = 0.0,
+        is_braked: bool = False,
+    ) -> tuple[float, float]:
+        """Mean drive torque over the wheels, and brake torque at each (N m), likewise.
+
+        is_braked: whether a brake is commanded.
+        """
         climb = -self._torque_of_gravity * slope
         if self._is_to_be_held(target, speed, climb):
             self._kept = 0.0
-            return self._with(command, 0.0, self.brake_limit)
-        is_braked = any(command.brake_torque)
+            return 0.0, self.brake_limit
         drive_limit = 0.0 if is_braked else self.drive_limit
         missing, gain = target - speed, min(PROPORTIONAL, SHARE_OF_A_PERIOD / period)
         wanted = gain * missing + self._kept
@@ -86,7 +108,7 @@ class SpeedController:
         winds_up = is_braked or (wanted - asked) * missing > 0.0 or beyond * missing > 0.0
         if not winds_up:
             self._kept += INTEGRAL * gain**2 * missing * period
-        return self._with(command, *self._shared(torque, speed, climb, drive_limit))
+        return self._shared(torque, speed, climb, drive_limit)
 
     def _is_to_be_held(self, target: float, speed: float, climb: float) -> bool:
         """Whether the brakes hold the vehicle; they keep holding while it rebounds after a stop."""
@@ -114,7 +136,7 @@ class SpeedController:
 
     def _with(self, command: Command, drive: float, brake: float) -> Command:
         brakes = tuple(max(brake, commanded) for commanded in command.brake_torque)
-        drives = tuple((drive * self._distribution).tolist())
+        drives = tuple((drive * self.distribution).tolist())
         return dataclasses.replace(command, wheel_torque=drives, brake_torque=brakes)
 
 

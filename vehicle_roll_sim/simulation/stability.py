@@ -17,7 +17,7 @@ from vehicle_roll_sim.model.integration.integrator import STAGE_VECTORS
 from vehicle_roll_sim.model.integration.rates_of import rates_of
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_NAMES, STATE_SIZE, U
 from vehicle_roll_sim.simulation.advance_address import address_of_advance
-from vehicle_roll_sim.simulation.command import NO_FORCE, Command
+from vehicle_roll_sim.simulation.command import IDLE, NO_FORCE, Command
 from vehicle_roll_sim.simulation.plant import Plant
 
 DIFFERENCE = 1e-6
@@ -69,7 +69,9 @@ class Modes:
 
     def _rates(self, states: np.ndarray, command: Command) -> np.ndarray:
         """Rates of the model's states at state vectors, shape (k, n); nan if one is not finite."""
-        records = dataclasses.replace(command, brake_torque=NO_FORCE).records()
+        if command.brake_torque != NO_FORCE:
+            command = dataclasses.replace(command, brake_torque=NO_FORCE)
+        records = command.records()
         plant = self._plant.arguments(self._limits, records)
         outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
         rates, culprits = np.empty(states.shape), np.empty(len(states), np.int64)
@@ -88,7 +90,7 @@ class Modes:
 
     def check_start(self, state: np.ndarray, step: float) -> None:
         """Raise InputError if a run cannot start at a state, with this step (s) or at all."""
-        rates, slopes = self.slopes(state, Command())
+        rates, slopes = self.slopes(state, IDLE)
         speed = state[U]
         if not np.isfinite(rates).all():
             name = STATE_NAMES[self._places[np.argmin(np.isfinite(rates))]]

@@ -1,7 +1,8 @@
 """The chunks of a study on the workers of a running Dask cluster.
 
-A chunk carries the study with the contents of its vehicle and tire files, so a worker reads no
-files. It checks that its program, libraries and arithmetic are those of the process that sent it.
+A chunk carries the study with the contents of its vehicle and tire files, and the user's own code,
+so a worker reads no files. It checks that its program, libraries and arithmetic are those of the
+process that sent it.
 """
 
 import asyncio
@@ -18,6 +19,7 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.input_errors import shown
 from vehicle_roll_sim.studies.chunks import Chunk, Compute, one_by_one, results_at
 from vehicle_roll_sim.studies.fingerprint import fingerprint
+from vehicle_roll_sim.studies.own_code import pickled
 from vehicle_roll_sim.studies.study import Study
 from vehicle_roll_sim.vehicle.plausibility import unwarned
 
@@ -153,7 +155,8 @@ def _computed(
 
     while True:
         for number, points in itertools.islice(waiting, _room(client, len(running))):
-            call = _Call(on_worker, (expected, pickle.dumps((study, points))))
+            packed = pickled((study, points), (study.manoeuvre, study.controller))
+            call = _Call(on_worker, (expected, packed))
             submit(_Job(number, pickle.dumps(call)))
         if not running:
             return

@@ -16,7 +16,7 @@ from vehicle_roll_sim.studies.chunks import REASON
 from vehicle_roll_sim.studies.quantities import case_of
 from vehicle_roll_sim.studies.results import Results, results_of
 from vehicle_roll_sim.studies.source import Source
-from vehicle_roll_sim.studies.store import IDENTITY, TEXTS, Store
+from vehicle_roll_sim.studies.store import IDENTITY, TEXTS, Store, other_code
 from vehicle_roll_sim.studies.study_file import study_of
 from vehicle_roll_sim.vehicle.plausibility import unwarned
 
@@ -61,6 +61,8 @@ def kept_results(folder: Path, field: str) -> Results:
             what = f"version {identity[key]} of the program" if key == "version" else "a vehicle"
             problem = f"{folder} has the results of {what} that is not here"
             raise InputError(field, "", again, problem)
+    if section := other_code(identity, now):
+        raise InputError(field, "", again, f"{folder} has the results of another {section}")
     return results_of(study, store, compute=None)
 
 

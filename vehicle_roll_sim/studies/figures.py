@@ -42,7 +42,7 @@ def _figures(results: Results) -> Iterator[tuple[str, DrawnFigure]]:
         if results.brackets is not None:
             values = np.array([each.threshold for each in results.brackets])
             points = {n: [each.point[n] for each in results.brackets] for n in study.factors}
-            unit = unit_of(study.search.factor, study.manoeuvre)
+            unit = unit_of(study.search.factor, study)
             label = labelled(f"lowest {study.search.factor} with {study.search.event}", unit)
             yield from _of_values(results, points, values, "thresholds", label)
         return
@@ -84,7 +84,7 @@ def _of_values(
         return
     numeric = [factor for factor in study.gridded if study.kinds[factor] is float]
     texts = [factor for factor in study.gridded if factor not in numeric]
-    labels = {each: labelled(each, unit_of(each, study.manoeuvre)) for each in study.factors}
+    labels = {each: labelled(each, unit_of(each, study)) for each in study.factors}
     groups = _grouped([points[each] for each in (*numeric, *texts)], values)
     if len(numeric) == 2 and not texts:
         yield f"map_{name}", _map([labels[each] for each in numeric], groups, label, is_event)

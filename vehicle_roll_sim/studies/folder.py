@@ -9,7 +9,7 @@ from vehicle_roll_sim.studies.chunks import Compute, one_by_one
 from vehicle_roll_sim.studies.figures import draw
 from vehicle_roll_sim.studies.results import Results, results_of
 from vehicle_roll_sim.studies.source import Source
-from vehicle_roll_sim.studies.store import IDENTITY, Store
+from vehicle_roll_sim.studies.store import CODE, IDENTITY, Store
 from vehicle_roll_sim.studies.study import Study
 from vehicle_roll_sim.studies.study_file import study_of
 from vehicle_roll_sim.studies.summary import summary_of
@@ -56,8 +56,10 @@ def show_study(folder: Path, field: str = "folder") -> Report:
     Raises InputError for a folder without a study.
     """
     store = Store(folder)
-    source = Source(store.identity(field)["study"], path=folder / IDENTITY)
-    results = results_of(study_of(source, is_to_run=False), store, compute=None)
+    identity = store.identity(field)
+    source = Source(identity["study"], path=folder / IDENTITY)
+    study = study_of(source, is_to_run=False, code=identity.get(CODE))
+    results = results_of(study, store, compute=None)
     return Report(results, *_reported(results, folder))
 
 

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 
 from vehicle_roll_sim.batch.case import Case
 from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, unknown_name
-from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.studies.study import Study
@@ -17,11 +16,14 @@ from vehicle_roll_sim.vehicle.tire.keys import SIMULATED
 TIRES = {"tire": ("front", "rear"), "front_tire": ("front",), "rear_tire": ("rear",)}
 """Sections whose names are coefficients of tire files, and the axles that they concern."""
 PAYLOAD, MODEL = "payload", "options.model"
-SECTIONS = ("vehicle", *TIRES, PAYLOAD, "road", "manoeuvre", "options")
+SECTIONS = ("vehicle", *TIRES, PAYLOAD, "road", "manoeuvre", "controller", "options")
 
 
-def quantity(name: str, manoeuvre: Manoeuvre, field: str) -> Parameter:
-    """The declaration of what a name stands for; raises InputError naming `field`."""
+def quantity(name: str, driving: Mapping[str, object], field: str) -> Parameter:
+    """The declaration of what a name stands for; raises InputError naming `field`.
+
+    driving: as of a Study.
+    """
     section, dot, key = name.partition(".")
     if section not in SECTIONS:
         raise unknown_name(section, SECTIONS, field)
@@ -36,20 +38,23 @@ def quantity(name: str, manoeuvre: Manoeuvre, field: str) -> Parameter:
     elif section in TIRES:
         known = {each: _coefficient(each) for each in SIMULATED}
     else:
-        of_sections = {"vehicle": Vehicle, "road": Road, "manoeuvre": manoeuvre, "options": Options}
-        known = parameters_of(of_sections[section])
+        declaring = {"vehicle": Vehicle, "road": Road, "options": Options, **driving}[section]
+        if declaring is None:
+            raise InputError(field, name, "a controller to be named first", "there is none")
+        known = parameters_of(declaring)
     if key not in known:
         raise unknown_name(key, known, field)
     return known[key]
 
 
-def unit_of(name: str, manoeuvre: Manoeuvre) -> str:
-    """The unit of a quantity that is known."""
-    return quantity(name, manoeuvre, name).unit
+def unit_of(name: str, study: Study) -> str:
+    """The unit of a quantity that the study has."""
+    return quantity(name, study.driving, name).unit
 
 
 def _example(section: str) -> str:
     examples = {"vehicle": "cg_height", PAYLOAD: "1.mass", "road": "bank", "manoeuvre": "speed"}
+    examples["controller"] = "gain"
     return f"{section}.{examples.get(section, 'model' if section == 'options' else 'LMUY')}"
 
 
@@ -72,6 +77,8 @@ def case_of(study: Study, values: Mapping[str, float | str]) -> Case:
     return Case(
         vehicle=vehicle,
         manoeuvre=dataclasses.replace(study.manoeuvre, **parts["manoeuvre"]),
+        controller=study.controller
+        and dataclasses.replace(study.controller, **parts["controller"]),
         options=options_for(vehicle, **parts["options"]),
         road=Road(**parts["road"]) if parts["road"] else None,
         step=study.settings.step,

@@ -18,8 +18,9 @@ from vehicle_roll_sim.studies.study import Study
 
 IDENTITY, CHUNKS, LOCK = "study.json", "chunks", ".lock"
 PARTIAL = ".partial-*"
-TEXTS = ("version", "vehicle")
-"""What the definition of a study has besides its values."""
+TEXTS, CODE = ("version", "vehicle"), "code"
+"""What the definition of a study has besides its values; the user's own code only if there is any.
+"""
 LARGEST = 100_000_000
 """Bytes of a file of the folder."""
 ELSEWHERE = "another folder, or the unchanged study: results of different studies are not mixed"
@@ -80,6 +81,9 @@ class Store:
             if json.dumps(old.get(key)) != json.dumps(new.get(key)):
                 problem = f"{self.folder} has the results of a study with another value of {key}"
                 raise InputError(field, "", ELSEWHERE, problem)
+        if section := other_code(before, now):
+            problem = f"{self.folder} has the results of another {section}: its code or values"
+            raise InputError(field, "", ELSEWHERE, problem)
 
     def identity(self, field: str) -> dict:
         """The study whose folder it is, as Study.identity; raises InputError."""
@@ -129,9 +133,17 @@ class Store:
             os.close(folder)
 
 
+def other_code(before: dict, now: dict) -> str:
+    """Which of the user's own code differs in two definitions of the same study: "" for none."""
+    old, new = before.get(CODE, {}), now.get(CODE, {})
+    sections = {**old, **new}
+    return next((n for n in sections if json.dumps(old.get(n)) != json.dumps(new.get(n))), "")
+
+
 def _is_identity(content: dict) -> bool:
-    study = content.get("study")
-    return isinstance(study, dict) and all(isinstance(content.get(n), str) for n in TEXTS)
+    study, code = content.get("study"), content.get(CODE, {})
+    are_mappings = isinstance(study, dict) and isinstance(code, dict)
+    return are_mappings and all(isinstance(content.get(n), str) for n in TEXTS)
 
 
 @contextlib.contextmanager

@@ -10,6 +10,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, keep_validated, parameter, parameters_of
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
+from vehicle_roll_sim.runs.control_law import ControlLaw
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.simulation.integration import Integration
 from vehicle_roll_sim.studies.factors import Distribution, Factor, Levels
@@ -147,7 +148,9 @@ class Rare:
 class Study:
     """A study that has been checked.
 
-    vehicle, manoeuvre: what the fixed values and the factors change, by their names. correlation:
+    vehicle, manoeuvre, controller: what the fixed values and the factors change, by their names; no
+    controller is None. code: what Python code of the user's own the manoeuvre and the controller
+    have, by section, see `own_code`. correlation:
     of the normal scores of the drawn factors, shape (drawn, drawn). outputs: metrics that are
     drawn and summarized. said: the values as they were given, for comparison.
     """
@@ -164,6 +167,13 @@ class Study:
     events: dict[str, Event]
     search: Search | None = None
     rare: Rare | None = None
+    controller: ControlLaw | None = None
+    code: dict[str, dict] = dataclasses.field(default_factory=dict)
+
+    @property
+    def driving(self) -> dict[str, Manoeuvre | ControlLaw | None]:
+        """What drives the vehicle, by the section of its parameters."""
+        return {"manoeuvre": self.manoeuvre, "controller": self.controller}
 
     @property
     def gridded(self) -> dict[str, tuple]:
@@ -215,4 +225,5 @@ class Study:
             ],
         }
         digest = hashlib.sha256(json.dumps(vehicle).encode()).hexdigest()
-        return {"version": __version__, "vehicle": digest, "study": self.said}
+        code = {"code": self.code} if self.code else {}
+        return {"version": __version__, "vehicle": digest, **code, "study": self.said}

@@ -10,9 +10,10 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, plain, unknown_name
 from vehicle_roll_sim.files.yaml_file import Place
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.runs.control_law import ControlLaw
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.studies import design_checks
+from vehicle_roll_sim.studies.driving import driving_of
 from vehicle_roll_sim.studies.factors import DISTRIBUTIONS, MOST_VALUES, Factor, Grid, Levels
 from vehicle_roll_sim.studies.quantities import MODEL, PAYLOAD, quantity
 from vehicle_roll_sim.studies.source import Source
@@ -22,27 +23,30 @@ from vehicle_roll_sim.vehicle.shipped import SHIPPED, vehicle_named
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 KEYS = (
-    *("manoeuvre", "vehicle", "model", "fixed", "factors", "correlations", "design"),
+    *("manoeuvre", "controller", "vehicle", "model", "fixed", "factors", "correlations", "design"),
     *parameters_of(Settings),
     *("outputs", "events", "search", "rare"),
 )
 A_FACTOR = "a list of values, lowest, highest and count, or a distribution with its parameters"
 
 
-def study_of(source: Source, is_to_run: bool = True) -> Study:
+def study_of(source: Source, is_to_run: bool = True, code: Mapping | None = None) -> Study:
     """The study that these values describe; raises InputError naming file, line and key.
 
-    is_to_run: otherwise its vehicle is not read, and another stands in for it.
+    is_to_run: otherwise its vehicle is not read, and another stands in for it. code: then also the
+    user's own code in the definition of the study, which is not executed.
     """
     values = source.mapping((), source.values, KEYS)
     vehicle = _vehicle(source) if is_to_run else preset()
-    reader = _Reader(source, _manoeuvre(source), vehicle, is_to_run)
+    driving, own = driving_of(source, code)
+    reader = _Reader(source, driving, vehicle, is_to_run)
     fixed = reader.fixed()
     factors = reader.factors(fixed)
     numbers = {name: values[name] for name in parameters_of(Settings) if name in values}
     study = Study(
         said={},
-        manoeuvre=reader.manoeuvre,
+        **driving,
+        code=own,
         vehicle=reader.vehicle,
         fixed=fixed,
         factors=factors,
@@ -60,25 +64,17 @@ def study_of(source: Source, is_to_run: bool = True) -> Study:
 
 def _said(values: Mapping) -> dict:
     """The values, which have been checked, as JSON has them."""
-    by_name = {
-        key: "a Vehicle" if isinstance(each, Vehicle) else each for key, each in values.items()
-    }
-    return json.loads(json.dumps(by_name, default=_number))
+    return json.loads(json.dumps(dict(values), default=_in_json))
 
 
-def _number(value) -> float | bool | int:
-    """A number of another library, such as NumPy, or of another type, such as Fraction."""
+def _in_json(value) -> float | bool | int | str:
+    """A vehicle, manoeuvre or controller by its kind; a number of another library or type."""
+    if isinstance(value, type):
+        return f"class {value.__name__}"
+    if isinstance(value, Vehicle | Manoeuvre | ControlLaw):
+        return f"a {type(value).__name__}"
     number = plain(value)
     return float(number) if number is value else number
-
-
-def _manoeuvre(source: Source) -> Manoeuvre:
-    name = source.values.get("manoeuvre")
-    if name is None:
-        raise source.refused(("manoeuvre",), None, "one of " + ", ".join(STANDARD))
-    if not isinstance(name, str) or name not in STANDARD:
-        raise unknown_name(str(name), STANDARD, source.where("manoeuvre"))
-    return STANDARD[name]
 
 
 def _vehicle(source: Source) -> Vehicle:
@@ -100,16 +96,16 @@ def _vehicle(source: Source) -> Vehicle:
 
 @dataclasses.dataclass(frozen=True)
 class _Reader:
-    """Reads what is fixed and varied of a manoeuvre and a vehicle."""
+    """Reads what is fixed and varied of a vehicle and what drives it."""
 
     source: Source
-    manoeuvre: Manoeuvre
+    driving: Mapping[str, Manoeuvre | ControlLaw | None]
     vehicle: Vehicle
     checks_vehicle: bool
 
     def quantity(self, place: Place, name: str) -> Parameter:
         """The declaration of a quantity that is named at a place; raises InputError."""
-        found = quantity(name, self.manoeuvre, self.source.where(*place))
+        found = quantity(name, self.driving, self.source.where(*place))
         section, _, rest = name.partition(".")
         masses = len(self.vehicle.payload)
         if self.checks_vehicle and section == PAYLOAD and int(rest.partition(".")[0]) > masses:

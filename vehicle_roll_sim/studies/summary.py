@@ -35,10 +35,12 @@ def summary_of(results: Results) -> str:
 def _head(results: Results) -> str:
     study = results.study
     said = study.said
+    controller = f", controller: {said['controller']}" if study.controller else ""
     lines = [
         "# Study",
         "",
-        f"- manoeuvre: {said['manoeuvre']}, vehicle: {said.get('vehicle', 'reference')}",
+        f"- manoeuvre: {said['manoeuvre']}{controller}, "
+        f"vehicle: {said.get('vehicle', 'reference')}",
         *(f"- fixed: {name} = {_fixed(name, value, study)}" for name, value in study.fixed.items()),
         f"- design: {study.design}, factors: {', '.join(study.factors) or 'none'}",
         f"- runs: {len(results.runs)}{'' if results.is_complete else ', more to come'}",
@@ -48,7 +50,7 @@ def _head(results: Results) -> str:
 
 def _fixed(name: str, value, study: Study) -> str:
     """A fixed value in words, also one that is None."""
-    return str(value) if value is not None else quantity(name, study.manoeuvre, name).none
+    return str(value) if value is not None else quantity(name, study.driving, name).none
 
 
 def _failures(results: Results) -> Iterator[str]:

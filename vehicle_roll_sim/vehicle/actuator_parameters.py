@@ -114,7 +114,7 @@ def has_actuator(vehicle, quantity: str) -> bool:
 
 def has_actuators(vehicle) -> bool:
     """Whether any quantity has an actuator."""
-    return any(has_actuator(vehicle, quantity) for quantity in QUANTITIES)
+    return not vehicle.given.keys().isdisjoint(OF_ACTUATORS)
 
 
 def refuse_actuators(vehicle, allowed: str) -> None:

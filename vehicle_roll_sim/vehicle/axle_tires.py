@@ -82,7 +82,7 @@ def of_file(tire: Tire, key: str) -> float | None:
 
 def pressure_change(tire: Tire, pressure: float | None) -> float:
     """dp: relative deviation of the inflation pressure (Pa) from the nominal one (-)."""
-    return float(tire.record(pressure)["pressure_change"][0])
+    return float(tire.shared_record(pressure)["pressure_change"][0])
 
 
 def lateral_stiffness(

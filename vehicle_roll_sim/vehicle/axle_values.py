@@ -120,8 +120,9 @@ class AxleValues:
         """
         records = []
         for axle, tire in self.axle_tires.items():
-            record = tire.record(self.at_axle(axle, "tire_pressure"), moments)
+            record = tire.shared_record(self.at_axle(axle, "tire_pressure"), moments)
             if record["UNLOADED_RADIUS"] == 0.0:
+                record = record.copy()
                 record["UNLOADED_RADIUS"] = self._known_at_axle(axle, "tire_radius")
             records.append(record)
         return on_axles(*records)

@@ -14,6 +14,7 @@ from vehicle_roll_sim.vehicle.chassis_parameters import ROLL_CENTRES
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.differential_parameters import check_differentials
 from vehicle_roll_sim.vehicle.masses import PRODUCTS, tensor
+from vehicle_roll_sim.vehicle.sensor_parameters import check_sensors
 from vehicle_roll_sim.vehicle.suspension_checks import check_suspension
 from vehicle_roll_sim.vehicle.tire.moments import ROLLING_RESISTANCE, has_moment
 from vehicle_roll_sim.vehicle.tire_file import Tire
@@ -48,6 +49,7 @@ def check_consistency(vehicle: DerivedValues) -> None:
     check_air(vehicle)
     check_differentials(vehicle)
     check_actuators(vehicle)
+    check_sensors(vehicle)
     _check_fits_on_its_wheels(vehicle)
     _check_springs_carry_it(vehicle)
     for curves in vehicle.travel_curves.values():

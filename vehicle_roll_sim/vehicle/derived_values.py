@@ -71,6 +71,11 @@ class DerivedValues(AxleValues):
         return self.steering_gear if self.steering_ratio is None else self.steering_ratio
 
     @property
+    def wheelbase(self) -> float:
+        """Distance between the axles (m)."""
+        return self.cg_to_front_axle + self.cg_to_rear_axle
+
+    @property
     def mass(self) -> float:
         """Mass of the whole vehicle (kg)."""
         return self.sprung_mass + float(self.per_wheel("unsprung_mass").sum())

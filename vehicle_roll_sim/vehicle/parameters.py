@@ -22,6 +22,7 @@ from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, Derive
 from vehicle_roll_sim.vehicle.drive_parameters import DriveAndAir
 from vehicle_roll_sim.vehicle.mass_parameters import Masses
 from vehicle_roll_sim.vehicle.masses import Load
+from vehicle_roll_sim.vehicle.sensor_parameters import Sensors
 from vehicle_roll_sim.vehicle.sprung_mass import (
     MASS_SPELLINGS,
     WHOLE,
@@ -42,6 +43,7 @@ PER_AXLE = {
 
 @dataclasses.dataclass(frozen=True)
 class Vehicle(
+    Sensors,
     Actuators,
     DriveAndAir,
     SuspensionDetails,

@@ -104,7 +104,7 @@ def _is_own(module: str) -> bool:
 def _inertias(vehicle: Vehicle) -> Iterator[str]:
     lengths = {
         "track": (vehicle.front_track + vehicle.rear_track) / 2,
-        "wheelbase": vehicle.cg_to_front_axle + vehicle.cg_to_rear_axle,
+        "wheelbase": vehicle.wheelbase,
         "tire radius": float(vehicle.per_wheel("tire_radius").mean()),
     }
     unsprung = (vehicle.front_unsprung_mass + vehicle.rear_unsprung_mass) / 2

@@ -1,6 +1,7 @@
 """Springs, dampers, stops and steering geometry: from parameters to the record DETAILS."""
 
 import dataclasses
+import functools
 
 import numpy as np
 
@@ -174,7 +175,12 @@ CURVES = {
 
 def has_any(vehicle, names: tuple[str, ...]) -> bool:
     """Whether one of these parameters of an axle is given."""
-    return any(getattr(vehicle, f"{axle}_{n}") is not None for axle in AXLES for n in names)
+    return any(getattr(vehicle, name) is not None for name in _of_both_axles(names))
+
+
+@functools.cache
+def _of_both_axles(names: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(f"{axle}_{name}" for axle in AXLES for name in names)
 
 
 def details_of(vehicle, gravity: float) -> np.ndarray:
@@ -184,10 +190,11 @@ def details_of(vehicle, gravity: float) -> np.ndarray:
     details["struts"] = has_any(vehicle, OF_STRUTS)
     details["compliance"] = has_any(vehicle, OF_COMPLIANCE)
     details["camber_yields"] = has_any(vehicle, (COMPLIANCE_CAMBER,))
+    for name in OF_AXLES:
+        front, rear = (getattr(vehicle, f"{axle}_{name}") or 0.0 for axle in AXLES)
+        details[name] = front, front, rear, rear
     for axle, wheel in AXLES.items():
         both = slice(wheel, wheel + WHEEL_COUNT // 2)
-        for name in OF_AXLES:
-            details[name][both] = getattr(vehicle, f"{axle}_{name}") or 0.0
         for stop in STOPS:
             if getattr(vehicle, f"{axle}_{stop}_clearance") is None:
                 details[f"{stop}_clearance"][both] = np.inf

@@ -1,6 +1,7 @@
 """Tires of the Magic Formula 5.0 to 6.2, as read from tire property files (.tir)."""
 
 import dataclasses
+import functools
 from pathlib import Path
 
 import numpy as np
@@ -58,8 +59,20 @@ class Tire:
         pressure: inflation pressure (Pa); None: that of the file, else the nominal one. moments:
         whether moments are computed.
         """
-        given = (self.coefficients, self.version, self.side, pressure)
-        return tire_record(*given, combined=self.combined, moments=moments)
+        return self.shared_record(pressure, moments).copy()
+
+    def shared_record(self, pressure: float | None = None, moments: bool = False) -> np.ndarray:
+        """The same array as `record` each time, not to be changed: vehicles share tires."""
+        key = pressure, moments
+        if key not in self._records:
+            given = (self.coefficients, self.version, self.side, pressure)
+            self._records[key] = tire_record(*given, combined=self.combined, moments=moments)
+            self._records[key].flags.writeable = False
+        return self._records[key]
+
+    @functools.cached_property
+    def _records(self) -> dict[tuple[float | None, bool], np.ndarray]:
+        return {}
 
     def check_pressure(self, pressure: float, field: str) -> None:
         """Raise InputError naming `field` for a pressure (Pa) beyond what it is made for."""

@@ -24,6 +24,7 @@ SAMPLES = np.linspace(0.0, 1.0, 65)
 """Where the slope of a piece is examined, as shares of its length."""
 KEPT = 100
 """Number of curves that are kept for further vehicles with the same ones."""
+NO_KNOTS = np.zeros(0)
 ROUNDING = 1e-12
 """Relative tolerance of that examination."""
 
@@ -37,19 +38,30 @@ class TravelCurve:
     """
 
     def __init__(self, given: float | tuple, is_change: bool = True):
-        is_line = isinstance(given, float)
-        points = np.array([(0.0, 0.0), (1.0, given)] if is_line else given, float)
-        self.key = (points.tobytes(), is_change, is_line)
-        knots, self._ends = _knots_and_ends(*self.key[:2])
-        self.knots = knots[:0] if is_line else knots
+        self._slope = given if isinstance(given, float) else None
+        points = np.array(given, float).tobytes()
+        self.key = (points, is_change)
+        if self._slope is None:
+            self.knots, self._ends = _knots_and_ends(*self.key)
+        else:
+            self.knots = NO_KNOTS
 
     def piece(self, origin: float, inside: float) -> np.ndarray:
         """Coefficients, lowest power first, of the polynomial that holds at the travel `inside`.
 
         origin: travel from which it is counted (m).
         """
-        knots = np.arange(2.0) if len(self.knots) == 0 else self.knots
-        return _piece(knots, self._ends, origin, inside)
+        if self._slope is None:
+            return _piece(self.knots, self._ends, origin, inside)
+        return np.array(_on_line(self._slope, origin, inside))
+
+
+def _on_line(slope: float, origin: float, inside: float) -> list[float]:
+    """The coefficients of a line, to the bit those of `_piece` for its points at 0 and 1."""
+    start, value = (1.0, slope) if inside >= 1.0 else (0.0, 0.0)
+    shift = float(origin) - start
+    slope += shift * 0.0  # the sign of a slope of -0.0
+    return [value + shift * slope, slope, *[0.0] * (COEFFICIENTS - 2)]
 
 
 @functools.lru_cache(maxsize=KEPT)
@@ -152,15 +164,17 @@ def _derivative(coefficients: np.ndarray) -> np.ndarray:
 
 def _counted_from(coefficients: np.ndarray, shift: float) -> np.ndarray:
     """The same polynomial, of x - shift."""
-    shifted = coefficients.copy()
+    shifted, shift = coefficients.tolist(), float(shift)  # quicker than elements of an array
     for first in range(len(shifted)):
         for k in range(len(shifted) - 2, first - 1, -1):
             shifted[k] += shift * shifted[k + 1]
-    return shifted
+    return np.array(shifted)
 
 
 def common_knots(curves: Sequence[TravelCurve]) -> np.ndarray:
     """All knots of the curves of an axle, increasing (m)."""
+    if not any(len(curve.knots) for curve in curves):
+        return NO_KNOTS
     return np.unique(np.concatenate([curve.knots for curve in curves]))
 
 

@@ -9,6 +9,9 @@ from vehicle_roll_sim.vehicle.masses import PRODUCTS
 from vehicle_roll_sim.vehicle.suspension_details import details_of
 from vehicle_roll_sim.vehicle.travel_curves import tabulated
 
+NOWHERE = object()
+"""In place of an attribute that there is not."""
+
 
 def record_of(vehicle, gravity: float) -> np.ndarray:
     """The vehicle on a level road as input to the equations: one VEHICLE record, shape (1,).
@@ -20,10 +23,9 @@ def record_of(vehicle, gravity: float) -> np.ndarray:
     for name in VEHICLE.names:
         if name in placement:
             record[name] = placement[name]
-        elif hasattr(vehicle, name):
-            record[name] = getattr(vehicle, name)
         else:
-            record[name] = vehicle.per_wheel(name)
+            value = getattr(vehicle, name, NOWHERE)
+            record[name] = vehicle.per_wheel(name) if value is NOWHERE else value
     return record
 
 

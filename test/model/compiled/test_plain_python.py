@@ -92,6 +92,7 @@ def test_the_8_dof_model_and_steady_state_slip_are_one_source_too(tmp_path, name
 def test_every_variant_is_one_source_too(tmp_path):
     plain = in_another_process(tmp_path, A_SWERVE, "variants", NUMBA_DISABLE_JIT="1")
     compiled = run_variants(A_SWERVE)
+    assert plain["readings"].tobytes() == compiled["readings"].tobytes()
     for part, dtype in (("state", STATE), ("outputs", OUTPUTS)):
         shares = largest_difference(plain[part], compiled[part], dtype.names)
         assert all(share < SHARE_OF_PEAK for share in shares.values()), shares

@@ -11,7 +11,7 @@ from std_msgs.msg import Bool, Float64, Float64MultiArray
 
 from vehicle_roll_sim import InputError
 from vehicle_roll_sim.messages.run_messages import by_name
-from vehicle_roll_sim.messages.topics import PUBLISHED, ROLL_CENTRE, STATE_SET, Topic
+from vehicle_roll_sim.messages.topics import OF_SOME_SETS, PUBLISHED, STATE_SET, Topic
 from vehicle_roll_sim.ros.clients.controller import heard_topics, message_of, said_topics
 
 PERIODS = 40
@@ -136,7 +136,7 @@ def test_topics_are_declared_by_name_and_others_with_their_type():
     assert list(heard_topics(("motion", own, "imu"))) == ["motion", "prediction", "imu"]
     assert heard_topics("imu") == heard_topics(("imu",))
     assert said_topics((own, "speed_cmd"))["prediction"] is own
-    every_set = {topic.name for topic in (*STATE_SET, ROLL_CENTRE)}
+    every_set = {topic.name for topic in (*STATE_SET, *OF_SOME_SETS)}
     assert set(heard_topics(every_set)) == every_set
     for topic in PUBLISHED:
         if topic.name not in every_set:

@@ -17,10 +17,15 @@ from benchmarks.controllers import (
 )
 from vehicle_roll_sim import Condition, Options, Simulation, preset
 from vehicle_roll_sim.analysis.panels import SIDESLIP
+from vehicle_roll_sim.batch.case import Case
+from vehicle_roll_sim.batch.evaluate import outcome_of
+from vehicle_roll_sim.control.catalogue import LAWS
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
 from vehicle_roll_sim.messages.topics import COMMANDS
+from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.ros.orchestration.comparison import Chain, Scenario, drive
 from vehicle_roll_sim.ros.topics import message_class
+from vehicle_roll_sim.runs.history import COLUMNS, MODEL_STATE_SIZE
 from vehicle_roll_sim.runs.run import run
 
 pytestmark = pytest.mark.unmeasured
@@ -33,6 +38,16 @@ LAST_DIGIT = 1.01
 """Of what is shown: another machine may round the other way."""
 STARTED_ELSEWHERE = ("active_roll_bar", "roll_braking", "rollover_warning", "yaw_control")
 """From scratch, by the tests of signals."""
+WITHOUT_ROS = {
+    "J-turn": {"vehicle": preset(), "manoeuvre": manoeuvre_named("j_turn")},
+    "fishhook": {
+        "vehicle": preset().with_values({"cg_height": 0.62}),
+        "manoeuvre": manoeuvre_named("nhtsa_fishhook"),
+        "speed": 20.1168,
+    },
+}
+"""The cases of SCENARIOS."""
+STATE_COLUMNS = COLUMNS[: 1 + MODEL_STATE_SIZE]
 PERIODS = 50
 ON_ITS_WHEELS = 2.5
 """s until which the vehicle without control is, in the sine with dwell."""
@@ -78,9 +93,21 @@ def test_the_warning_comes_before_what_it_warns_of_as_the_page_says(manoeuvre, w
     assert_shown(warning_line(manoeuvre, without))
 
 
+def assert_same_without_ros(history, manoeuvre: str, controller: str) -> None:
+    """The law in a case gives the states, loads and commands of the nodes to the last bit."""
+    law = LAWS[controller]()
+    alone = outcome_of(Case(**WITHOUT_ROS[manoeuvre], controller=law), history=True).history
+    for name in (*STATE_COLUMNS, *(f"normal_force_{wheel}" for wheel in WHEELS)):
+        assert np.array_equal(alone[name], history[name]), name
+    assert np.array_equal(alone.commands, history.commands)
+
+
 @pytest.mark.parametrize("controller", CONTROLLERS)
-def test_it_prevents_the_rollover_as_the_page_says(manoeuvre, without, controller):
+def test_it_prevents_the_rollover_as_the_page_says_and_also_without_ros(
+    manoeuvre, without, controller
+):
     found = drive(SCENARIOS[manoeuvre], CONTROLLERS[controller])
+    assert_same_without_ros(found.history, manoeuvre, controller)
     assert not found.rollover > 0.0
     assert not found.two_wheel_lift > 0.0
     assert_shown("| " + " | ".join(row(controller, manoeuvre, without, found)) + " |")

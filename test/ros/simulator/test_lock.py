@@ -38,6 +38,8 @@ def held(simulator, monkeypatch):
     watch(simulator.session.inbox, "receive")
     watch(simulator.session, "reset")
     watch(simulator.session, "run_period")
+    watch(simulator.session, "snapshot")
+    watch(simulator.session, "restore")
     watch(Settings, "__setattr__")
     return seen
 
@@ -48,14 +50,16 @@ def service(simulator, name: str):
     return found.callback
 
 
-def test_messages_resets_and_single_steps_wait_for_the_lock(simulator, held):
+def test_messages_and_requests_wait_for_the_lock(simulator, held):
     steering, *_ = (s for s in simulator.subscriptions if s.topic_name.endswith("/steering_cmd"))
     steering.callback(Float64(data=0.1))
     simulator.begin()
     service(simulator, "pause")(SetBool.Request(data=True), SetBool.Response())
     assert service(simulator, "step")(Trigger.Request(), Trigger.Response()).success
-    assert service(simulator, "reset")(Trigger.Request(), Trigger.Response()).success
-    assert held == {"receive": True, "run_period": True, "reset": True}
+    for name in ("reset", "save", "restore"):
+        assert service(simulator, name)(Trigger.Request(), Trigger.Response()).success
+    done = ("receive", "run_period", "reset", "snapshot", "restore", "__setattr__")
+    assert held == dict.fromkeys(done, True)
     assert not simulator.lock.locked()
 
 

@@ -11,6 +11,7 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.manoeuvres.driver.single_track import SingleTrack
+from vehicle_roll_sim.simulation.memory import Remembering
 
 POINTS = 20
 """Number of preview points; more of them change the road-wheel angle by less than 0.1 %."""
@@ -24,7 +25,7 @@ PathAhead = Callable[[float, float, float], np.ndarray]
 beside (x, y) to beyond the distance."""
 
 
-class PreviewSteering:
+class PreviewSteering(Remembering):
     """The steering angle which, held over the preview time, best brings the vehicle to its path.
 
     The internal model is the linear single-track model. In the vehicle axes at the present time,

@@ -68,10 +68,7 @@ class EntrySpeedSearch(Series):
         self, ready: DoubleLaneChange, speed: int, vehicle: Vehicle, options: Options
     ) -> tuple:
         """Drive one run; returns its row without the direction."""
-        metres_per_second = speed / KMH
-        length = ready.approach + ready.track.end + ready.outline.ahead + ready.outline.behind
-        duration = round(SLOWER * length / metres_per_second + BEYOND, 1)
-        manoeuvre = dataclasses.replace(ready, speed=metres_per_second, duration=duration)
+        manoeuvre = at_entry_speed(ready, speed)
         simulation, history = driven(manoeuvre, vehicle, options)
         result = manoeuvre.result(history)
         ending = ending_of(simulation)
@@ -93,6 +90,14 @@ class EntrySpeedSearch(Series):
             return f"no failure up to {max(row[SPEED] for row in rows):g} km/h"
         passed = [row[SPEED] for row in rows if row[SPEED] < min(failed)]
         return f"{max(passed):g} km/h" if passed else f"failed already at {min(failed):g} km/h"
+
+
+def at_entry_speed(ready: DoubleLaneChange, speed: float) -> DoubleLaneChange:
+    """A manoeuvre completed by `for_vehicle`, at an entry speed (km/h), as long as it takes."""
+    metres_per_second = speed / KMH
+    length = ready.approach + ready.track.end + ready.outline.ahead + ready.outline.behind
+    duration = round(SLOWER * length / metres_per_second + BEYOND, 1)
+    return dataclasses.replace(ready, speed=metres_per_second, duration=duration)
 
 
 def _is_passed(row: tuple) -> bool:

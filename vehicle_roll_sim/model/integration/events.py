@@ -56,6 +56,10 @@ def plausible_magnitudes() -> np.ndarray:
     Larger magnitudes count as divergence. Accumulating distances and angles have limits as well: a
     day at their largest rates stays below, and at the limit the resolution of a double is 0.1 mm.
     """
+    return _MAGNITUDES.copy()
+
+
+def _plausible_magnitudes() -> np.ndarray:
     largest = np.zeros(1, STATE)
     bound = largest[0]
     bound.x = bound.y = bound.yaw = bound.wheel_angle = 1e12
@@ -73,9 +77,16 @@ def plausible_magnitudes() -> np.ndarray:
 
 def no_events() -> np.ndarray:
     """An array of one EVENTS record without any event."""
+    return _NO_EVENTS.copy()
+
+
+def _no_events() -> np.ndarray:
     events = np.full(1, np.nan, EVENTS)
     events[0].peak_roll = events[0].peak_lateral_acceleration = 0.0
     return events
+
+
+_MAGNITUDES, _NO_EVENTS = _plausible_magnitudes(), _no_events()
 
 
 @kernel

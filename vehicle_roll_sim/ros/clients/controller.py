@@ -19,10 +19,10 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 
 from vehicle_roll_sim.arguments import OneLineParser
-from vehicle_roll_sim.declaration import InputError, unknown_name
+from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name, validated
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.messages.set_synchronizer import KEPT, SetSynchronizer
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, ROLL_CENTRE, STATE_SET, Topic
+from vehicle_roll_sim.messages.topics import COMMANDS, OF_SOME_SETS, PUBLISHED, STATE_SET, Topic
 from vehicle_roll_sim.ros.compatibility import UNNAMED
 from vehicle_roll_sim.ros.node_main import LOOK, lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import (
@@ -35,7 +35,7 @@ from vehicle_roll_sim.ros.topics import message_class
 ASK_AGAIN = 1.0
 """Time (s) after which a request is repeated: a node that has not found us yet drops its answer."""
 QUEUED = QoSProfile(depth=KEPT)
-HEARD = {topic.name: topic for topic in (*STATE_SET, ROLL_CENTRE, *COMMANDS)}
+HEARD = {topic.name: topic for topic in (*STATE_SET, *OF_SOME_SETS, *COMMANDS)}
 """What controllers can hear, besides topics among themselves."""
 SIZES = {name: channel.size for name, channel in channels().items()}
 """The number of values of each command."""
@@ -76,6 +76,15 @@ class Controller(Node):
         """Declare a ROS parameter and return its value; integers are accepted as numbers."""
         any_number = ParameterDescriptor(dynamic_typing=True)
         return float(self.declare_parameter(name, default, any_number).value)
+
+    def parameters_for(self, kind: type):
+        """An instance of a declaring class, whose parameters, numbers, become ROS parameters.
+
+        Raises InputError for one that is not allowed.
+        """
+        known = parameters_of(kind)
+        given = {name: self.parameter(name, each.default) for name, each in known.items()}
+        return kind(**validated(kind, given))
 
     def prepare(self) -> None:
         """Called once, connected but before the first answer; does nothing by default."""

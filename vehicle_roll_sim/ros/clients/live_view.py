@@ -11,6 +11,7 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.input_errors import InputError, number_in
 from vehicle_roll_sim.messages.run_messages import (
     COLLECTED,
+    NOT_OF_EVERY_MODEL,
     STATE,
     TIRE_FORCES,
     RunMessages,
@@ -18,7 +19,7 @@ from vehicle_roll_sim.messages.run_messages import (
     is_ours,
 )
 from vehicle_roll_sim.messages.set_synchronizer import SetSynchronizer
-from vehicle_roll_sim.messages.topics import ROLL_CENTRE, SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic, set_of
 from vehicle_roll_sim.ros.node_main import LOOK, lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
 from vehicle_roll_sim.ros.topics import message_class, recording_qos
@@ -39,7 +40,7 @@ class LiveView(Node):
     def __init__(self, server: LiveServer):
         super().__init__("live_view")
         refuse_unknown_parameters(self)
-        topics = (SIMULATION_DESCRIPTION, *SHOWN, ROLL_CENTRE)
+        topics = (SIMULATION_DESCRIPTION, *SHOWN, *NOT_OF_EVERY_MODEL)
         refuse_wrong_overrides(self, subscriptions=[topic.name for topic in topics])
         self._server, self._sets, self._description = server, None, ""
         self._subscriptions_of = [self._listen_to(topic) for topic in topics]
@@ -68,7 +69,8 @@ class LiveView(Node):
             self.get_logger().error(f"{self._subscriptions_of[0].topic_name}: {error}")
             return
         self._description, self._road = text, simulation.road
-        further = (ROLL_CENTRE,) if simulation.options.is_kinematic else ()
+        in_set = set_of(simulation.options, stamped=False, devices=simulation.sensors.devices)
+        further = (topic for topic in NOT_OF_EVERY_MODEL if topic in in_set)
         self._sets = SetSynchronizer(topic.name for topic in (*SHOWN, *further))
         self._kept = RunMessages()
         if self._server.run:

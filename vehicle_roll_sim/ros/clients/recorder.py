@@ -19,7 +19,6 @@ from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.input_errors import InputError, number_in
 from vehicle_roll_sim.messages.topics import (
-    COMMANDS,
     PUBLISHED,
     SIMULATION_DESCRIPTION,
     STAMPED,
@@ -28,7 +27,7 @@ from vehicle_roll_sim.messages.topics import (
 from vehicle_roll_sim.ros import signals
 from vehicle_roll_sim.ros.node_main import lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
-from vehicle_roll_sim.ros.topics import is_installed, message_class, recording_qos
+from vehicle_roll_sim.ros.topics import heard_commands, is_installed, message_class, recording_qos
 
 SHORTEST_RECORDING, LONGEST_RECORDING = 0.1, 1e6
 """s"""
@@ -65,7 +64,8 @@ class Recorder(Node):
     def __init__(self):
         super().__init__("recorder")
         refuse_unknown_parameters(self)
-        self._topics = [topic for topic in (*COMMANDS, *PUBLISHED, *STAMPED) if is_installed(topic)]
+        published = filter(is_installed, (*PUBLISHED, *STAMPED))
+        self._topics = [*heard_commands(), *published]
         refuse_wrong_overrides(self, subscriptions=[topic.name for topic in self._topics])
         self._untouched = Untouched()
 

@@ -58,7 +58,7 @@ def scenario_of(arguments: argparse.Namespace) -> Scenario:
     for name, value in values.items():
         option = option_name(parameters_of(manoeuvre)[name])
         words += [option] if value is True else [option, str(value)]
-    parameters = [_assignment(each, "--simulator") for each in arguments.simulator]
+    parameters = [assignment(each, "--simulator") for each in arguments.simulator]
     for each in parameters:
         name = each.partition(":=")[0]
         if name in SET_HERE:
@@ -71,7 +71,7 @@ def _commands_of(manoeuvre: Manoeuvre) -> tuple[str, ...]:
     return tuple(name for name in COMMANDED if commanded[name])
 
 
-def _assignment(text: str, option: str) -> str:
+def assignment(text: str, option: str) -> str:
     name, sign, value = text.partition(":=")
     if not (name and sign and value):
         raise InputError(option, text, "NAME:=VALUE")
@@ -88,7 +88,7 @@ def chain_of(arguments: argparse.Namespace) -> Chain:
     if not commands:
         wanted = "a script whose `said` names a command topic, or --answers TOPIC"
         raise InputError("SCRIPT", " ".join(arguments.scripts), wanted, "publishes no command")
-    given = [_assignment(each, "--parameter") for each in arguments.parameter]
+    given = [assignment(each, "--parameter") for each in arguments.parameter]
     words = assigned(given, scripts, "SCRIPT")
     return Chain(
         commands, tuple((str(each.resolve()), *_ros_words(words[each])) for each in scripts)
@@ -112,7 +112,7 @@ def compare(arguments: argparse.Namespace) -> list[str]:
         check_figure_format(plot, "--plot")
     check_distinct(files)
     name = " + ".join(Path(each).stem for each in arguments.scripts)
-    with _domain(arguments.domain) as domain:
+    with domain_of(arguments.domain) as domain:
         os.environ.update(LOCAL | {"ROS_DOMAIN_ID": str(domain)})
         compile_model()
         found = drive(scenario, chain)  # first, since it is the one that may fail
@@ -131,7 +131,7 @@ def _csv_files(given: list[str] | None) -> dict[str, Path]:
     return {f"--csv {kind}": named_file(text, "--csv") for kind, text in texts}
 
 
-def _domain(given: str | None) -> AbstractContextManager[int]:
+def domain_of(given: str | None) -> AbstractContextManager[int]:
     """The ROS domain given, else one that nobody else uses; raises InputError."""
     if given is None:
         return own_domain()

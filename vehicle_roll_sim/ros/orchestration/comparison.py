@@ -140,7 +140,7 @@ def drive(scenario: Scenario, chain: Chain = NONE) -> Outcome:
     """
     topics = ", ".join(dict.fromkeys((*scenario.commands, *chain.commands)))
     parameters = ("mode:=lockstep", f"lockstep_topics:=[{topics}]", *scenario.simulator)
-    with tempfile.TemporaryDirectory() as folder, _noted_signals() as interrupted:
+    with tempfile.TemporaryDirectory() as folder, noted_signals() as interrupted:
         rows, nodes = Path(folder) / "rows.csv", _Nodes(Path(folder))
         try:
             nodes.start("simulator", lambda **to: start("simulator", *ros_words(parameters), **to))
@@ -171,7 +171,7 @@ def _starter(script: str, words: Sequence[str]):
 
 
 @contextlib.contextmanager
-def _noted_signals() -> Iterator[threading.Event]:
+def noted_signals() -> Iterator[threading.Event]:
     """Within the block, signals only set an event, so that no process is started and then lost."""
     interrupted = threading.Event()
     before = {each: signal.signal(each, lambda *_: interrupted.set()) for each in ENDING}

@@ -6,7 +6,6 @@ import time
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from rclpy.node import Node
 
-from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.live.status import (
     command_troubles,
     command_values,
@@ -31,20 +30,19 @@ MOST_LISTED = 3
 
 
 class Reporter:
-    """Publishes diagnostics, and logs a warning for each new problem.
+    """Publishes diagnostics of a simulator node, and logs a warning for each new problem.
 
-    lock: held while the session is read.
+    lock: held while the session of the node is read.
     """
 
     def __init__(
         self,
         node: Node,
-        session: Session,
         driver: RealTime | Lockstep,
         publications: Publications,
         lock: threading.Lock,
     ):
-        self._node, self._session, self._driver = node, session, driver
+        self._node, self._driver = node, driver
         self._publications, self._lock = publications, lock
         self._publisher = publications.publisher(DIAGNOSTICS)
         self._told: set[str] = set()
@@ -55,10 +53,10 @@ class Reporter:
         publishers = command_publishers(self._node)
         others = [*self._clock_trouble(), *self._doubled()]
         with self._lock:
-            is_idle = self._session.paused or self._session.stopped
-            wrong = [*others, *command_troubles(self._session, publishers)]
+            is_idle = self._node.session.paused or self._node.session.stopped
+            wrong = [*others, *command_troubles(self._node.session, publishers)]
             late = self._driver.trouble()
-            passing = (step_trouble(self._session), late, self._driver.waiting(publishers))
+            passing = (step_trouble(self._node.session), late, self._driver.waiting(publishers))
             status = self._status([*wrong, *("" if is_idle else filter(None, passing))], publishers)
         self._warn({*wrong, *incompatible_partners(self._node)})  # a log handler may end the node
         if late and not is_idle:
@@ -86,7 +84,8 @@ class Reporter:
     def _doubled(self) -> list[str]:
         """One warning for each other node that publishes topics of the set."""
         topics_of: dict[str, list[str]] = {}
-        for topic in set_of(self._session.simulation.options, stamped=False):
+        simulation = self._node.session.simulation
+        for topic in set_of(simulation.options, stamped=False, devices=simulation.sensors.devices):
             if self._node.count_publishers(self._node.resolve_topic_name(topic.name)) > 1:
                 for name in other_publishers(self._node, topic):
                     topics_of.setdefault(name, []).append(topic.name)
@@ -94,7 +93,7 @@ class Reporter:
 
     def _status(self, wrong: list[str], publishers: dict[str, list[str]]) -> DiagnosticStatus:
         """The status: level and message, then values of the model, timing and command topics."""
-        session = self._session
+        session = self._node.session
         level, message = verdict(session, wrong)
         status = DiagnosticStatus(level=bytes([level]), message=message, hardware_id="simulation")
         status.name = status_name(self._node.get_fully_qualified_name())

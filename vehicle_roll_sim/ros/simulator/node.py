@@ -1,37 +1,39 @@
 """The node `simulator`: takes commands, steps the model and publishes the results."""
 
+import functools
 import sys
 import threading
-import time
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from rclpy.clock import Clock as RosClock
 from rclpy.clock import ClockType
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.node import Node
-from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.live.command_inbox import DROPPED, CommandInbox
+from vehicle_roll_sim.live.command_inbox import DROPPED
 from vehicle_roll_sim.live.log_limiter import LogLimiter
 from vehicle_roll_sim.live.session import Session
+from vehicle_roll_sim.live.standard_simulator import StandardSimulator
 from vehicle_roll_sim.live.status import ending
-from vehicle_roll_sim.messages.topics import COMMANDS, Topic
+from vehicle_roll_sim.live.ways_in import PARTS
+from vehicle_roll_sim.messages.topics import Topic
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.ros.node_main import lifetime, node_main
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
-from vehicle_roll_sim.ros.services import PAUSE, RESET, STEP
-from vehicle_roll_sim.ros.simulator import parameters
+from vehicle_roll_sim.ros.simulator import parameters, standard_services
 from vehicle_roll_sim.ros.simulator.compile_status import compile_and_tell
+from vehicle_roll_sim.ros.simulator.control import Control
 from vehicle_roll_sim.ros.simulator.diagnostics import Reporter
 from vehicle_roll_sim.ros.simulator.lockstep import Lockstep, UnansweredError
 from vehicle_roll_sim.ros.simulator.publications import Publications, published_topics
 from vehicle_roll_sim.ros.simulator.real_time import RealTime
+from vehicle_roll_sim.ros.simulator.session import session_of
 from vehicle_roll_sim.ros.simulator.settings import Settings
-from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, message_class
-from vehicle_roll_sim.simulation.simulation import Simulation
-from vehicle_roll_sim.simulation.speed_controller import SpeedController
+from vehicle_roll_sim.ros.simulator.standard_services import StandardServices
+from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, heard_commands, message_class
+from vehicle_roll_sim.vehicle.sensor_parameters import devices_of
 
 NAME = "simulator"
 DIAGNOSTICS_PERIOD = 1.0
@@ -45,51 +47,78 @@ NO_ANSWER = 1
 class Simulator(Node):
     """A simulated vehicle as a node. Raises InputError if a parameter is wrong.
 
-    `driver` decides when a period runs. `lock` guards the session: the thread that steps the model
-    holds it during a period, the thread that runs callbacks between periods.
+    driven: command topics that are not subscribed to, since the owner of the node writes them to
+    the inbox; he also replaces the session, so that the standard services are not offered.
+    `declared`: its parameters. `driver` decides when a period runs. `lock` guards the session: the
+    thread that steps the model holds it during a period, the thread that runs callbacks between
+    periods. `has_begun`: whether the first set has been published.
     """
 
-    def __init__(self, **node_options):
+    def __init__(self, driven: Collection[str] = (), **node_options):
         super().__init__(NAME, **node_options)
-        declared = parameters.declare(self)
+        declared = self.declared = parameters.declare(self)
         self.settings = declared.settings
         refuse_wrong_overrides(
             self,
-            publishers=[each.name for each in published_topics(self.settings, declared.options)],
-            subscriptions=[each.name for each in COMMANDS],
+            publishers=[each.name for each in _published(declared)],
+            subscriptions=[each.name for each in heard_commands()],
             lossless=self.settings.is_lockstep,
         )
         self.lock = threading.Lock()
-        self.session = _session(declared)
+        self.session = session_of(declared, declared.vehicle, self.settings.initial_speed)
         logger = self.get_logger()
         (logger.info if jit.COMPILED else logger.warning)(jit.describe())
         self.driver = _driver(self.settings, self.session.period_ns)
         self._publications = Publications(self, self.session, self.settings, declared.covariances)
-        self._has_begun = False
+        self.has_begun = False
         self._warnings = LogLimiter(WARNING_INTERVAL)
         parameters.follow_changes(self, declared, self.lock)
-        self._commands = {topic.name: self._subscribe(topic) for topic in COMMANDS}
-        self._serve()
-        report = Reporter(self, self.session, self.driver, self._publications, self.lock).report
+        self._commands = {
+            topic.name: self._subscribe(topic)
+            for topic in heard_commands()
+            if topic.name not in driven
+        }
+        self._control = Control(self, lambda: parameters.show_changes(self, declared))
+        self._control.serve()
+        if standard_services.is_installed() and not driven:
+            self._serve_standard()
+        report = Reporter(self, self.driver, self._publications, self.lock).report
         steady = RosClock(clock_type=ClockType.STEADY_TIME)
         self.create_timer(DIAGNOSTICS_PERIOD, report, clock=steady)
 
-    def begin(self) -> None:
-        """Publish the first set, at time 0, and discard any command received before it."""
-        with self.lock:
-            self._has_begun = True
-            self.session.inbox.clear()
-            self._restart()
-            self._publish_all()
+    def _serve_standard(self) -> None:
+        """Offer the services of the standard for simulators."""
+        fulfilled = StandardSimulator(self.session, self._control, self.lock)
+        stamp, frame = self._publications.present_stamp, f"{self.settings.frame_prefix}odom"
+        self._standard = StandardServices(self, fulfilled, stamp, frame)
+        self._standard.serve()
 
-    def _restart(self) -> None:
+    def begin(self, session: Session | None = None) -> None:
+        """Publish the first set and discard any command received before it.
+
+        It is that of time 0, unless a snapshot has been restored. session: the one to go on with,
+        by default the present one. The parameters of the node remain those that it was started
+        with.
+        """
+        with self.lock:
+            if session is not None:
+                self.session = session
+                self._publications.follow(session)
+            self.has_begun = True
+            self._control.begin()
+            self.show()
+
+    def restart(self) -> None:
         """Restart pacing and stamps from the current time."""
         self._publications.anchor(self.driver.restart())
 
-    def _publish_all(self) -> None:
-        self._publications.look_for_listeners()
-        self._publications.publish_set()
-        self._publications.publish_rollover()
+    def show(self) -> None:
+        """Restart pacing and stamps, and publish the set once the simulator has begun."""
+        self.restart()
+        if self.has_begun:
+            self._publications.look_for_listeners()
+            self._publications.publish_set()
+            self._publications.publish_rollover()
 
     def unreceived(self) -> list[str]:
         """Topics of the set on which a reliable subscriber has not yet acknowledged everything."""
@@ -106,23 +135,38 @@ class Simulator(Node):
         ]
 
     def _subscribe(self, topic: Topic):
-        def receive(message):
-            self._receive(topic.name, message.data)
+        receive = self._receive_parts if topic.name in PARTS else self._receive
 
         return make_subscription(
             self,
             message_class(topic.type),
             topic.name,
-            receive,
+            functools.partial(receive, topic.name),
             EVERY_ANSWER if self.settings.is_lockstep else NEWEST_ONLY,
             event_callbacks=SubscriptionEventCallbacks(use_default_callbacks=False),
         )
 
-    def _receive(self, topic: str, data) -> None:
+    def _receive(self, topic: str, message) -> None:
+        data = message.data
         values = [data] if isinstance(data, float) else data
         with self.lock:
             now_ns = self.session.simulation.time_ns
             problem = self.session.inbox.receive(topic, values, now_ns)
+        self._warn(topic, problem)
+
+    def _receive_parts(self, topic: str, message) -> None:
+        inbox, simulation = self.session.inbox, self.session.simulation
+        try:
+            parts = PARTS[topic](message, simulation.vehicle.wheelbase)
+        except InputError as error:
+            with self.lock:
+                problem = inbox.drop(topic, str(error))
+        else:
+            with self.lock:
+                problem = inbox.receive_parts(topic, parts, simulation.time_ns)
+        self._warn(topic, problem)
+
+    def _warn(self, topic: str, problem: str) -> None:
         if problem and self._warnings.allows((topic, problem.startswith(DROPPED))):
             self.get_logger().warning(f"{topic}: {problem}")
 
@@ -142,47 +186,9 @@ class Simulator(Node):
             self._publications.publish_rollover()
             self.get_logger().error(ending(self.session))
 
-    def _serve(self) -> None:
-        answers = {RESET: self._reset, PAUSE: self._pause, STEP: self._step}
-        for service, answer in answers.items():
-            self.create_service(service.kind, f"~/{service.name}", answer)
 
-    def _reset(self, _, response: Trigger.Response) -> Trigger.Response:
-        with self.lock:
-            try:
-                self.session.reset(self.settings.initial_speed)
-            except InputError as error:  # the step is too large for that speed
-                response.success, response.message = False, str(error)
-                return response
-            self._restart()
-            if self._has_begun:
-                self._publish_all()
-        response.success = True
-        response.message = f"static equilibrium at {self.settings.initial_speed:g} m/s"
-        return response
-
-    def _pause(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
-        with self.lock:
-            self.session.paused = request.data
-            self._restart()
-        response.success = True
-        response.message = "paused" if request.data else "running"
-        return response
-
-    def _step(self, _, response: Trigger.Response) -> Trigger.Response:
-        with self.lock:
-            can_step = self.session.paused and not self.session.stopped
-            response.success = can_step and self._has_begun
-            if response.success:
-                self.run_period(time.monotonic_ns())
-                response.message = f"{self.session.simulation.time:.9g} s"
-            elif not self._has_begun:
-                response.message = "not started yet: waiting for the lockstep partners"
-            elif self.session.stopped:
-                response.message = "the model has stopped: reset first"
-            else:
-                response.message = "running: pause first"
-        return response
+def _published(declared: parameters.Declared) -> tuple[Topic, ...]:
+    return published_topics(declared.settings, declared.options, devices_of(declared.vehicle))
 
 
 def _driver(settings: Settings, period_ns: int) -> Lockstep | RealTime:
@@ -195,26 +201,6 @@ def _driver(settings: Settings, period_ns: int) -> Lockstep | RealTime:
             settings.lockstep_timeout_policy,
         )
     return RealTime(period_ns, settings.real_time_factor, settings.catch_up_limit)
-
-
-def _session(declared: parameters.Declared) -> Session:
-    """The simulation that the parameters describe."""
-    settings = declared.settings
-    simulation = Simulation(
-        declared.vehicle,
-        declared.options,
-        step=settings.step,
-        rollover_angle=settings.rollover_angle,
-        road=declared.road,
-    )
-    inbox = CommandInbox(
-        settings.command_timeout, settings.steering_timeout_policy, declared.limits
-    )
-    controller = SpeedController(
-        declared.vehicle, settings.speed_drive_limit, settings.speed_brake_limit
-    )
-    period_ns = settings.steps_in_a_period(simulation.step_ns) * simulation.step_ns
-    return Session(simulation, inbox, period_ns, settings.initial_speed, controller)
 
 
 def main() -> int:

@@ -18,6 +18,7 @@ from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
+from vehicle_roll_sim.vehicle.sensor_parameters import devices_of
 from vehicle_roll_sim.vehicle.shipped import vehicle_named
 from vehicle_roll_sim.vehicle.vehicle_file import (
     LONGITUDINAL,
@@ -76,7 +77,7 @@ def declare(node: Node) -> Declared:
         _declare(node, VEHICLE_PREFIX + name, value)
     options = options_for(vehicle, **_given_of(node, Options)).for_vehicle(vehicle)
     _check_speed(settings.initial_speed, options)
-    settings.check(options)
+    settings.check(options, devices_of(vehicle))
     for name, value in dataclasses.asdict(options).items():
         _declare(node, name, value, is_resolved=True)
     _heed(plausibility(vehicle), node, settings.strict)
@@ -152,8 +153,7 @@ def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None
 
     lock: held while values change, so that they change between two periods only.
     """
-    settings = declared.settings
-    tunable = {name: part for part in (settings, declared.limits) for name in parameters_of(part)}
+    settings, tunable = declared.settings, _tunable(declared)
 
     def check(changes) -> SetParametersResult:
         values = {change.name: change.value for change in changes if change.name in tunable}
@@ -170,6 +170,24 @@ def follow_changes(node: Node, declared: Declared, lock: threading.Lock) -> None
 
     node.add_pre_set_parameters_callback(_numbers_for_integers)
     node.add_on_set_parameters_callback(check)
+
+
+def _tunable(declared: Declared) -> dict[str, Settings | CommandLimits]:
+    """The object that has each parameter that may change."""
+    parts = (declared.settings, declared.limits)
+    return {name: part for part in parts for name, p in parameters_of(part).items() if p.tunable}
+
+
+def show_changes(node: Node, declared: Declared) -> None:
+    """Set the ROS parameters to values that have changed with a snapshot. Call without the lock."""
+    now = {name: getattr(part, name) for name, part in _tunable(declared).items()}
+    changed = [
+        RosParameter(name, value=value)
+        for name, value in now.items()
+        if node.get_parameter(name).value != value
+    ]
+    if changed:
+        node.set_parameters_atomically(changed)
 
 
 def _numbers_for_integers(changes: list) -> list:

@@ -1,15 +1,17 @@
 """What a simulator publishes: a set of messages every period, and a few other topics."""
 
 import time
+from collections.abc import Collection
 
 from builtin_interfaces.msg import Time
 from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.node import Node
+from rclpy.publisher import Publisher
 
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.messages.covariances import Covariances
-from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.measured import messages_of
 from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
@@ -38,17 +40,19 @@ Asking for the subscription count costs as much as publishing.
 """
 
 
-def set_topics(settings: Settings, options: Options) -> tuple[Topic, ...]:
-    """The topics that are published every period, in order."""
+def set_topics(settings: Settings, options: Options, devices: Collection[str]) -> tuple[Topic, ...]:
+    """The topics that are published every period, in order. devices: of the vehicle's sensors."""
     clock = (CLOCK,) if settings.has_own_clock else ()
-    topics = set_of(options, settings.publish_stamped)
+    topics = set_of(options, settings.publish_stamped, devices)
     return (*clock, *topics, *filter(is_installed, (TRANSFORMS,)))
 
 
-def published_topics(settings: Settings, options: Options) -> tuple[Topic, ...]:
-    """Every topic that a simulator publishes."""
+def published_topics(
+    settings: Settings, options: Options, devices: Collection[str]
+) -> tuple[Topic, ...]:
+    """Every topic that a simulator publishes; arguments as for `set_topics`."""
     beside = (ROLLOVER, ROBOT_DESCRIPTION, SIMULATION_DESCRIPTION, DIAGNOSTICS)
-    return (*set_topics(settings, options), *beside)
+    return (*set_topics(settings, options, devices), *beside)
 
 
 class Publications:
@@ -65,25 +69,36 @@ class Publications:
         settings: Settings,
         covariances: Covariances,
     ):
-        self._node, self._session = node, session
-        prefix, clock = settings.frame_prefix, node.get_clock()
-        self._messages = Messages(session.simulation, prefix, encode, covariances)
+        self._node, clock = node, node.get_clock()
+        self._settings, self._covariances = settings, covariances
         self.own_clock = settings.has_own_clock
         self._stamps = None if self.own_clock else Stamps(lambda: clock.now().nanoseconds)
         self._last_stamp_ns = 0
         self.sets = 0
         self._unnoticed_ns = 0 if settings.is_lockstep else LONGEST_UNNOTICED_NS
-        self._set = {
-            topic.name: (self.publisher(topic), builder(self._messages, encode, topic))
-            for topic in set_topics(settings, session.simulation.options)
-        }
-        self._tree = self._set.get(TRANSFORMS.name, (None,))[0]
-        self._prepare()
+        self._publishers: dict[Topic, Publisher] = {}
+        self.follow(session)
+        self._tree = self._publishers.get(TRANSFORMS)
         self._rollover = self.publisher(ROLLOVER)
         self._descriptions = [
             self._tell(ROBOT_DESCRIPTION, robot_description(session.simulation)),
             self._tell(SIMULATION_DESCRIPTION, describe(session.simulation, session.period_ns)),
         ]
+
+    def follow(self, session: Session) -> None:
+        """Publish the messages of this session from now on."""
+        self._session, simulation = session, session.simulation
+        prefix = self._settings.frame_prefix
+        self._messages = messages_of(simulation, prefix, encode, self._covariances)
+        topics = set_topics(self._settings, simulation.options, simulation.sensors.devices)
+        for topic in topics:
+            if topic not in self._publishers:
+                self._publishers[topic] = self.publisher(topic)
+        self._set = {
+            topic.name: (self._publishers[topic], builder(self._messages, encode, topic))
+            for topic in topics
+        }
+        self._prepare()
 
     def _tell(self, topic: Topic, text: str):
         """A latched publisher that has published `text`; keep a reference to it."""

@@ -2,8 +2,9 @@
 
 import dataclasses
 import math
+from collections.abc import Collection
 
-from vehicle_roll_sim.declaration import InputError, parameter
+from vehicle_roll_sim.declaration import InputError, parameter, parameters_of
 from vehicle_roll_sim.live.command_inbox import CENTRE, DEFAULT_TIMEOUT, HOLD
 from vehicle_roll_sim.live.pacing import (
     AS_FAST_AS_POSSIBLE,
@@ -11,8 +12,17 @@ from vehicle_roll_sim.live.pacing import (
     FASTEST_FACTOR,
     SLOWEST_FACTOR,
 )
-from vehicle_roll_sim.messages.topics import COMMANDS, ROLL_CENTRE, STAMPED, STATE_SET, set_of
+from vehicle_roll_sim.messages.topics import (
+    COMMANDS,
+    OF_SOME_SETS,
+    ROLL_CENTRE,
+    STAMPED,
+    STATE_SET,
+    WAYS_IN,
+    set_of,
+)
 from vehicle_roll_sim.ros.simulator.lockstep import STOP
+from vehicle_roll_sim.ros.topics import is_installed
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import (
     DEFAULT_ROLLOVER_ANGLE,
@@ -27,7 +37,9 @@ from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DE
 
 REAL_TIME, LOCKSTEP = "real_time", "lockstep"
 COMMANDED = tuple(topic.name for topic in COMMANDS)
+AWAITED = (*COMMANDED, *(topic.name for topic in WAYS_IN))
 NAMES_OF_STAMPED = tuple(topic.name for topic in STAMPED)
+OF_CHANGING_SETS = tuple(topic.name for topic in OF_SOME_SETS)
 PUBLISHED_IN_SETS = tuple(topic.name for topic in STATE_SET)
 """With every model."""
 MOST_STEPS = 100_000
@@ -112,12 +124,12 @@ class Settings:
     )
     lockstep_topics: tuple = parameter(
         "command topics on which lockstep waits for a message in every period",
-        choices=COMMANDED,
+        choices=AWAITED,
         default=("steering_cmd",),
     )
     lockstep_wait: tuple = parameter(
         "topics of the set that must have a subscriber before lockstep begins",
-        choices=(*PUBLISHED_IN_SETS, ROLL_CENTRE.name, *NAMES_OF_STAMPED),
+        choices=(*PUBLISHED_IN_SETS, *OF_CHANGING_SETS, *NAMES_OF_STAMPED),
         default=("state",),
     )
     lockstep_timeout: float = parameter(
@@ -143,19 +155,45 @@ class Settings:
         "vehicle",
         default="",
     )
+    snapshot: str = parameter(
+        "token of the state to restore; empty: the last one saved",
+        tunable=True,
+        default="",
+    )
+    snapshot_folder: str = parameter(
+        "folder in which saved states are also kept as files; empty: none",
+        default="",
+    )
     strict: bool = parameter(
         "refuse an implausible vehicle instead of logging a warning", default=False
     )
 
-    def check(self, options: Options) -> None:
-        """Raise InputError for a combination of values that is not allowed."""
+    def memory(self) -> dict:
+        """The values that may change while the node runs, without the token of a snapshot."""
+        return {name: getattr(self, name) for name in KEPT_WITH_SNAPSHOTS}
+
+    def remember(self, memory: dict) -> None:
+        """Take over what `memory` returned."""
+        for name in KEPT_WITH_SNAPSHOTS:
+            setattr(self, name, memory[name])
+
+    def check(self, options: Options, devices: Collection[str]) -> None:
+        """Raise InputError for a combination of values that is not allowed.
+
+        devices: of the vehicle's sensors.
+        """
         if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
             allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
             raise InputError("real_time_factor", self.real_time_factor, allowed)
-        published = {topic.name for topic in set_of(options, self.publish_stamped)}
+        for topic in WAYS_IN:
+            if topic.name in self.lockstep_topics and not is_installed(topic):
+                package = topic.type.partition("/")[0]
+                problem = f"{topic.name} needs {package}, which is not installed"
+                raise InputError("lockstep_topics", "", "other topics", problem)
+        published = {topic.name for topic in set_of(options, self.publish_stamped, devices)}
         if not published.issuperset(self.lockstep_wait):
             allowed = f"topics that end in _stamped only with publish_stamped, {ROLL_CENTRE.name} "
-            allowed += "only with model 2"
+            allowed += "only with model 2, those of sensors only with these"
             raise InputError("lockstep_wait", self.lockstep_wait, allowed)
 
     def steps_in_a_period(self, step_ns: int) -> int:
@@ -180,3 +218,8 @@ class Settings:
     def has_own_clock(self) -> bool:
         """Whether stamps are simulated time from 0, published on /clock."""
         return self.publish_clock or self.is_lockstep or self.real_time_factor != 1.0
+
+
+KEPT_WITH_SNAPSHOTS = tuple(
+    name for name, each in parameters_of(Settings).items() if each.tunable and name != "snapshot"
+)

@@ -1,0 +1,1 @@
+"""The laws of the example controllers, without ROS, and their names."""

@@ -1,0 +1,1 @@
+"""Scores of controllers: catalogue, spread, figures of runs, and the report. No ROS."""
