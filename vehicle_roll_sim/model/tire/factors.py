@@ -1,6 +1,6 @@
 """What the equations of a tire use of its coefficients and its inflation pressure alone.
 
-These values are computed once for a tire, not in every derivative, which would take some 150 operations.
+These values are computed once for a tire; in every derivative they would take some 150 operations.
 E: as in `magic_formula`.
 """
 
