@@ -97,6 +97,15 @@ def test_on_leaning_wheels_tires_that_stiffen_carry_it_from_the_first_instant(un
     assert simulation.state.z == pytest.approx(height, abs=1e-9)
 
 
+def test_leaning_wheels_begin_to_roll_freely(unequal_axles):
+    leaning = unequal_axles.with_values({"front_camber": -0.2, "rear_camber": 0.1})
+    simulation = Simulation(leaning, Options(model="2"))
+    simulation.reset(20.0)
+    outputs = simulation.outputs
+    np.testing.assert_allclose(outputs.tread, outputs.rolling, rtol=1e-14)  # rounding
+    np.testing.assert_allclose(outputs.rolling, 20.0, rtol=1e-14)
+
+
 def test_the_roll_centre_of_straight_paths_is_that_of_the_vehicle_file_at_rest(vehicle):
     outputs = Simulation(vehicle, KINEMATIC).outputs
     heights = [vehicle.roll_centre_height[0], vehicle.roll_centre_height[2]]

@@ -77,8 +77,11 @@ def find_trim(
     wanted = lateral_acceleration if is_turn_given else steering
     if not math.isfinite(wanted):
         raise InputError(field, wanted, "a finite number")
-    standing = equilibrium(model.record, model.tires, speed).view(np.float64)
-    trim = _solution(model, standing, np.zeros(len(model.input_names)), "steering", 0.0)
+    is_kinematic = model.options.is_kinematic
+    standing = equilibrium(model.record, model.tires, speed, is_kinematic=is_kinematic)
+    trim = _solution(
+        model, standing.view(np.float64), np.zeros(len(model.input_names)), "steering", 0.0
+    )
     if trim is None:
         raise InputError("speed", speed, "a speed that the rear wheels can hold straight ahead")
     _check_rolls(trim)

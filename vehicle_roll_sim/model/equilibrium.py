@@ -7,7 +7,7 @@ from vehicle_roll_sim.model.tire.radii import free_spin
 
 AT_REST = (
     *("cg_height", "static_suspension_compression", "static_tire_compression"),
-    *("tire_radius", "tire_stiffness", "tire_progression"),
+    *("tire_radius", "tire_stiffness", "tire_progression", "camber", "static_loaded_radius"),
 )
 """Fields of VEHICLE on which the equilibrium depends."""
 
@@ -54,10 +54,13 @@ def static_strut_length(cg_height, tire_radius, tire_compression) -> np.ndarray:
     return cg_height - (tire_radius - tire_compression)
 
 
-def equilibrium(vehicle: np.ndarray, tires: np.ndarray, speed: float) -> np.ndarray:
+def equilibrium(
+    vehicle: np.ndarray, tires: np.ndarray, speed: float, *, is_kinematic: bool
+) -> np.ndarray:
     """The state of free rolling straight ahead at `speed` (m/s): an array of one STATE record.
 
-    vehicle: VEHICLE, shape (1,). tires: TIRE, of front and rear axle, shape (2,).
+    vehicle: VEHICLE, shape (1,). tires: TIRE, of front and rear axle, shape (2,). is_kinematic:
+    whether it is that of model 2, where leaning wheels have their loaded radius along their plane.
     """
     state = np.zeros(1, STATE)
     car = {name: vehicle[name][0] for name in AT_REST}
@@ -65,7 +68,10 @@ def equilibrium(vehicle: np.ndarray, tires: np.ndarray, speed: float) -> np.ndar
     state["z"], state["u"] = car["cg_height"], speed
     state["suspension_compression"] = car["static_suspension_compression"]
     state["tire_compression"] = compression
-    speeds = np.full(WHEEL_COUNT, speed) / (car["tire_radius"] - compression)
+    radius = car["tire_radius"] - compression
+    if is_kinematic:
+        radius = np.where(car["camber"] != 0.0, car["static_loaded_radius"], radius)
+    speeds = np.full(WHEEL_COUNT, speed) / radius
     load = static_tire_load(compression, car["tire_stiffness"], car["tire_progression"])
     for i in range(WHEEL_COUNT):
         tire = tires[FRONT if i < LR else REAR]

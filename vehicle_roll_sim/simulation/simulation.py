@@ -223,7 +223,10 @@ class Simulation(Restorable):
         self._start(start)
 
     def _equilibrium(self, speed: float) -> np.ndarray:
-        return self._without_absent(equilibrium(self._vehicle, self._tires, speed))
+        start = equilibrium(
+            self._vehicle, self._tires, speed, is_kinematic=self.options.is_kinematic
+        )
+        return self._without_absent(start)
 
     def _check_start(self, speed: float, start: np.ndarray) -> None:
         """Raise InputError if a run cannot start with the integration step.

@@ -5,6 +5,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.records import LF, LR, RF, RR
 from vehicle_roll_sim.model.tire.coefficients import INCLINED, NEUTRAL, PRESSURE, TIRE
+from vehicle_roll_sim.model.tire.factors import factors_of
 from vehicle_roll_sim.vehicle.tire.moments import moments_of
 
 MIRRORED = {"left": (RF, RR), "right": (LF, LR), "symmetric": (RF, RR)}
@@ -39,9 +40,10 @@ def tire_record(
     change = (pressure - nominal) / nominal if pressure and nominal > 0.0 else 0.0
     moments = moments and bool(moments_of(values))
     tire = np.zeros(1, TIRE)
-    for name, value in values.items():
+    for name, value in (values | factors_of(values, change)).items():
         tire[name] = value
     tire["version"], tire["combined"], tire["moments"] = float(version), combined, moments
+    tire["from_6_1"] = version != "5.2"
     tire["pressure_change"] = change
     tire["pressure_effect"] = (1 + change) ** values["QSY8"]
     tire["plain"] = version == "5.2" and combined and not moments and _is_plain(values, change)

@@ -13,6 +13,8 @@ TAN_PI_8, TAN_3_PI_8 = math.sqrt(2) - 1, math.sqrt(2) + 1
 pi / 4 + atan[(x - 1) / (x + 1)], above the second as pi / 2 - atan(1 / x)."""
 PI_HALVES_REST = 6.123233995736766e-17
 """pi / 2 minus its floating-point representation."""
+REST_OF_ANGLE = PI_HALVES_REST / (math.pi / 2)
+"""That, relative; times pi / 2 or pi / 4 it gives its rest exactly, with one operation."""
 PI, PI_REST = 3.1415926534682512, 1.2154201013012384e-10
 """pi in two parts; the first has 33 bits, so its product with an integer of 20 bits is exact."""
 HALF_TURNS = 1 / math.pi
@@ -22,8 +24,8 @@ ROUNDING = 1.5 * 2**52
 
 LN_2, LN_2_REST = 0.6931471803691238, 1.9082149292705877e-10
 """ln 2 in two parts; the first has 33 bits."""
-POWERS_OF_2 = 52
-"""Position of the exponent in the bits of a double."""
+POWERS_OF_2, SIGN = 52, 63
+"""Positions of exponent and sign in the bits of a double."""
 EXPONENT_BIAS = 1023
 SQUARE_ROOT_HALF = 0x3FE6A09E667F3BCD
 """The bits of sqrt(1 / 2)."""
@@ -49,7 +51,7 @@ def arctan_of_small(z):
     middle = cubic(
         q, -0.09090904578123903, 0.07692183190826087, -0.06664511447381948, 0.0585814891280221
     )
-    high = cubic(q, -0.0508544973794026, 0.03923165829558719, -0.019176887119062257, 0.0)
+    high = (-0.0508544973794026 + 0.03923165829558719 * q) + (q * q) * -0.019176887119062257
     return z * q * (low + q4 * (middle + q4 * high))
 
 
@@ -67,15 +69,15 @@ def arctan_of_ratio(x, base):
     above = -base if steep else (size - base if middle else size)
     below = size if steep else (size + base if middle else base)
     turned = math.pi / 2 if steep else (math.pi / 4 if middle else 0.0)
-    rest = PI_HALVES_REST if steep else (PI_HALVES_REST / 2 if middle else 0.0)
     z = above / below
-    return math.copysign(turned + (arctan_of_small(z) + rest + z), x)
+    return math.copysign(turned + (arctan_of_small(z) + turned * REST_OF_ANGLE + z), x)
 
 
 @term
 def nearest(x):
-    """The nearest integer, as a float."""
-    return (x + ROUNDING) - ROUNDING
+    """The nearest integer, as a float, and a float whose lowest bit tells whether it is odd."""
+    rounded = x + ROUNDING
+    return rounded - ROUNDING, rounded
 
 
 @term
@@ -90,26 +92,26 @@ def sine_within_half_turn(r):
 
 
 @term
-def alternating(half_turns, value):
-    """`value`, with the opposite sign for an odd number of half turns."""
-    return value if nearest(half_turns / 2) == half_turns / 2 else -value
+def alternating(rounded, value):
+    """`value`, with the opposite sign if the lowest bit of `rounded` is 1."""
+    return of_bits(bits_of(value) ^ (bits_of(rounded) << SIGN))
 
 
 @term
 def sine(x):
     """sin x (x in rad); beyond some 10^6 rad as accurate as x itself."""
-    half_turns = nearest(x * HALF_TURNS)
+    half_turns, rounded = nearest(x * HALF_TURNS)
     rest = (x - half_turns * PI) - half_turns * PI_REST
-    return alternating(half_turns, sine_within_half_turn(rest))
+    return alternating(rounded, sine_within_half_turn(rest))
 
 
 @term
 def cosine(x):
     """cos x = -sin(x - pi / 2) (x in rad); beyond some 10^6 rad as accurate as x itself."""
     size = abs(x)
-    half_turns = nearest(size * HALF_TURNS - 0.5)
+    half_turns, rounded = nearest(size * HALF_TURNS - 0.5)
     rest = (size - (half_turns + 0.5) * PI) - (half_turns + 0.5) * PI_REST
-    return alternating(half_turns, -sine_within_half_turn(rest))
+    return alternating(rounded, -sine_within_half_turn(rest))
 
 
 @term
@@ -118,7 +120,7 @@ def arctan_of_hypotenuse(x, y):
 
     Sine and cosine follow from the sine of half the remainder of x by the nearest multiple of pi.
     """
-    half_turns = nearest(x * HALF_TURNS)
+    half_turns, _ = nearest(x * HALF_TURNS)
     rest = (x - half_turns * PI) - half_turns * PI_REST
     half = sine_within_half_turn(0.5 * rest)
     square = half * half

@@ -7,6 +7,7 @@ import numpy as np
 from vehicle_roll_sim.model.compiled.jit import constants
 from vehicle_roll_sim.model.layout import record_dtype
 from vehicle_roll_sim.model.records import per_wheel
+from vehicle_roll_sim.model.tire.factors import FACTORS
 
 
 def numbered(prefix: str, *numbers: int) -> tuple[str, ...]:
@@ -65,14 +66,14 @@ RANGES = ("KPUMIN", "KPUMAX", "ALPMIN", "ALPMAX", "FZMIN", "FZMAX")
 CAMBER_RANGE = ("CAMMIN", "CAMMAX")
 STATE_OF_TIRE = (
     *("version", "pressure_change", "pressure_effect", "lowest_weight"),
-    *("combined", "moments", "plain", "rolls_on_own_radius", "shared"),
+    *("combined", "moments", "plain", "rolls_on_own_radius", "shared", "from_6_1"),
 )
 COEFFICIENTS = (
     *(*SCALING, *REQUIRED, *OPTIONAL, *INCLINED, *PRESSURE, *OVERTURNING, *ROLLING, *ALIGNING),
     *(*RADII, *CARCASS, *RANGES, *CAMBER_RANGE),
 )
 
-TIRE = record_dtype(*COEFFICIENTS, *STATE_OF_TIRE, *per_wheel("side"))
+TIRE = record_dtype(*COEFFICIENTS, *STATE_OF_TIRE, *FACTORS, *per_wheel("side"))
 """Coefficients of a tire, by their names in the .tir file, and:
 
 version: of the Magic Formula, 5.2, 6.1 or 6.2. pressure_change: dp. pressure_effect:
@@ -81,6 +82,8 @@ combined: whether slip in one direction reduces the force in the other.
 moments: whether moments are computed. plain: whether no term depends on inclination or
 pressure and no moment is computed, so that the plain forms suffice. rolls_on_own_radius:
 whether the file gives the effective rolling radius. shared: whether both axles have this tire.
+from_6_1: whether it is of version 6.1 or 6.2.
+FACTORS: see `factors`.
 side: -1 at the wheels where the tire is mirrored, else +1.
 """
 TIRES = record_dtype(("front", TIRE), ("rear", TIRE))

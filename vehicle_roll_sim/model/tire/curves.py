@@ -17,6 +17,14 @@ def keep_curve(curve, i, parts, terms):
 
 
 @term
+def keep_weight(curve, curve_at_shift, i, parts, shift, terms):
+    """Store the two curves of a weighting function of wheel i. shift: its x at zero slip."""
+    _, stiffness, shape, curvature = parts
+    keep_curve(curve, i, parts, terms)
+    keep_curve(curve_at_shift, i, (shift, stiffness, shape, curvature), terms)
+
+
+@term
 def sines_of_curves(count, terms):
     """The sines of the first `count` elements; those of the other curves of forces are 0.
 

@@ -45,17 +45,17 @@ def complete_terms(tire, first, wave_inclines, outputs):
     """Those of a tire that is not plain. wave_inclines: None if PKY5 is 0."""
     terms, tire = outputs.tire_terms, all_tire_constants(tire)
     for i in range(WHEEL_COUNT):
-        mine, fz = i >= first, outputs.normal_force[i]
+        mine, fz, gamma = i >= first, outputs.normal_force[i], outputs.inclination[i]
         dfz = pure_slip.relative_load(fz, tire)
         along = pure_slip.slip_stiffness(0.0, fz, dfz, exponential(tire.PKX3 * dfz), tire)
         wave = pure_slip.cornering_wave(0.0, fz, tire)
-        across = pure_slip.stiffness_of_wave(0.0, wave, tire)
+        across = pure_slip.upright_stiffness_of_wave(wave, tire)
         power = load_power(fz, tire)
         depth = rolling_depth(fz, tire)
+        if wave_inclines is not None:
+            wave = pure_slip.cornering_wave(gamma, fz, tire)
         terms.relative_load[i] = dfz if mine else terms.relative_load[i]
         terms.slip_stiffness[i] = along if mine else terms.slip_stiffness[i]
-        if wave_inclines is not None:
-            wave = pure_slip.cornering_wave(outputs.inclination[i], fz, tire)
         terms.cornering_wave[i] = wave if mine else terms.cornering_wave[i]
         terms.upright_stiffness[i] = across if mine else terms.upright_stiffness[i]
         terms.load_power[i] = power if mine else terms.load_power[i]

@@ -9,7 +9,9 @@ Almost everything is built from one curve, sin[C atan{B x - E (B x - atan B x)}]
 slip, their weighting functions and the trail (cosines, as 1 - 2 sin^2 of half the angle).
 Therefore x, B, C and E of all curves of all wheels are computed first, then all sines in
 vectorized loops, and then the forces and moments. The compiler vectorizes only loops with long
-bodies: it unrolls the others first. Loops are therefore as long as they can be.
+bodies: it unrolls the others first. Loops are therefore as long as they can be. The longest read
+all inputs before they write anything: since records might overlap, compiled code would otherwise
+read all coefficients in advance and keep copies of them.
 """
 
 from vehicle_roll_sim.model.compiled.elementary import arctan, cosine_of_arctan
@@ -22,7 +24,13 @@ from vehicle_roll_sim.model.tire.combined_slip import (
     longitudinal_weight_curve,
     slip_ply_steer,
 )
-from vehicle_roll_sim.model.tire.curves import keep_curve, sine_of, sines_of_curves, weight_of
+from vehicle_roll_sim.model.tire.curves import (
+    keep_curve,
+    keep_weight,
+    sine_of,
+    sines_of_curves,
+    weight_of,
+)
 from vehicle_roll_sim.model.tire.loads import terms_of_loads
 from vehicle_roll_sim.model.tire.pure_slip import camber_shift, relative_load
 from vehicle_roll_sim.model.work_space import (
@@ -105,69 +113,72 @@ def curves_of_wheels(tire, inclined, with_moments, outputs):
     terms = outputs.tire_terms
     tire = tire_constants(tire) if inclined is None else all_tire_constants(tire)
     for i in range(WHEEL_COUNT):
-        gamma = None if inclined is None else outputs.side[i] * outputs.inclination[i]
-        outputs.slip_angle[i] = arctan(outputs.slip_tangent[i])
-        kappa, alpha = outputs.slip_ratio[i], outputs.side[i] * outputs.slip_angle[i]
-        fz, dfz = outputs.normal_force[i], relative_load(outputs.normal_force[i], tire)
-        x_peak = pure_slip.longitudinal_friction(gamma, dfz, tire) * tire.LMUX * fz
-        y_peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz
-        terms.longitudinal_peak[i], terms.lateral_peak[i] = x_peak, y_peak
-        shift = fz * (tire.PVX1 + tire.PVX2 * dfz) * tire.LVX
-        terms.longitudinal_shift[i] = shift * tire.LMUX
-        shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY * tire.LMUY
+        side, fz, kappa = outputs.side[i], outputs.normal_force[i], outputs.slip_ratio[i]
+        tangent = outputs.slip_tangent[i]
+        angle = arctan(tangent)
+        alpha = side * angle
         if inclined is None:
-            terms.lateral_shift[i] = shift
+            gamma, dfz = None, relative_load(fz, tire)
             kx = pure_slip.slip_stiffness(gamma, fz, dfz, terms.stiffening[i], tire)
             ky = pure_slip.cornering_stiffness(gamma, fz, tire)
-            y_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, ky, tire)
+            per_ky = ky
         else:
-            terms.upright_shift[i] = shift
-            terms.lateral_shift[i] = shift + camber_shift(gamma, fz, dfz, tire)
+            gamma, dfz = side * outputs.inclination[i], terms.relative_load[i]
             kx = terms.slip_stiffness[i]
             ky = pure_slip.stiffness_of_wave(gamma, terms.cornering_wave[i], tire)
             per_ky = pure_slip.inverse(ky)
-            y_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, per_ky, tire)
+        if with_moments is not None:
+            upright_ky, rolling = terms.upright_stiffness[i], outputs.rolling[i]
+        x_peak = pure_slip.longitudinal_friction(gamma, dfz, tire) * tire.LMUX * fz
+        y_peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz
+        x_shift = fz * (tire.PVX1 + tire.PVX2 * dfz) * tire.LVX * tire.LMUX
+        y_shift = upright_shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY * tire.LMUY
+        slip_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, per_ky, tire)
         fx = pure_slip.longitudinal_curve(kappa, dfz, kx, x_peak, tire)
-        fy = pure_slip.lateral_curve(alpha, gamma, dfz, y_shift, ky, y_peak, tire)
+        fy = pure_slip.lateral_curve(alpha, gamma, dfz, slip_shift, ky, y_peak, tire)
         gx = longitudinal_weight_curve(alpha, kappa, gamma, dfz, tire)
         gy = lateral_weight_curve(alpha, kappa, gamma, dfz, tire)
+        weight_shift = tire.RHY1 + tire.RHY2 * dfz
+        if inclined is not None:
+            y_shift += camber_shift(gamma, fz, dfz, tire)
+            induced = slip_ply_steer(kappa, alpha, gamma, dfz, y_peak, tire)
+        if with_moments is not None:
+            forward = moments.direction(rolling) * cosine_of_arctan(tangent)
+            y_zero = alpha + slip_shift + y_shift * per_ky
+            ratio = kx * kappa * tire.combined * per_ky
+            upright = upright_lateral(alpha, fz, dfz, upright_ky, tire)
+            trail = trail_of_wheel(alpha, ratio, gamma, fz, dfz, forward, tire)
+            slope = fy[1] * tire.PCY1 * tire.LCY
+            residual = moments.residual_moment(y_zero, ratio, gamma, fz, dfz, slope, forward, tire)
+        outputs.slip_angle[i] = angle
+        terms.longitudinal_peak[i], terms.lateral_peak[i] = x_peak, y_peak
+        terms.longitudinal_shift[i], terms.lateral_shift[i] = x_shift, y_shift
         keep_curve(LONGITUDINAL, i, fx, terms)
         keep_curve(LATERAL, i, fy, terms)
-        keep_curve(LONGITUDINAL_WEIGHT, i, gx, terms)
-        keep_curve(LATERAL_WEIGHT, i, gy, terms)
-        keep_curve(LONGITUDINAL_AT_SHIFT, i, (tire.RHX1, gx[1], gx[2], gx[3]), terms)
-        shift = tire.RHY1 + tire.RHY2 * dfz
-        keep_curve(LATERAL_AT_SHIFT, i, (shift, gy[1], gy[2], gy[3]), terms)
+        keep_weight(LONGITUDINAL_WEIGHT, LONGITUDINAL_AT_SHIFT, i, gx, tire.RHX1, terms)
+        keep_weight(LATERAL_WEIGHT, LATERAL_AT_SHIFT, i, gy, weight_shift, terms)
         if inclined is not None:
-            terms.ply_steer[i] = slip_ply_steer(kappa, alpha, gamma, dfz, y_peak, tire)
+            terms.ply_steer[i], terms.upright_shift[i] = induced, upright_shift
         if with_moments is not None:
-            y_zero = alpha + y_shift + terms.lateral_shift[i] * per_ky
-            induced = kx * kappa * tire.combined * per_ky
-            slope = fy[1] * tire.PCY1 * tire.LCY
-            curves_of_moments(i, alpha, gamma, y_zero, induced, slope, tire, outputs)
+            terms.upright_peak[i], terms.trail_peak[i] = upright[0], trail[0]
+            terms.residual[i] = residual
+            keep_curve(UPRIGHT_LATERAL, i, upright[1], terms)
+            keep_curve(TRAIL, i, trail[1], terms)
 
 
 @term
-def curves_of_moments(i, alpha, gamma, y_zero, induced, slope, tire, outputs):
-    """Curves and other terms of the aligning moment of wheel i; see `moments`.
-
-    alpha, gamma, y_zero: slip angle, inclination, and slip angle from the one without lateral force
-    (rad). induced: Kx kappa / Ky. slope: By Cy.
-    """
-    terms = outputs.tire_terms
-    fz, dfz = outputs.normal_force[i], terms.relative_load[i]
-    peak = pure_slip.lateral_friction(0.0, dfz, tire) * tire.LMUY * fz
+def upright_lateral(alpha, fz, dfz, slope, tire):
+    """Peak (N), and x, B, C and E of the lateral force without inclination. slope: Ky (N/rad)."""
+    peak = pure_slip.upright_lateral_friction(dfz, tire) * tire.LMUY * fz
     shift = (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
-    stiffness = terms.upright_stiffness[i]
-    fy = pure_slip.lateral_curve(alpha, 0.0, dfz, shift, stiffness, peak, tire)
-    keep_curve(UPRIGHT_LATERAL, i, fy, terms)
-    keep_curve(TRAIL, i, moments.trail_curve(alpha, induced, gamma, dfz, tire), terms)
-    forward = moments.direction(outputs.rolling[i]) * cosine_of_arctan(outputs.slip_tangent[i])
-    terms.upright_peak[i] = peak
-    terms.trail_peak[i] = moments.trail_peak(gamma, fz, dfz, forward, tire)
-    terms.residual[i] = moments.residual_moment(
-        y_zero, induced, gamma, fz, dfz, slope, forward, tire
-    )
+    return peak, pure_slip.lateral_curve(alpha, None, dfz, shift, slope, peak, tire)
+
+
+@term
+def trail_of_wheel(alpha, ratio, gamma, fz, dfz, forward, tire):
+    """Peak (m), and x, B, half of C, and E of the trail; see `moments`. ratio: Kx kappa / Ky."""
+    peak = moments.trail_peak(gamma, fz, dfz, forward, tire)
+    return peak, moments.trail_curve(alpha, ratio, gamma, dfz, tire)
 
 
 @kernel
@@ -192,33 +203,35 @@ def forces_from_curves(tire, first, with_moments, with_wave, outputs):
     lowest = tire.lowest_weight
     tire = all_tire_constants(tire)
     for i in range(WHEEL_COUNT):
-        x_peak, x_shift = terms.longitudinal_peak[i], terms.longitudinal_shift[i]
-        y_peak, y_shift = terms.lateral_peak[i], terms.lateral_shift[i]
+        fz, side, mine = outputs.normal_force[i], outputs.side[i], i >= first
+        loaded = fz > 0.0
         gx = weight_of(LONGITUDINAL_WEIGHT, LONGITUDINAL_AT_SHIFT, i, lowest, terms)
         gy = weight_of(LATERAL_WEIGHT, LATERAL_AT_SHIFT, i, lowest, terms)
-        pure = y_peak * sine_of(LATERAL, i, terms) + y_shift  # (E19)
-        fx = gx * (x_peak * sine_of(LONGITUDINAL, i, terms) + x_shift)  # (E9, E50)
+        pure = terms.lateral_peak[i] * sine_of(LATERAL, i, terms) + terms.lateral_shift[i]  # (E19)
+        fx = terms.longitudinal_peak[i] * sine_of(LONGITUDINAL, i, terms)
+        fx = gx * (fx + terms.longitudinal_shift[i])  # (E9, E50)
         fy = gy * pure + terms.ply_steer[i]  # (E58, E66)
-        fz, side = outputs.normal_force[i], outputs.side[i]
-        loaded, mine = fz > 0.0, i >= first
-        fx, fy = fx if loaded else 0.0, fy if loaded else 0.0
-        outputs.tire_longitudinal[i] = fx if mine else outputs.tire_longitudinal[i]
-        outputs.tire_lateral[i] = side * fy if mine else outputs.tire_lateral[i]
         mx = my = mz = 0.0
         if with_moments is not None:
-            gamma, dfz = side * outputs.inclination[i], terms.relative_load[i]
             upright = terms.upright_peak[i] * sine_of(UPRIGHT_LATERAL, i, terms)
-            pure = upright + terms.upright_shift[i] if tire.version > 6.0 else pure  # (E74)
-            half = sine_of(TRAIL, i, terms)
+            upright += terms.upright_shift[i]
+            half, residual = sine_of(TRAIL, i, terms), terms.residual[i]
             trail = terms.trail_peak[i] * (1 - 2 * half * half)  # (E73)
-            mz = terms.residual[i] - trail * gy * pure  # (E71, E72)
+            gamma, dfz = side * outputs.inclination[i], terms.relative_load[i]
+            power, rolling, tread = terms.load_power[i], outputs.rolling[i], outputs.tread[i]
+        fx, fy = fx if loaded else 0.0, fy if loaded else 0.0
+        if with_moments is not None:
+            pure = tire.from_6_1 * upright + (1 - tire.from_6_1) * pure  # (E74)
+            mz = residual - trail * gy * pure  # (E71, E72)
             mz += moments.longitudinal_arm(gamma, dfz, fy, tire) * fx * tire.combined
             mx = moments.overturning_moment(gamma, fz, fy, with_wave, tire)
-            my = moments.direction(outputs.tread[i]) * moments.rolling_resistance_moment(
-                gamma, fz, fx, outputs.rolling[i], terms.load_power[i], tire
+            my = moments.direction(tread) * moments.rolling_resistance_moment(
+                gamma, fz, fx, rolling, power, tire
             )
             mx, mz = side * mx if loaded else 0.0, side * mz if loaded else 0.0
             my = my if loaded else 0.0
+        outputs.tire_longitudinal[i] = fx if mine else outputs.tire_longitudinal[i]
+        outputs.tire_lateral[i] = side * fy if mine else outputs.tire_lateral[i]
         outputs.overturning_moment[i] = mx if mine else outputs.overturning_moment[i]
         outputs.rolling_resistance_moment[i] = my if mine else outputs.rolling_resistance_moment[i]
         outputs.aligning_moment[i] = mz if mine else outputs.aligning_moment[i]

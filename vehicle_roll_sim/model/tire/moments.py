@@ -40,18 +40,12 @@ def equivalent_slip(angle, induced):
 
 
 @term
-def stiffness_over_friction(tire):
-    """LKY / LMUY, a factor in B of trail and residual moment; 0 without friction."""
-    return tire.LKY / tire.LMUY if tire.LMUY != 0.0 else 0.0
-
-
-@term
 def trail_peak(gamma, fz, dfz, forward, tire):
     """Dt cos alpha' LFZO: pneumatic trail at zero slip (m; E33, E42, E43)."""
     inclined = tire.LGAZ * gamma
     peak = fz * (tire.UNLOADED_RADIUS / (tire.LFZO * tire.FNOMIN))
     peak *= tire.QDZ1 + tire.QDZ2 * dfz
-    peak *= 1 - tire.PPZ1 * tire.pressure_change
+    peak *= tire.trail_growth
     peak *= (1 + tire.QDZ3 * inclined + tire.QDZ4 * inclined * inclined) * tire.LTR
     return peak * forward * tire.LFZO
 
@@ -61,7 +55,7 @@ def trail_curve(alpha, induced, gamma, dfz, tire):
     """x, B, half of C, and E of the trail over the equivalent slip angle (E34, E35, E40-E44)."""
     inclined = tire.LGAZ * gamma
     angle = alpha + tire.QHZ1 + tire.QHZ2 * dfz + (tire.QHZ3 + tire.QHZ4 * dfz) * inclined
-    stiffness = (tire.QBZ1 + (tire.QBZ2 + tire.QBZ3 * dfz) * dfz) * stiffness_over_friction(tire)
+    stiffness = (tire.QBZ1 + (tire.QBZ2 + tire.QBZ3 * dfz) * dfz) * tire.stiffness_over_friction
     stiffness *= 1 + tire.QBZ4 * inclined + tire.QBZ5 * abs(inclined)
     curvature = tire.QEZ1 + (tire.QEZ2 + tire.QEZ3 * dfz) * dfz
     side = (tire.QEZ4 + tire.QEZ5 * inclined) * arctan(stiffness * tire.QCZ1 * angle)
@@ -76,9 +70,9 @@ def residual_moment(angle, induced, gamma, fz, dfz, slope, forward, tire):
     angle: slip angle with the shift at which the lateral force is 0 (rad). slope: By Cy.
     """
     inclined = tire.LGAZ * gamma
-    stiffness = tire.QBZ9 * stiffness_over_friction(tire)
+    stiffness = tire.QBZ9 * tire.stiffness_over_friction
     stiffness += tire.QBZ10 * slope
-    camber = (tire.QDZ8 + tire.QDZ9 * dfz) * (1 + tire.PPZ2 * tire.pressure_change)
+    camber = (tire.QDZ8 + tire.QDZ9 * dfz) * tire.camber_moment_growth
     camber += (tire.QDZ10 + tire.QDZ11 * dfz) * abs(inclined)
     moment = (tire.QDZ6 + tire.QDZ7 * dfz) * tire.LRES + camber * inclined * tire.LKZC
     moment *= fz * tire.UNLOADED_RADIUS * tire.LMUY * forward
@@ -88,7 +82,7 @@ def residual_moment(angle, induced, gamma, fz, dfz, slope, forward, tire):
 @term
 def longitudinal_arm(gamma, dfz, fy, tire):
     """s: arm of the longitudinal force about the z axis (m; E76)."""
-    arm = tire.SSZ1 + tire.SSZ2 / tire.FNOMIN * fy
+    arm = tire.SSZ1 + tire.arm_per_force * fy
     arm += (tire.SSZ3 + tire.SSZ4 * dfz) * tire.LGAZ * gamma
     return tire.UNLOADED_RADIUS * arm * tire.LS
 
@@ -96,7 +90,7 @@ def longitudinal_arm(gamma, dfz, fy, tire):
 @term
 def overturning_wave(gamma, fz, fy, tire):
     """The product of cosine and sine in Mx (E69)."""
-    per_load = 1.0 / tire.FNOMIN
+    per_load = tire.per_nominal_load
     stretched, force = tire.QSX6 * (fz * per_load), fy * per_load
     wave = cosine(tire.QSX5 * arctan(stretched * stretched))
     return wave * sine(tire.QSX7 * gamma + tire.QSX8 * arctan(tire.QSX9 * force))
@@ -108,9 +102,8 @@ def overturning_moment(gamma, fz, fy, with_wave, tire):
 
     with_wave: None if QSX4 and QSX10 are 0.
     """
-    per_load = 1.0 / tire.FNOMIN
-    load, force = fz * per_load, fy * per_load
-    part = tire.QSX1 * tire.LVMX - tire.QSX2 * gamma * (1 + tire.PPMX1 * tire.pressure_change)
+    load, force = fz * tire.per_nominal_load, fy * tire.per_nominal_load
+    part = tire.QSX1 * tire.LVMX - tire.QSX2 * gamma * tire.overturning_growth
     part += tire.QSX3 * force - tire.QSX12 * gamma * abs(gamma)
     if with_wave is not None:
         part += tire.QSX4 * overturning_wave(gamma, fz, fy, tire)
@@ -122,9 +115,10 @@ def overturning_moment(gamma, fz, fy, with_wave, tire):
 @term
 def load_power(fz, tire):
     """(Fz / Fz0)^QSY7 of E70."""
-    load = fz / tire.FNOMIN
+    load = max(fz, 0.0) / tire.FNOMIN
     power = exponential(tire.QSY7 * logarithm(max(load, SMALLEST_LOAD)))
-    return load if tire.QSY7 == 1.0 or load <= 0.0 else power
+    is_load = (tire.QSY7 == 1.0) | (load <= 0.0)  # `or` would make two loops of one
+    return load if is_load else power
 
 
 @term
@@ -133,9 +127,9 @@ def rolling_resistance_moment(gamma, fz, fx, speed, load_power, tire):
 
     speed: rolling speed (m/s). load_power: (Fz / Fz0)^QSY7.
     """
-    ratio = speed * (1.0 / tire.LONGVL)
-    part = tire.QSY1 + tire.QSY2 / tire.FNOMIN * fx + tire.QSY3 * abs(ratio)
+    ratio = speed * tire.per_reference_speed
+    part = tire.QSY1 + tire.resistance_per_force * fx + tire.QSY3 * abs(ratio)
     part += tire.QSY4 * (ratio * ratio) * (ratio * ratio)
-    part += (tire.QSY5 + tire.QSY6 / tire.FNOMIN * fz) * gamma * gamma
+    part += (tire.QSY5 + tire.resistance_per_load * fz) * gamma * gamma
     moment = -tire.UNLOADED_RADIUS * tire.FNOMIN * part * tire.LMY
     return moment * load_power * tire.pressure_effect

@@ -40,8 +40,8 @@ def longitudinal_friction(gamma, dfz, tire):
     """mux without its scaling factor (E13)."""
     mu = friction(tire.PDX1, tire.PDX2, dfz)
     if gamma is not None:
-        dp, inclined = tire.pressure_change, tire.LGAX * gamma
-        mu *= above_zero(1 + tire.PPX3 * dp + tire.PPX4 * dp * dp)
+        inclined = tire.LGAX * gamma
+        mu *= tire.longitudinal_grip
         mu *= above_zero(1 - tire.PDX3 * inclined * inclined)
     return mu
 
@@ -49,12 +49,17 @@ def longitudinal_friction(gamma, dfz, tire):
 @term
 def lateral_friction(gamma, dfz, tire):
     """muy without its scaling factor (E23)."""
-    mu = friction(tire.PDY1, tire.PDY2, dfz)
-    if gamma is not None:
-        dp, inclined = tire.pressure_change, tire.LGAY * gamma
-        mu *= above_zero(1 + tire.PPY3 * dp + tire.PPY4 * dp * dp)
-        mu *= above_zero(1 - tire.PDY3 * inclined * inclined)
-    return mu
+    if gamma is None:
+        return friction(tire.PDY1, tire.PDY2, dfz)
+    inclined = tire.LGAY * gamma
+    factor = above_zero(1 - tire.PDY3 * inclined * inclined)
+    return upright_lateral_friction(dfz, tire) * factor
+
+
+@term
+def upright_lateral_friction(dfz, tire):
+    """muy without its scaling factor and without inclination."""
+    return friction(tire.PDY1, tire.PDY2, dfz) * tire.lateral_grip
 
 
 @term
@@ -81,8 +86,7 @@ def slip_stiffness(gamma, fz, dfz, stiffening, tire):
     """Kx kappa: slope of Fx0 at zero slip (N; E15). stiffening: exp(PKX3 dfz)."""
     slope = fz * (tire.PKX1 + tire.PKX2 * dfz) * stiffening * tire.LKX
     if gamma is not None:
-        dp = tire.pressure_change
-        slope *= above_zero(1 + tire.PPX1 * dp + tire.PPX2 * dp * dp)
+        slope *= tire.slip_stiffening
     return slope
 
 
@@ -100,16 +104,21 @@ def cornering_wave(gamma, fz, tire):
     """The sine in Ky alpha (E25); it depends only on the size of the inclination, through PKY5."""
     inclined, nominal = tire.LGAY * gamma, tire.LFZO * tire.FNOMIN
     load = (tire.PKY2 + tire.PKY5 * inclined * inclined) * nominal
-    wave = sine(tire.PKY4 * arctan(fz / (load * (1 + tire.PPY2 * tire.pressure_change))))
+    wave = sine(tire.PKY4 * arctan(fz / (load * tire.cornering_load_growth)))
     return wave if wave * tire.PKY2 > 0.0 else 0.0
 
 
 @term
 def stiffness_of_wave(gamma, wave, tire):
     """Ky alpha from its sine (N/rad; E25)."""
-    factor = tire.PKY1 * tire.LFZO * tire.FNOMIN * tire.LKY
-    factor *= above_zero(1 + tire.PPY1 * tire.pressure_change)
-    return factor * wave * above_zero(1 - tire.PKY3 * abs(tire.LGAY * gamma))
+    upright = upright_stiffness_of_wave(wave, tire)
+    return upright * above_zero(1 - tire.PKY3 * abs(tire.LGAY * gamma))
+
+
+@term
+def upright_stiffness_of_wave(wave, tire):
+    """Ky alpha without inclination (N/rad)."""
+    return tire.largest_cornering_stiffness * wave
 
 
 @term
@@ -132,9 +141,9 @@ def lateral_slip_shift(gamma, fz, dfz, per_slope, tire):
     shift = (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
     if gamma is not None:
         inclined = tire.LGAY * gamma
-        force = fz * (tire.PKY6 + tire.PKY7 * dfz) * (1 + tire.PPY5 * tire.pressure_change)
+        force = fz * (tire.PKY6 + tire.PKY7 * dfz) * tire.camber_stiffening
         force = force * tire.LKYC * inclined - camber_shift(gamma, fz, dfz, tire)
-        shift += tire.PHY3 * inclined if tire.version < 6.0 else force * per_slope
+        shift += tire.PHY3 * inclined + tire.from_6_1 * (force * per_slope)
     return shift
 
 

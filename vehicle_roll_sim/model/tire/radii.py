@@ -34,9 +34,8 @@ def free_radius(spin, tire):
 def rolling_depth(fz, tire):
     """R_OMEGA - RE (m) at a load (N); 0 if the tire file does not give it."""
     load = max(fz, 0.0) / tire.FNOMIN
-    stiffness = tire.VERTICAL_STIFFNESS * (1 + tire.PFZ1 * tire.pressure_change)
     part = tire.DREFF * arctan(tire.BREFF * load) + tire.FREFF * load
-    return tire.FNOMIN / stiffness * part if tire.rolls_on_own_radius != 0.0 else 0.0
+    return tire.nominal_compression * part if tire.rolls_on_own_radius != 0.0 else 0.0
 
 
 @kernel

@@ -79,13 +79,13 @@ def lengths_by_stiffness(tire, least, outputs):
     """
     terms, tire = outputs.tire_terms, all_tire_constants(tire)
     for i in range(not_unrolled(WHEEL_COUNT)):
-        dfz, dp = terms.relative_load[i], tire.pressure_change
+        dfz = terms.relative_load[i]
         stiffness = 1 + tire.PCFX1 * dfz + tire.PCFX2 * dfz * dfz
-        stiffness *= tire.LONGITUDINAL_STIFFNESS * (1 + tire.PCFX3 * dp)
+        stiffness *= tire.longitudinal_carcass_stiffness
         along = abs(terms.slip_stiffness[i]) * tire.LSGKP / stiffness
         terms.longitudinal_relaxation[i] = max(along if stiffness > 0.0 else 0.0, least)
         stiffness = 1 + tire.PCFY1 * dfz + tire.PCFY2 * dfz * dfz
-        stiffness *= tire.LATERAL_STIFFNESS * (1 + tire.PCFY3 * dp)
+        stiffness *= tire.lateral_carcass_stiffness
         across = abs(terms.upright_stiffness[i]) * tire.LSGAL / stiffness
         terms.lateral_relaxation[i] = max(across if stiffness > 0.0 else 0.0, least)
 
