@@ -27,7 +27,7 @@ setup(
     python_requires=">=3.11",
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
     package_data={
-        f"{NAME}.control": ["*.yaml"],
+        f"{NAME}.control_laws": ["*.yaml"],
         f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir", "presets/*.csv"],
         f"{NAME}.viewer": ["web/*.*", "web/three/*"],
     },

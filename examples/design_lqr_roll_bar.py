@@ -20,8 +20,8 @@ from vehicle_roll_sim.command_line.vehicle_options import (
     chosen_options,
     chosen_vehicle,
 )
-from vehicle_roll_sim.control.gains_file import as_parameter_file
-from vehicle_roll_sim.control.roll_bar_design import RollBarCriteria, design
+from vehicle_roll_sim.control_laws.gains_file import as_parameter_file
+from vehicle_roll_sim.control_laws.roll_bar_design import RollBarCriteria, design
 from vehicle_roll_sim.files.output_file import check_writable, replaced_file
 from vehicle_roll_sim.simulation.options import Options
 

@@ -13,8 +13,8 @@ from definitions import definitions, usual_combinations, usual_values
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.command_line.parameters import parameter_table
-from vehicle_roll_sim.control.catalogue import LAWS
-from vehicle_roll_sim.control.roll_bar_design import RollBarCriteria
+from vehicle_roll_sim.control_laws.catalogue import LAWS
+from vehicle_roll_sim.control_laws.roll_bar_design import RollBarCriteria
 from vehicle_roll_sim.declaration import Parameter, parameters_of
 from vehicle_roll_sim.learning.actions import ACTIONS, ENDING
 from vehicle_roll_sim.learning.observations import OBSERVATIONS

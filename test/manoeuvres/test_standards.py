@@ -160,7 +160,8 @@ def test_a_handwheel_that_stays_below_that_has_its_speed_held_to_the_end():
 
 def test_without_a_vehicle_there_is_no_steering_ratio_to_steer_by():
     manoeuvre = dataclasses.replace(STANDARD["slowly_increasing_steer"], speed_hold=0.0)
-    assert np.isnan(manoeuvre(np.array([3.0]))["steering"]).all()
+    with pytest.raises(InputError, match="gear: missing: a manoeuvre completed by for_vehicle"):
+        manoeuvre(np.array([3.0]))
 
 
 @pytest.mark.parametrize("name", ["iso_double_lane_change", "constant_radius_circle"])

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from patience import PATIENCE
 
-from vehicle_roll_sim.control.lqr_roll_bar import FED_BACK, LqrRollBar
+from vehicle_roll_sim.control_laws.lqr_roll_bar import FED_BACK, LqrRollBar
 from vehicle_roll_sim.declaration import parameters_of
 
 COMPILER = shutil.which("g++")

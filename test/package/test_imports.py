@@ -19,25 +19,34 @@ MAY_IMPORT = {
     "logs": {*SIMULATED},
     "batch": {*SIMULATED, "manoeuvres"},
     "analysis": {*SIMULATED},
-    "control": {*SIMULATED, "analysis"},
+    "control_laws": {*SIMULATED, "analysis"},
     "comparison": {*SIMULATED, "logs", "analysis"},
     "identification": {*SIMULATED, "manoeuvres", "logs", "batch", "analysis", "comparison"},
     "paper": {*SIMULATED, "manoeuvres", "analysis"},
     "viewer": {*SIMULATED, "manoeuvres", "analysis"},
     "messages": {*SIMULATED, "live"},
     "bags": {*SIMULATED, "live", "messages"},
-    "studies": {*SIMULATED, "manoeuvres", "batch", "analysis", "control"},
+    "studies": {*SIMULATED, "manoeuvres", "batch", "analysis", "control_laws"},
     "scoring": {*SIMULATED, "live", "manoeuvres", "analysis", "viewer", "bags", "arguments"},
-    "learning": {*SIMULATED, "live", "manoeuvres", "batch", "analysis", "control", "studies"},
+    "learning": {*SIMULATED, "live", "manoeuvres", "batch", "analysis", "control_laws", "studies"},
     "offline": {
         *SIMULATED,
-        *("manoeuvres", "batch", "analysis", "control", "studies", "bags", "logs", "comparison"),
+        *(
+            "manoeuvres",
+            "batch",
+            "analysis",
+            "control_laws",
+            "studies",
+            "bags",
+            "logs",
+            "comparison",
+        ),
         "identification",
     },
     "arguments": set(),
     "command_line": {
         *SIMULATED,
-        *("manoeuvres", "batch", "analysis", "control", "studies", "paper", "bags", "offline"),
+        *("manoeuvres", "batch", "analysis", "control_laws", "studies", "paper", "bags", "offline"),
         *("viewer", "logs", "comparison", "identification", "scoring", "arguments"),
     },
     "ros": {
@@ -46,7 +55,7 @@ MAY_IMPORT = {
         "arguments",
     },
     "controller": {"ros", "messages"},
-    "examples": {"controller", "ros", "control", "analysis"},
+    "examples": {"controller", "ros", "control_laws", "analysis"},
 }
 """What a part may import beside itself."""
 ROOMS_OF_ROS = ("simulator", "clients", "orchestration")

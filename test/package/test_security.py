@@ -23,6 +23,7 @@ MAY_READ = {
     "vehicle_roll_sim/bags/unindexed_reader.py": "pieces of a bag, of any size by nature",
     "vehicle_roll_sim/ros/controller_scripts.py": "a script that is run",
     "vehicle_roll_sim/ros/orchestration/comparison.py": "what its own processes said",
+    "vehicle_roll_sim/ros/orchestration/controller_processes.py": "what its own processes said",
     "vehicle_roll_sim/ros/signals.py": "one byte of a pipe",
 }
 
@@ -46,6 +47,9 @@ MAY_UNPICKLE = {
 }
 
 
+MAY_RUN = {"vehicle_roll_sim/studies/own_code.py": "the controller or manoeuvre that a study names"}
+
+
 def argument(call: ast.Call, name: str):
     return next((each.value for each in call.keywords if each.arg == name), None)
 
@@ -53,7 +57,8 @@ def argument(call: ast.Call, name: str):
 def test_nothing_that_is_read_is_run(calls):
     for file, name, call in calls:
         is_own = file in MAY_UNPICKLE and name == "pickle.loads"
-        assert is_own or name not in RUNS_WHAT_IT_READS, (file, call.lineno)
+        is_named = file in MAY_RUN and name in ("exec", "compile")
+        assert is_own or is_named or name not in RUNS_WHAT_IT_READS, (file, call.lineno)
         for risky in ("shell", "allow_pickle"):
             assert argument(call, risky) is None, (file, call.lineno)
 

@@ -10,6 +10,7 @@ from recordings import heard_so_far, read_bag
 from vehicle_roll_sim.command_line.main import main as offline
 from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED, STAMPED, WAYS_IN
 from vehicle_roll_sim.ros.topics import is_installed, message_class
+from vehicle_roll_sim.vehicle.sensor_parameters import DEVICES
 
 pytestmark = pytest.mark.unmeasured
 
@@ -88,6 +89,7 @@ def test_a_wrong_manoeuvre_ends_with_one_line_and_status_2(start, words, named):
 def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp_path):
     bag = tmp_path / "bag"
     words = ("publish_clock:=true", "publish_stamped:=true", "model:=2")
+    words += tuple(f"vehicle.{device}_period:=0.01" for device in DEVICES)
     start("simulator", "--ros-args", *(part for word in words for part in ("-p", word)))
     recorder = start("recorder", "--output", str(bag), fresh=True)
     peer.listen("state", "applied_command", "/diagnostics")

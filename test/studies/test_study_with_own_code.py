@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from vehicle_roll_sim import ControlLaw, InputError, Vehicle, parameter
-from vehicle_roll_sim.control.active_roll_bar import ActiveRollBar
-from vehicle_roll_sim.control.catalogue import LAWS
+from vehicle_roll_sim.control_laws.active_roll_bar import ActiveRollBar
+from vehicle_roll_sim.control_laws.catalogue import LAWS
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.studies import folder as folders

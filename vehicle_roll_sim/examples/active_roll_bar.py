@@ -2,12 +2,12 @@
 """Example controller: active roll bars take up part of the roll moment and damp the roll.
 
 Answers `imu` with `normal_force_cmd`. The law, and its parameters, are those of
-vehicle_roll_sim.control.active_roll_bar, which needs no ROS and can also be used in studies.
+vehicle_roll_sim.control_laws.active_roll_bar, which needs no ROS and can also be used in studies.
 """
 
 from vehicle_roll_sim.controller import Controller, run  # isort: split
 
-from vehicle_roll_sim.control import active_roll_bar
+from vehicle_roll_sim.control_laws import active_roll_bar
 
 
 class ActiveRollBar(Controller):

@@ -2,14 +2,14 @@
 """Example controller: active roll bars with the gains of a linear-quadratic regulator.
 
 Answers `motion` with `normal_force_cmd`. The law, M = -K x, is that of
-vehicle_roll_sim.control.lqr_roll_bar, which needs no ROS and can also be used in studies. Its gains
-are parameters: by default those for the reference vehicle, and for another one `--ros-args
+vehicle_roll_sim.control_laws.lqr_roll_bar, which needs no ROS and can also be used in studies. Its
+gains are parameters: by default those for the reference vehicle, and for another one `--ros-args
 --params-file` with the file that design_lqr_roll_bar.py writes.
 """
 
 from vehicle_roll_sim.controller import Controller, by_name, run  # isort: split
 
-from vehicle_roll_sim.control import lqr_roll_bar
+from vehicle_roll_sim.control_laws import lqr_roll_bar
 
 
 class LqrRollBar(Controller):

@@ -2,12 +2,12 @@
 """Example controller: rear steering in phase with the front reduces the lateral acceleration.
 
 Answers `imu` with `rear_steering_cmd`. The law, and its parameters, are those of
-vehicle_roll_sim.control.rear_steering, which needs no ROS and can also be used in studies.
+vehicle_roll_sim.control_laws.rear_steering, which needs no ROS and can also be used in studies.
 """
 
 from vehicle_roll_sim.controller import Controller, run  # isort: split
 
-from vehicle_roll_sim.control import rear_steering
+from vehicle_roll_sim.control_laws import rear_steering
 
 
 class RearSteering(Controller):

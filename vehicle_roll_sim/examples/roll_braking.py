@@ -2,13 +2,13 @@
 """Example controller: brake the outer front wheel when a rollover is predicted.
 
 Answers `rollover_prediction`, published by rollover_warning.py, with `brake_torque_cmd`. The law,
-and its parameters, are those of vehicle_roll_sim.control.roll_braking, which needs no ROS and can
-also be used in studies, together with the prediction.
+and its parameters, are those of vehicle_roll_sim.control_laws.roll_braking, which needs no ROS and
+can also be used in studies, together with the prediction.
 """
 
 from vehicle_roll_sim.controller import Controller, Topic, run  # isort: split
 
-from vehicle_roll_sim.control.roll_braking import Braking
+from vehicle_roll_sim.control_laws.roll_braking import Braking
 
 RATIO, TIME_TO_ROLLOVER = 2, 3
 """Indices in `rollover_prediction`."""

@@ -2,13 +2,13 @@
 """Example controller: model-predictive rollover prevention by braking and rear steering.
 
 Answers `motion` with `brake_torque_cmd` and `rear_steering_cmd`. The law is that of
-vehicle_roll_sim.control.rollover_mpc, which needs no ROS and can also be used in studies; the
+vehicle_roll_sim.control_laws.rollover_mpc, which needs no ROS and can also be used in studies; the
 vehicle of its prediction model is read from the simulator's parameters.
 """
 
 from vehicle_roll_sim.controller import Controller, by_name, run  # isort: split
 
-from vehicle_roll_sim.control import rollover_mpc
+from vehicle_roll_sim.control_laws import rollover_mpc
 from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.clients.simulator_client import SimulatorClient
 

@@ -14,7 +14,7 @@ from vehicle_roll_sim.analysis.rollover_prediction import (
     Prediction,
     RolloverPredictor,
 )
-from vehicle_roll_sim.control.roll_braking import predicted
+from vehicle_roll_sim.control_laws.roll_braking import predicted
 from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.clients.simulator_client import SimulatorClient
 

@@ -2,13 +2,13 @@
 """Example controller: stability control (ESC) that brakes single wheels by yaw rate and roll.
 
 Answers `motion` with `brake_torque_cmd`. The law, with its thresholds, is that of
-vehicle_roll_sim.control.stability_control, which needs no ROS and can also be used in studies;
+vehicle_roll_sim.control_laws.stability_control, which needs no ROS and can also be used in studies;
 wheelbase and understeer gradient of its reference are those of the simulator's vehicle.
 """
 
 from vehicle_roll_sim.controller import Controller, by_name, run  # isort: split
 
-from vehicle_roll_sim.control import stability_control
+from vehicle_roll_sim.control_laws import stability_control
 from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.clients.simulator_client import SimulatorClient
 

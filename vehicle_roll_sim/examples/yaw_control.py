@@ -2,13 +2,13 @@
 """Example controller: single-wheel braking keeps the yaw rate near the one steered for.
 
 Answers two topics of a set, `motion` (steering, speed, yaw rate) and `tire_normal_forces`, with
-`brake_torque_cmd`. The law, and its parameters, are those of vehicle_roll_sim.control.yaw_control,
-which needs no ROS and can also be used in studies.
+`brake_torque_cmd`. The law, and its parameters, are those of
+vehicle_roll_sim.control_laws.yaw_control, which needs no ROS and can also be used in studies.
 """
 
 from vehicle_roll_sim.controller import Controller, by_name, run  # isort: split
 
-from vehicle_roll_sim.control import yaw_control
+from vehicle_roll_sim.control_laws import yaw_control
 
 
 class YawControl(Controller):

@@ -138,7 +138,10 @@ class Problem:
         """Simulated less measured signals of each log, in SI units, (n,) each."""
         signals, sensors = self._signals(scaled), self.sensors(scaled)
         return [
-            {name: sensors.read(name, true[name], log) - log.signals[name] for name in log.compared}
+            {
+                name: sensors.reading(name, true[name], log) - log.signals[name]
+                for name in log.compared
+            }
             for log, true in zip(self.logs, signals, strict=True)
         ]
 
@@ -158,7 +161,7 @@ class Problem:
         """Residuals of each quantity of each log over their spreads."""
         sensors = self.sensors(scaled)
         return [
-            (sensors.read(name, true[name], log) - log.signals[name]) / spread[name]
+            (sensors.reading(name, true[name], log) - log.signals[name]) / spread[name]
             for log, true, spread in zip(self.logs, signals, self.spreads, strict=True)
             for name in log.compared
         ]

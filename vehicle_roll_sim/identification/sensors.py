@@ -102,7 +102,7 @@ class Sensors:
         inputs[SPEED] = smooth(*inputs[SPEED])
         return dataclasses.replace(log, inputs=inputs)
 
-    def read(self, quantity: str, true: np.ndarray, log: Log) -> np.ndarray:
+    def reading(self, quantity: str, true: np.ndarray, log: Log) -> np.ndarray:
         """What the log has of a true signal, filtered; (n,) at its times."""
         delay = self.of(quantity, DELAY)
         if delay:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from vehicle_roll_sim.control.catalogue import LAWS
+from vehicle_roll_sim.control_laws.catalogue import LAWS
 from vehicle_roll_sim.declaration import unknown_name
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD

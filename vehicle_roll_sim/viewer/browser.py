@@ -6,8 +6,8 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import time
 from pathlib import Path
-from time import monotonic, sleep
 from urllib.parse import urlencode
 
 from vehicle_roll_sim.files.output_file import replaced_file
@@ -59,9 +59,9 @@ def options_of_browser() -> list[str]:
     return [*OPTIONS, *(["--no-sandbox"] if os.geteuid() == 0 else [])]
 
 
-def write_picture(page: Path, path: Path, time: float, camera: str, theme: str) -> None:
-    """Write a PNG of a page at a time (s); raises NotWrittenError if the browser fails."""
-    shown = urlencode({"time": repr(time), "camera": camera, "theme": theme})
+def write_picture(page: Path, path: Path, moment: float, camera: str, theme: str) -> None:
+    """Write a PNG of a page at a moment (s); raises NotWrittenError if the browser fails."""
+    shown = urlencode({"time": repr(moment), "camera": camera, "theme": theme})
     # helpers of a browser that was just killed may still hold its profile
     folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
     with folder as profile, replaced_file(path) as partial:
@@ -103,8 +103,8 @@ def _run(words: list[str], environment: dict[str, str]) -> None:
 
 def _wait_for_end_of_group(group: int) -> None:
     """Wait until a group that was killed has no process that could still write to the profile."""
-    until = monotonic() + LONGEST_END
+    until = time.monotonic() + LONGEST_END
     with contextlib.suppress(ProcessLookupError):
-        while monotonic() < until:
+        while time.monotonic() < until:
             os.killpg(group, 0)
-            sleep(LOOK)
+            time.sleep(LOOK)

@@ -3,8 +3,8 @@
 import dataclasses
 import json
 import math
+import secrets
 import threading
-import time
 from collections.abc import Iterator
 
 import numpy as np
@@ -42,7 +42,7 @@ class LiveRun:
         self._label, self._scene, self._angle = label, scene, rollover_angle
         self._changed = threading.Condition()
         self._run, self._is_closed, self._rollover = 0, False, math.nan
-        self._name = time.time_ns()
+        self._name = secrets.token_hex(8)
         self.window: Window | None = None
 
     def add(self, history: History) -> None:

@@ -21,9 +21,9 @@ from vehicle_roll_sim import Options, Simulation, preset
 from vehicle_roll_sim.analysis.panels import SIDESLIP
 from vehicle_roll_sim.batch.case import Case
 from vehicle_roll_sim.batch.evaluate import outcome_of
-from vehicle_roll_sim.control.catalogue import LAWS
-from vehicle_roll_sim.control.roll_braking import RollBraking
-from vehicle_roll_sim.control.yaw_control import YawControl
+from vehicle_roll_sim.control_laws.catalogue import LAWS
+from vehicle_roll_sim.control_laws.roll_braking import RollBraking
+from vehicle_roll_sim.control_laws.yaw_control import YawControl
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
 from vehicle_roll_sim.messages.topics import COMMANDS
 from vehicle_roll_sim.model.integration.events import Condition

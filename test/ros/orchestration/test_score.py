@@ -69,6 +69,10 @@ run(Steers)
 """
 
 
+PATIENCE_OF_SCORE = "20"
+"""s: on a busy machine a controller may need some to end, or to answer its first set."""
+
+
 @pytest.fixture
 def scripts(tmp_path) -> dict[str, str]:
     paths = {}
@@ -133,7 +137,7 @@ def test_controllers_are_scored_and_those_that_fail_have_a_row_that_says_why(
     call, scripts, tmp_path
 ):
     out = tmp_path / "out"
-    words = [*scripts.values(), "rollover_warning", "--patience", "5"]
+    words = [*scripts.values(), "rollover_warning", "--patience", PATIENCE_OF_SCORE]
     status, said, err = call(*words, "--out", str(out))
     assert (status, err) == (2, [])
     lines = {line.split(":")[0]: line for line in said.splitlines()}
@@ -141,7 +145,7 @@ def test_controllers_are_scored_and_those_that_fail_have_a_row_that_says_why(
         "dies": r"dies\.py ended with status 1: KeyError: 'x'",
         "twice": r"\d+ messages on brake_torque_cmd in answer to \d+ sets",
         "keeps": r"driven again, its first run differs: it keeps its state",
-        "hangs": r"no message on brake_torque_cmd in answer to the set of 0\.2 s within 5 s",
+        "hangs": r"no message on brake_torque_cmd in answer to the set of 0\.2 s within 20 s",
     }.items():
         assert re.search(f"not scored: {why}", lines[name]), said
     text = (out / "report.md").read_text()

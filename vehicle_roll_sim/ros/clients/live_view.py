@@ -5,6 +5,8 @@ import sys
 import webbrowser
 
 import rclpy
+from rclpy.clock import Clock as RosClock
+from rclpy.clock import ClockType
 from rclpy.node import Node
 
 from vehicle_roll_sim.arguments import OneLineParser
@@ -44,7 +46,8 @@ class LiveView(Node):
         refuse_wrong_overrides(self, subscriptions=[topic.name for topic in topics])
         self._server, self._sets, self._description = server, None, ""
         self._subscriptions_of = [self._listen_to(topic) for topic in topics]
-        self.create_timer(EVERY, self._pass_on)
+        steady = RosClock(clock_type=ClockType.STEADY_TIME)
+        self.create_timer(EVERY, self._pass_on, clock=steady)
         self._has_warned = False
 
     def _listen_to(self, topic: Topic):

@@ -1,4 +1,4 @@
-// Active roll bars driven by state feedback: the law of vehicle_roll_sim/control/lqr_roll_bar.py.
+// Active roll bars driven by state feedback: the law of vehicle_roll_sim/control_laws/lqr_roll_bar.py.
 
 #ifndef LQR_ROLL_BAR_CPP__ROLL_BAR_HPP_
 #define LQR_ROLL_BAR_CPP__ROLL_BAR_HPP_

@@ -8,8 +8,8 @@ from driven import REFERENCE, driven, filled_in
 from scipy import linalg
 
 from vehicle_roll_sim import Command, InputError, Options, Simulation
-from vehicle_roll_sim.control.lqr_roll_bar import FED_BACK
-from vehicle_roll_sim.control.roll_bar_design import (
+from vehicle_roll_sim.control_laws.lqr_roll_bar import FED_BACK
+from vehicle_roll_sim.control_laws.roll_bar_design import (
     RollBarCriteria,
     bar_column,
     design,

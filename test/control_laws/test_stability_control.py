@@ -8,7 +8,7 @@ from driven import REFERENCE, begun, driven, filled_in, mirrored
 
 from vehicle_roll_sim import InputError
 from vehicle_roll_sim.analysis.trim import find_trim
-from vehicle_roll_sim.control.stability_control import StabilityControl
+from vehicle_roll_sim.control_laws.stability_control import StabilityControl
 from vehicle_roll_sim.model.records import YAW_RATE
 
 LF, RF, LR, RR = range(4)

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.control.lqr_roll_bar import NODE, PARAMETERS, LqrRollBar
-from vehicle_roll_sim.control.roll_bar_design import RollBarCriteria, RollBarDesign
+from vehicle_roll_sim.control_laws.lqr_roll_bar import NODE, PARAMETERS, LqrRollBar
+from vehicle_roll_sim.control_laws.roll_bar_design import RollBarCriteria, RollBarDesign
 from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.files.yaml_file import read_mapping
 

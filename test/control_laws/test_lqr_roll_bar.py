@@ -8,9 +8,9 @@ import pytest
 from driven import REFERENCE, driven, filled_in
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.control.gains_file import read_gains
-from vehicle_roll_sim.control.lqr_roll_bar import GAINS, GAINS_FILE, LqrRollBar
-from vehicle_roll_sim.control.roll_bar_design import design
+from vehicle_roll_sim.control_laws.gains_file import read_gains
+from vehicle_roll_sim.control_laws.lqr_roll_bar import GAINS, GAINS_FILE, LqrRollBar
+from vehicle_roll_sim.control_laws.roll_bar_design import design
 
 STATE = {"v": -0.1, "yaw_rate": 0.1, "roll": 0.01, "roll_rate": 0.02}
 """Small: no corner is at its limit."""

@@ -8,7 +8,7 @@ from driven import begun, driven, filled_in, mirrored, motion_at
 from scipy.optimize import lsq_linear, minimize
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.control.rollover_mpc import RolloverMpc, smallest_within
+from vehicle_roll_sim.control_laws.rollover_mpc import RolloverMpc, smallest_within
 from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 

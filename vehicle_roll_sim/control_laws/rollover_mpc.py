@@ -17,8 +17,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from vehicle_roll_sim.control.motion_law import MotionLaw
-from vehicle_roll_sim.control.prediction import Inputs, PredictionModel
+from vehicle_roll_sim.control_laws.motion_law import MotionLaw
+from vehicle_roll_sim.control_laws.prediction import Inputs, PredictionModel
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.options import Options

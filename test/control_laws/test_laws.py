@@ -7,11 +7,11 @@ import pytest
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.analysis.rollover_prediction import RolloverPredictor
-from vehicle_roll_sim.control.active_roll_bar import ActiveRollBar
-from vehicle_roll_sim.control.catalogue import LAWS
-from vehicle_roll_sim.control.rear_steering import RearSteering
-from vehicle_roll_sim.control.roll_braking import Braking, RollBraking, predicted, roll_of
-from vehicle_roll_sim.control.yaw_control import GRAVITY, YawControl
+from vehicle_roll_sim.control_laws.active_roll_bar import ActiveRollBar
+from vehicle_roll_sim.control_laws.catalogue import LAWS
+from vehicle_roll_sim.control_laws.rear_steering import RearSteering
+from vehicle_roll_sim.control_laws.roll_braking import Braking, RollBraking, predicted, roll_of
+from vehicle_roll_sim.control_laws.yaw_control import GRAVITY, YawControl
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.runs.control_law import COMMANDED

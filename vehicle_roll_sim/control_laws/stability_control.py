@@ -19,7 +19,7 @@ import math
 from collections.abc import Mapping
 
 from vehicle_roll_sim.analysis.handling import gradients_of
-from vehicle_roll_sim.control.motion_law import MotionLaw
+from vehicle_roll_sim.control_laws.motion_law import MotionLaw
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEEL_COUNT
 from vehicle_roll_sim.simulation.options import Options

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from driven import begun, driven, filled_in
 
-from vehicle_roll_sim.control.motion_law import STATES, MotionLaw
+from vehicle_roll_sim.control_laws.motion_law import STATES, MotionLaw
 from vehicle_roll_sim.messages.sets import MOTION_LABELS
 
 SHORT = filled_in("step_steer", duration=1.2)

@@ -24,7 +24,7 @@ from scipy import linalg
 
 from vehicle_roll_sim.analysis.linear_model import LinearModel, linearize
 from vehicle_roll_sim.analysis.trim import find_trim
-from vehicle_roll_sim.control.lqr_roll_bar import FED_BACK, GAINS, LqrRollBar
+from vehicle_roll_sim.control_laws.lqr_roll_bar import FED_BACK, GAINS, LqrRollBar
 from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
 from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEELS
 from vehicle_roll_sim.simulation.options import Options, options_for

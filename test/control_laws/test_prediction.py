@@ -6,7 +6,7 @@ from driven import REFERENCE, driven, filled_in, mirrored, motion_at
 
 from vehicle_roll_sim import Options
 from vehicle_roll_sim.analysis.trim import find_trim
-from vehicle_roll_sim.control.prediction import Inputs, PredictionModel
+from vehicle_roll_sim.control_laws.prediction import Inputs, PredictionModel
 from vehicle_roll_sim.model.records import STATE_NAMES
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
