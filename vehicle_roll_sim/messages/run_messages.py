@@ -188,6 +188,6 @@ def _lateral_acceleration(road: Road, state: dict, imu) -> float:
     """Acceleration (m/s^2) along the y axis of frame 2: the specific force there plus gravity."""
     roll, pitch = state["roll"], state.get("pitch", 0.0)
     attitude = (np.sin(roll), np.cos(roll), np.sin(pitch), np.cos(pitch))
-    _, ahead, across = road.gravity(GRAVITY)
+    _, ahead, across = road.gravity(GRAVITY, state["time"])
     gravity = np.cos(state["yaw"]) * across - np.sin(state["yaw"]) * ahead
     return body_to_yawed(attitude, *imu)[1] + gravity

@@ -19,6 +19,7 @@ from vehicle_roll_sim.model.work_space import (
     COEFFICIENTS,
     COMPLIANCE_TERMS,
     KNOTS,
+    ROAD_TERMS,
     SUSPENSION_TERMS,
     TIRE_TERMS,
     TRAVEL_CURVE_COUNT,
@@ -218,6 +219,8 @@ OUTPUTS = record_dtype(
     ("compliance_terms", COMPLIANCE_TERMS),
     ("commanded_steering", AXLE_COUNT),
     ("air_velocity", 2),
+    *per_wheel("road_height", "road_friction"),
+    ("road_terms", ROAD_TERMS),
 )
 """Everything that is computed between a state and its derivative.
 
@@ -227,5 +230,6 @@ of frame 2 (m/s^2). specific_force: reading of an accelerometer at the c.g., in 
 commanded_steering: front and rear (rad). air_velocity: of the sprung c.g. through the air, along x
 and y of frame 1 (m/s).
 body_acceleration: derivatives of u, v, w and the body rates. The others are terms of the equations,
-described where they are computed. Outputs that a model does not have are nan.
+described where they are computed. road_height: of the road under each wheel above the plane z = 0
+(m). road_friction: factor of the friction of its tire. Outputs that a model does not have are nan.
 """

@@ -49,6 +49,18 @@ TIRE_TERMS = record_dtype(
 )
 """Work space of model/tire; explained where it is written."""
 
+ROAD_TERMS = record_dtype(
+    *per_wheel("along", "across", "yielding", "linear", "quadratic", "deflection", "sinkage"),
+    *per_wheel("arm_x", "arm_y", "arm_z", "side_x", "side_y", "side_height"),
+)
+"""Work space of model/road.
+
+along, across: slope under a wheel along the axes of frame 2 (m/m). yielding, linear, quadratic: see
+`road.surface.softness`. deflection: of the tire, normal to the road, negative off it (m). sinkage:
+of the wheel into the ground (m). arm: from wheel centre to contact point in frame 1 (m). side:
+force on the side of the wheel in frame 2 (N), and its height above the contact point (m).
+"""
+
 PARTS = 27
 """Elements of the lower triangle of the mass matrix of model 2 and of its right-hand side."""
 SUSPENSION_TERMS = record_dtype(

@@ -133,11 +133,12 @@ class Simulation(Readable):
             name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
         ]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
-        self._records = (*plant, self._limits)
+        self._records = (*plant[:-1], self._limits)
+        self.ground = plant.ground
         self._plant = plant.arguments(self._limits, Command().records())
         self.actuation = Actuation(vehicle, self.step_ns)
         self.has_actuators = self.actuation.is_present
-        described = (*self._records, self.actuation.actuators)
+        described = (*self._records, self.ground, self.actuation.actuators)
         self._identity = identity(type(self).__name__, described, self.step_ns)
         self._state = np.zeros(1, STATE)
         self._vector = self._state.view(np.float64)

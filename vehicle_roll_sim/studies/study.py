@@ -12,6 +12,7 @@ from vehicle_roll_sim.declaration import InputError, keep_validated, parameter, 
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.simulation.integration import Integration
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.studies.factors import Distribution, Factor, Levels
 from vehicle_roll_sim.studies.source import whole
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -149,7 +150,8 @@ class Study:
 
     vehicle, manoeuvre: what the fixed values and the factors change, by their names. correlation:
     of the normal scores of the drawn factors, shape (drawn, drawn). outputs: metrics that are
-    drawn and summarized. said: the values as they were given, for comparison.
+    drawn and summarized. said: the values as they were given, for comparison, with
+    those of the road in place of its file.
     """
 
     said: dict
@@ -164,6 +166,7 @@ class Study:
     events: dict[str, Event]
     search: Search | None = None
     rare: Rare | None = None
+    road: Road | None = None
 
     @property
     def gridded(self) -> dict[str, tuple]:

@@ -12,6 +12,7 @@ from vehicle_roll_sim.files.yaml_file import Place
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+from vehicle_roll_sim.simulation.road import ROAD_KEYS, Road
 from vehicle_roll_sim.studies import design_checks
 from vehicle_roll_sim.studies.factors import DISTRIBUTIONS, MOST_VALUES, Factor, Grid, Levels
 from vehicle_roll_sim.studies.quantities import MODEL, PAYLOAD, quantity
@@ -22,7 +23,7 @@ from vehicle_roll_sim.vehicle.shipped import SHIPPED, vehicle_named
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 KEYS = (
-    *("manoeuvre", "vehicle", "model", "fixed", "factors", "correlations", "design"),
+    *("manoeuvre", "vehicle", "model", "road", "fixed", "factors", "correlations", "design"),
     *parameters_of(Settings),
     *("outputs", "events", "search", "rare"),
 )
@@ -53,16 +54,19 @@ def study_of(source: Source, is_to_run: bool = True) -> Study:
         events=_events(source),
         search=_declared(source, "search", Search),
         rare=_declared(source, "rare", Rare),
+        road=_road(source),
     )
     checked = design_checks.checked(source, study, reader.quantity)
-    return dataclasses.replace(checked, said=_said(values))
+    return dataclasses.replace(checked, said=_said(values, checked.road))
 
 
-def _said(values: Mapping) -> dict:
-    """The values, which have been checked, as JSON has them."""
+def _said(values: Mapping, road: Road | None) -> dict:
+    """The values, which have been checked, as JSON has them; those of a road for its file."""
     by_name = {
         key: "a Vehicle" if isinstance(each, Vehicle) else each for key, each in values.items()
     }
+    if road:
+        by_name["road"] = road.values()
     return json.loads(json.dumps(by_name, default=_number))
 
 
@@ -96,6 +100,22 @@ def _vehicle(source: Source) -> Vehicle:
         if error.field != "vehicle":
             raise
         raise source.refused(("vehicle",), name, error.allowed, error.problem) from None
+
+
+def _road(source: Source) -> Road | None:
+    """The road that is given: a file beside the study file, or its values."""
+    given = source.values.get("road")
+    if given is None or isinstance(given, Road):
+        return given
+    try:
+        if isinstance(given, str) and given:
+            return Road.from_file((source.path.parent if source.path else Path()) / given)
+        return Road.from_values(source.mapping(("road",), given, ROAD_KEYS))
+    except InputError as error:
+        if isinstance(given, str) or error.field.startswith(source.where("road")):
+            raise
+        where = f"{source.where('road')}: {error.field}"
+        raise InputError(where, error.value, error.allowed, error.problem) from None
 
 
 @dataclasses.dataclass(frozen=True)

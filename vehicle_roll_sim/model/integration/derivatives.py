@@ -9,19 +9,20 @@ from vehicle_roll_sim.model.wheel import note_turning
 
 
 @kernel
-def derivatives(state, command, vehicle, tires, options, outputs, rates):
+def derivatives(state, command, vehicle, tires, options, road, outputs, rates):
     """Write the time derivative of `state` to `rates`, and intermediate quantities to `outputs`.
 
-    state, rates: flat vectors laid out as records.STATE. The other arguments are records (tires: of
-    TIRES). Rates and outputs that the model does not have are left
-    unchanged: nan from the start of a run.
+    state, rates: flat vectors laid out as records.STATE. road: the ground (see `road.layout`), and
+    the simulated time (s), on which a ground that tilts depends. The other arguments are records
+    (tires: of TIRES). Rates and outputs that the model does not have are left unchanged: nan from
+    the start of a run.
     """
     if options.eight_dof:
         eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rates)
     elif options.kinematic:
-        kinematic_derivatives(state, command, vehicle, tires, options, outputs, rates)
+        kinematic_derivatives(state, command, vehicle, tires, options, road, outputs, rates)
     else:
-        fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, rates)
+        fourteen_dof_derivatives(state, command, vehicle, tires, options, road, outputs, rates)
 
 
 @kernel
@@ -30,10 +31,10 @@ def smooth_derivatives(state, commands, plant, outputs, rates):
 
     Unlike `derivatives` it also notes which way each wheel turns and, in model 2, writes the tire
     compressions to `state`. commands: an array of one COMMAND record. plant: vehicle, tires and
-    options, each an array of one record. It takes 20 us to pass a record to compiled code, and far
-    less to pass an array.
+    options, each an array of one record, and the ground, at time 0. It takes 20 us to pass a record
+    to compiled code, and far less to pass an array.
     """
     vehicle, tires, options = plant[0][0], plant[1][0], plant[2][0]
     note_turning(state, outputs)
-    derivatives(state, commands[0], vehicle, tires, options, outputs, rates)
+    derivatives(state, commands[0], vehicle, tires, options, (plant[3], 0.0), outputs, rates)
     note_tire_compression(state, options, outputs)
