@@ -6,6 +6,7 @@ import pickle
 import numpy as np
 import pytest
 from actuated import actuated
+from road_kinds import ROADS
 
 from vehicle_roll_sim import Command, Condition, InputError, Options, Simulation, preset
 from vehicle_roll_sim.batch.fleet import Fleet
@@ -32,6 +33,8 @@ def test_a_fleet_gives_the_bits_of_simulations_with_their_own_models_and_command
     for longest in (0.01, 0.1):
         delayed = actuated(**late | {"steering_actuator_dead_time": longest})
         simulations.append(Simulation(delayed, step=STEP))
+    for name in ("random profile", "curb", "random profile"):
+        simulations.append(Simulation(preset("suv"), step=STEP, road=ROADS[name]))
     simulations.append(Simulation(preset("van"), step=STEP, rollover_angle=0.03))
     for each in simulations:
         each.reset(22.0)

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS
+from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, ROAD_LABELS
 from vehicle_roll_sim.messages.topics import ROLL_CENTRE, STATE_SET
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.records import WHEELS
@@ -28,11 +28,12 @@ OF_TIRES = {topic.name for topic in TIRE_FORCES}
 HORIZONTAL = ("longitudinal", "lateral")
 
 COMMAND_SIZES = tuple(
-    len(COMMAND_LABELS) + wind + demand
+    len(COMMAND_LABELS) + wind + road + demand
     for wind in (0, len(WIND))
+    for road in (0, len(ROAD_LABELS))
     for demand in (0, len(DEMAND_LABELS))
 )
-"""Numbers of values of an `applied_command`, with and without wind and what was demanded."""
+"""Numbers of values of an `applied_command`, with and without wind, road and what was demanded."""
 NEEDED = {"x", "y", "yaw", "u", "v", "yaw_rate", "roll", "roll_rate"}
 """States that every model publishes."""
 
@@ -125,6 +126,18 @@ def _used(name: str, message):
 
 def wind_in(values: np.ndarray) -> np.ndarray:
     """The wind among the values of an `applied_command`, shape (2,), or none, shape (0,)."""
+    between = _between(values)
+    return between[: len(between) % len(ROAD_LABELS)]
+
+
+def road_in(values: np.ndarray) -> np.ndarray:
+    """Heights and frictions of the road among them, shape (8,), or none, shape (0,)."""
+    between = _between(values)
+    return between[len(between) % len(ROAD_LABELS) :]
+
+
+def _between(values: np.ndarray) -> np.ndarray:
+    """The values of wind and road, between what was applied and what was demanded."""
     further = values[len(COMMAND_LABELS) :]
     return further[: len(further) % len(DEMAND_LABELS)]
 

@@ -68,7 +68,7 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, road, outp
         inclinations(attitude, vehicle, tires, options, outputs)
     else:
         tilted_gravity_on_body_axes(time, heading, attitude, vehicle, ground, outputs)
-        contact_on_road(state, heading, vehicle, options, attitude, ground, outputs)
+        contact_on_road(state, command, heading, vehicle, options, attitude, ground, outputs)
         inclinations_on_road(attitude, vehicle, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
     if not is_plane:

@@ -98,11 +98,13 @@ COMMAND = record_dtype(
     *per_wheel("wheel_torque", "brake_torque", "normal_force"),
     *("speed_hold_gain", "speed_hold_target"),
     ("wind", 2),
+    *per_wheel("road_height", "road_friction_change"),
 )
 """The commands: road-wheel angles (rad), drive torque at each wheel (N m), brake torque capacity at
 each wheel (N m), active force at each corner (N), and a speed hold, a torque gain * (target - u)
 added at each rear wheel (N m per m/s, m/s). wind: velocity of the air along x and y of the ground
-frame (m/s)."""
+frame (m/s). road_height, road_friction_change: on a road that takes them, height of the road under
+each wheel (m), and the change of its factor of friction, added to those of its features."""
 
 STOPS = ("bump_stop", "rebound_stop")
 DETAIL_CURVES = ("spring", "damper", "toe_change", "spring_travel", "damper_travel")

@@ -4,6 +4,7 @@ import dataclasses
 from collections.abc import Mapping
 
 from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
+from vehicle_roll_sim.roads.commanded import Commanded
 from vehicle_roll_sim.roads.heights import BankedCurve, CorkscrewRamp, Curb, Ramp, Wave
 from vehicle_roll_sim.roads.surfaces import Chessboard, Patch, SoftSoil
 from vehicle_roll_sim.roads.tables import Grid, Profile, RandomProfile
@@ -22,6 +23,7 @@ KINDS = {
     "random_profile": RandomProfile,
     "grid": Grid,
     "tilt_table": TiltTable,
+    "commanded": Commanded,
 }
 NAMES = {kind: name for name, kind in KINDS.items()}
 KIND = "kind"

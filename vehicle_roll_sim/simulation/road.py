@@ -12,6 +12,7 @@ from vehicle_roll_sim.declaration import InputError, keep_validated, parameter, 
 from vehicle_roll_sim.files.yaml_file import read_mapping
 from vehicle_roll_sim.model.road.layout import PLANE, ground_of
 from vehicle_roll_sim.model.road.surface import surface
+from vehicle_roll_sim.roads.commanded import Commanded
 from vehicle_roll_sim.roads.kinds import NAMES, feature_of, values_of
 from vehicle_roll_sim.roads.tilt import TiltTable
 from vehicle_roll_sim.simulation.options import Options
@@ -108,6 +109,11 @@ class Road:
         """The table that tilts the road, if there is one."""
         return next((each for each in self.features if isinstance(each, TiltTable)), None)
 
+    @property
+    def is_commanded(self) -> bool:
+        """Whether commands give heights and frictions of the road under the wheels."""
+        return any(isinstance(each, Commanded) for each in self.features)
+
     def gravity(self, gravity: float, time: float = 0.0) -> tuple[float, float, float]:
         """Components of gravity into the road, along its x axis and along its y axis (m/s^2).
 
@@ -132,8 +138,8 @@ class Road:
     def _ground(self) -> np.ndarray:
         tilt, rows = self.tilt, []
         for feature in self.features:
-            rows += [] if feature is tilt else feature.rows()
-        return ground_of(rows, tilt.table() if tilt else None)
+            rows += [] if isinstance(feature, TiltTable | Commanded) else feature.rows()
+        return ground_of(rows, tilt.table() if tilt else None, self.is_commanded)
 
     def surface(self, x: float, y: float) -> tuple[float, float, float, float]:
         """Height above the plane (m), slopes along x and y (m/m), and factor of friction."""

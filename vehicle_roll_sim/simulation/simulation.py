@@ -90,6 +90,7 @@ class Simulation(Readable):
     - `model_state`, `state_names`: the states of the chosen model and their names
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.integration.events)
     - `feels_wind`: whether the vehicle has air forces; commands of a wind are refused otherwise
+    - `takes`: the same, and whether the road takes heights and frictions as commands
     - `has_actuators`, `actuation`: whether commands pass through actuators, and their state
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
@@ -117,6 +118,7 @@ class Simulation(Readable):
         )
         self.road = given("road", road or Road(), Road)
         self.feels_wind = has_air_forces(vehicle)
+        self.takes = (self.feels_wind, self.road.is_commanded)
         step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
         self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
@@ -202,7 +204,7 @@ class Simulation(Readable):
         if self._checked_speed is None:
             self._check_start(DEFAULT_SPEED, self._equilibrium(DEFAULT_SPEED))
         if self.condition is Condition.RUNNING:
-            records = records_of(command, lambda: self.stage_times(steps), self.feels_wind)
+            records = records_of(command, lambda: self.stage_times(steps), *self.takes)
             self._advance(records, steps)
         return self.condition
 

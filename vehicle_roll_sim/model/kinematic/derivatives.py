@@ -70,7 +70,7 @@ def kinematic_derivatives(state, command, vehicle, tires, options, road, outputs
         contact_motion(state, attitude, outputs)
     else:
         tilted_gravity_on_body_axes(time, heading, attitude, vehicle, ground, outputs)
-        place_on_uneven_road(state, heading, vehicle, attitude, ground, outputs)
+        place_on_uneven_road(state, command, heading, vehicle, attitude, ground, outputs)
         contact_motion(state, attitude, outputs)
         motion_in_plane(state, heading, attitude, ground, outputs)
     contact_forces(state, vehicle, tires, options, outputs)

@@ -19,7 +19,7 @@ from vehicle_roll_sim.model.road.resistance import place_over_ground, side_force
 
 
 @kernel
-def place_on_uneven_road(state, heading, vehicle, attitude, ground, outputs):
+def place_on_uneven_road(state, command, heading, vehicle, attitude, ground, outputs):
     """Heading, inclination, loaded radius (m), load (N) and contact point of every wheel.
 
     As `place_on_road`, with the normal e and the distance of the wheel centre from the plane of the
@@ -32,9 +32,9 @@ def place_on_uneven_road(state, heading, vehicle, attitude, ground, outputs):
         wheel = terms.wheel[0, i], terms.wheel[1, i], terms.wheel[2, i]
         ahead, left, up = body_to_yawed(attitude, wheel[0], wheel[1], wheel[2])
         x, y = place_over_ground(ahead, left, heading, state[at.X], state[at.Y])
-        look_under_wheel(i, x, y, heading, ground, outputs)
-        ex, ey, ez = normal_of(i, road)
         up += state[at.Z]
+        look_under_wheel(i, (x, y, up), radius, heading, command, ground, outputs)
+        ex, ey, ez = normal_of(i, road)
         distance = (up - outputs.road_height[i]) * ez
 
         nx, ny, nz = terms.spin_axis[0, i], terms.spin_axis[1, i], terms.spin_axis[2, i]

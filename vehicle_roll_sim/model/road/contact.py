@@ -11,8 +11,9 @@ from vehicle_roll_sim.model.compiled.jit import kernel, math, square_root, term
 from vehicle_roll_sim.model.contact import normal_force, small_angle_contact_velocity
 from vehicle_roll_sim.model.frames import body_to_yawed, ground_to_yawed, yawed_to_body
 from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.road.plane import plane_under
 from vehicle_roll_sim.model.road.resistance import place_over_ground, side_force
-from vehicle_roll_sim.model.road.surface import softness, surface
+from vehicle_roll_sim.model.road.surface import softness
 from vehicle_roll_sim.model.tire.spring import spring_force
 
 MOST_INCLINED = 0.1
@@ -27,11 +28,15 @@ def normal_friction(outputs):
 
 
 @kernel
-def look_under_wheel(i, x, y, heading, ground, outputs):
-    """Height (m), slope along the axes of frame 2, friction and softness at x, y."""
-    terms = outputs.road_terms
-    height, along, across, outputs.road_friction[i] = surface(x, y, ground)
-    outputs.road_height[i] = height
+def look_under_wheel(i, place, radius, heading, command, ground, outputs):
+    """Height (m) and slope of the plane under wheel i, friction and softness.
+
+    place: of the wheel centre in the ground frame (m). The slope is along the axes of frame 2.
+    """
+    terms, x, y = outputs.road_terms, place[0], place[1]
+    height, along, across, friction = plane_under(place, radius, ground)
+    outputs.road_height[i] = height + command.road_height[i]
+    outputs.road_friction[i] = friction * (1.0 + command.road_friction_change[i])
     terms.along[i], terms.across[i] = ground_to_yawed(heading, along, across)
     terms.yielding[i], terms.linear[i], terms.quadratic[i] = softness(x, y, ground)
 
@@ -93,7 +98,7 @@ def load_on_road(i, compression, vehicle, outputs):
 
 
 @kernel
-def contact_on_road(state, heading, vehicle, options, attitude, ground, outputs):
+def contact_on_road(state, command, heading, vehicle, options, attitude, ground, outputs):
     """Normal load (N), loaded radius (m) and contact velocity in the plane of the road (m/s).
 
     The contact point is the loaded radius along the body's z axis below the wheel centre, as in the
@@ -107,7 +112,8 @@ def contact_on_road(state, heading, vehicle, options, attitude, ground, outputs)
         ls, radius = outputs.strut_length[i], vehicle.tire_radius[i]
         ahead, left, _ = body_to_yawed(attitude, vehicle.x[i], vehicle.y[i], -ls)
         x, y = place_over_ground(ahead, left, heading, state[at.X], state[at.Y])
-        look_under_wheel(i, x, y, heading, ground, outputs)
+        place = (x, y, radius - xt[i])
+        look_under_wheel(i, place, radius, heading, command, ground, outputs)
         nx, ny, nz = normal_of(i, terms)
         compression = (xt[i] + outputs.road_height[i]) * nz + radius * (1.0 - nz)
         load_on_road(i, compression, vehicle, outputs)

@@ -21,13 +21,16 @@ PLANE = np.zeros(HEADER)
 
 
 def ground_of(
-    rows: list[tuple[int, list[float], np.ndarray | None]], tilt: np.ndarray | None = None
+    rows: list[tuple[int, list[float], np.ndarray | None]],
+    tilt: np.ndarray | None = None,
+    is_commanded: bool = False,
 ) -> np.ndarray:
     """The array of a ground.
 
     rows: of each feature its kind, the numbers from ORIGIN_X on, and its table, a flat array, or
     None. The first of its own numbers of a feature with a table is the index of the table, which is
-    inserted here. tilt: times (s) and angles (rad), shape (n, 2), or None.
+    inserted here. tilt: times (s) and angles (rad), shape (n, 2), or None. is_commanded: heights
+    and frictions also come with the commands.
     """
     ground = np.zeros(HEADER + FEATURE_SIZE * len(rows))
     tables, end = [], len(ground)
@@ -43,5 +46,5 @@ def ground_of(
     if tilt is not None:
         ground[TILT], ground[TILT_COUNT] = end, len(tilt)
         tables.append(tilt.ravel())
-    ground[USED] = len(rows) > 0 or tilt is not None
+    ground[USED] = len(rows) > 0 or tilt is not None or is_commanded
     return np.concatenate((ground, *tables))
