@@ -92,6 +92,7 @@ class Simulation(Readable):
     - `feels_wind`: whether the vehicle has air forces; commands of a wind are refused otherwise
     - `takes`: the same, and whether the road takes heights and frictions as commands
     - `has_actuators`, `actuation`: whether commands pass through actuators, and their state
+    - `ground`: the features of the road, an array of numbers (model.road.layout)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
     Units are SI and radians. The records are views of memory that the next step overwrites: copy
