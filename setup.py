@@ -74,6 +74,7 @@ setup(
             f"simulator = {NAME}.ros.executables:simulator",
             f"manoeuvre = {NAME}.ros.executables:manoeuvre",
             f"recorder = {NAME}.ros.executables:recorder",
+            f"live_view = {NAME}.ros.executables:live_view",
             f"demo = {NAME}.ros.executables:demo",
             f"compare = {NAME}.ros.executables:compare",
             *(f"{name} = {NAME}.examples.executables:{name}" for name in EXAMPLES),

@@ -37,7 +37,10 @@ MAY_IMPORT = {
         *("manoeuvres", "batch", "analysis", "studies", "paper", "bags", "offline"),
         *("viewer", "logs", "comparison", "arguments"),
     },
-    "ros": {*SIMULATED, "live", "manoeuvres", "analysis", "messages", "bags", "arguments"},
+    "ros": {
+        *SIMULATED,
+        *("live", "manoeuvres", "analysis", "viewer", "messages", "bags", "arguments"),
+    },
     "controller": {"ros", "messages"},
     "examples": {"controller", "ros", "analysis"},
 }

@@ -14,7 +14,8 @@ CONTROLLERS = (
     *("active_roll_bar", "rear_steering", "roll_braking", "rollover_warning", "yaw_control"),
 )
 EXECUTABLES = (
-    *("simulator", "manoeuvre", "recorder", "demo", "vehicle_roll_sim", "offline", "compare"),
+    *("simulator", "manoeuvre", "recorder", "live_view", "demo", "compare"),
+    *("vehicle_roll_sim", "offline"),
     *CONTROLLERS,
 )
 PACKAGE = "vehicle_roll_sim"

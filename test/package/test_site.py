@@ -14,7 +14,7 @@ from vehicle_roll_sim.command_line.commands import COMMANDS
 TOCTREE = re.compile(r"^```\{toctree\}\n((?::[^\n]*\n)*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 DIRECTIVE = re.compile(r"^```\{([\w-]+)\} (.+)$", re.MULTILINE)
 AUTODOC = re.compile(r"^\.\. auto\w+:: ([\w.]+)", re.MULTILINE)
-NODES = {"simulator", "manoeuvre", "recorder", "demo", "compare"}
+NODES = {"simulator", "manoeuvre", "recorder", "live_view", "demo", "compare"}
 
 
 def listed(docs: Path, page: str) -> list[str]:

@@ -9,7 +9,7 @@ import sys
 import pytest
 from patience import PATIENCE
 
-NODES = ("simulator", "manoeuvre", "recorder", "demo")
+NODES = ("simulator", "manoeuvre", "recorder", "live_view", "demo")
 HIDING = """
 import sys
 

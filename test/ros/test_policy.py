@@ -11,7 +11,7 @@ from vehicle_roll_sim.ros.topics import is_installed
 
 ROOT = Path(vehicle_roll_sim.__file__).parent.parent
 POLICY = ROOT / "policies" / "vehicle_roll_sim.policy.xml"
-NODES = ("simulator", "manoeuvre", "recorder")
+NODES = ("simulator", "manoeuvre", "recorder", "live_view")
 ALLOWED = {
     ("topics", "publish"): "publisher",
     ("topics", "subscribe"): "subscriber",
@@ -79,6 +79,7 @@ def test_what_live_nodes_use_is_what_the_policy_allows(start, peer, policy, tmp_
     every_topic = ("publish_clock:=true", "publish_stamped:=true", "model:='2'")
     start("simulator", "--ros-args", *(word for each in every_topic for word in ("-p", each)))
     start("recorder", "--output", str(tmp_path / "bag"))
+    start("live_view", "--port", "0")
     peer.listen("state", "applied_command")
     start("manoeuvre", "step_steer", "--duration", "1000")
     peer.wait(lambda: peer.newest("applied_command").data[1] != 0.0, "the manoeuvre to steer")

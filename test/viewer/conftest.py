@@ -3,7 +3,6 @@
 import json
 import os
 import shutil
-from pathlib import Path
 
 import pytest
 from patience import PATIENCE
@@ -21,11 +20,11 @@ DRIVER = "GL Driver Message"
 class OpenPage:
     """A page in the browser."""
 
-    def __init__(self, driver, path: Path):
+    def __init__(self, driver, address: str):
         self.driver = driver
         for kind in ("browser", "performance"):
             driver.get_log(kind)  # of the page before
-        driver.get(path.as_uri())
+        driver.get(address)
 
     def __call__(self, script: str, *arguments):
         """The value of a JavaScript expression."""
@@ -107,6 +106,13 @@ def opened(driver, tmp_path_factory):
     def call(*runs, title: str = "run", **settings) -> OpenPage:
         path = tmp_path_factory.mktemp("page") / "page.html"
         write_page(path, [viewed(run) for run in runs], title, **settings)
-        return OpenPage(driver, path)
+        return OpenPage(driver, path.as_uri())
 
     return call
+
+
+@pytest.fixture
+def opened_at(driver):
+    """opened_at(address): the page at an address, in the browser, which leaves it afterwards."""
+    yield lambda address: OpenPage(driver, address)
+    driver.get("about:blank")

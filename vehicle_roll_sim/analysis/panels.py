@@ -87,13 +87,16 @@ COMMANDS = (
 """Shown only if they are not 0 throughout."""
 
 
-def signals_of(histories: Iterable[History]) -> list[Signal]:
-    """The panels for some runs, from the top: steering, other commands, responses."""
-    histories = list(histories)
+def signals_of(histories: Iterable[History], anyway: Iterable[Signal] = ()) -> list[Signal]:
+    """The panels for some runs, from the top: steering, other commands, responses.
+
+    anyway: commands with a panel even if they are 0 throughout.
+    """
+    histories, anyway = list(histories), list(anyway)
     given = [
         signal
         for signal in COMMANDS
-        if any(np.nan_to_num(signal.of(history)).any() for history in histories)
+        if signal in anyway or any(np.nan_to_num(signal.of(history)).any() for history in histories)
     ]
     moving = any(history.roll_centres is not None for history in histories)
     below = (LOAD_TRANSFER, *(ROLL_CENTRES if moving else ()))

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from vehicle_roll_sim.arguments import OneLineParser, add_declared
+from vehicle_roll_sim.command_line import view_live
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.recorded_runs import (
     add_names,
@@ -51,6 +52,8 @@ AT_REST = 1e-6
 
 def view_command(words: list[str], program: str) -> int:
     """Run the command with the arguments after its name; return the exit status."""
+    if view_live.LIVE in words:
+        return view_live.live_command(words, program)
     arguments = _parser(program).parse_args(words)
     files = files_of(arguments, "RUN", MOST_RUNS, "the number of colours")
     settings, output = part_settings(arguments), _output(arguments, files)
@@ -89,6 +92,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
         "roll angle at which its run stops.",
     )
     add_runs(parser, "RUN")
+    parser.add_argument(view_live.LIVE, action="store_true", help=view_live.ABOUT)
     group = parser.add_argument_group("results")
     group.add_argument(
         "--out",

@@ -14,6 +14,7 @@ MODULES = {
     "simulator": "simulator.node",
     "manoeuvre": "clients.manoeuvre",
     "recorder": "clients.recorder",
+    "live_view": "clients.live_view",
     "demo": "orchestration.demo",
     "compare": "orchestration.compare",
 }
@@ -30,6 +31,10 @@ def manoeuvre() -> int:
 
 def recorder() -> int:
     return _run("recorder")
+
+
+def live_view() -> int:
+    return _run("live_view")
 
 
 def demo() -> int:
@@ -60,5 +65,5 @@ def _run(name: str, interrupted: int = 0) -> int:
 
 
 if __name__ == "__main__":
-    functions = {each.__name__: each for each in (simulator, manoeuvre, recorder, demo, compare)}
-    sys.exit(functions[sys.argv.pop(1)]())
+    entries = (simulator, manoeuvre, recorder, live_view, demo, compare)
+    sys.exit({each.__name__: each for each in entries}[sys.argv.pop(1)]())

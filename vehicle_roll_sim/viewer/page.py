@@ -1,6 +1,7 @@
 """Puts the page together from its parts in `web/`; the result needs no other file."""
 
 import base64
+import dataclasses
 import functools
 import hashlib
 import html
@@ -12,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from vehicle_roll_sim.analysis.panels import Signal
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.version import __version__
 from vehicle_roll_sim.viewer.decimation import MOST_ROWS
@@ -24,11 +26,25 @@ ROWS_OF_MANY = 600
 """As MOST_ROWS, of each run of a page that has more than MOST_RUNS."""
 SCRIPTS = (
     *("recording.js", "body.js", "vehicle.js", "ground.js", "scene.js"),
-    *("plots.js", "playback.js", "readings.js", "map.js", "choice.js", "controls.js", "main.js"),
+    *("plots.js", "playback.js", "readings.js", "map.js", "choice.js", "controls.js"),
+    *("feed.js", "main.js"),
 )
 """In the order in which they use one another."""
 PLACE = re.compile(r"\{\{(\w+)\}\}")
 THINNED = "Long runs are thinned: peaks, lift-offs and events are kept."
+
+
+@dataclasses.dataclass(frozen=True)
+class Feed:
+    """Where a page finds what is added to its run: server-sent events, each JSON of a `recording`.
+
+    panels: commands with a panel even while they are 0. page: the name of this page; the page is
+    loaded again when an event has another.
+    """
+
+    address: str
+    page: str
+    panels: tuple[Signal, ...] = ()
 
 
 def page(
@@ -38,22 +54,26 @@ def page(
     notes: Iterable[str] = (),
     shown: Sequence[int] = (0,),
     study: StudyMap | None = None,
+    feed: Feed | None = None,
 ) -> str:
     """The HTML text of a page that shows at most MOST_RUNS runs over one another.
 
     cones: points (n, 2) on the ground (m). notes: sentences at the foot of the page. Of more
     than MOST_RUNS, the reader chooses which to show; shown: places of those shown at first.
-    study: the map of the study that has the runs; it opens them one by one.
+    study: the map of the study that has the runs; it opens them one by one. feed: where the page
+    finds what is added to its only run.
     """
-    panels, signals = panels_of(runs)
+    panels, signals = panels_of(runs, feed.panels if feed else ())
     has_many = len(runs) > MOST_RUNS
-    told = [recording(run, signals, ROWS_OF_MANY if has_many else MOST_ROWS) for run in runs]
+    most = ROWS_OF_MANY if has_many else MOST_ROWS
+    told = [recording(run, signals, most, are_apart=feed is not None) for run in runs]
     thinned = [THINNED] if any(each["is_thinned"] for each in told) else []
     data = {
         "runs": told,
         "shown": list(shown if has_many or study else range(len(runs))),
         "most": MOST_RUNS,
         "study": told_map(study) if study else None,
+        "feed": feed and {"address": feed.address, "page": feed.page},
         "panels": panels,
         "cones": np.reshape(list(cones), (-1, 2)).tolist(),
         "notes": [*notes, *thinned],
@@ -66,7 +86,7 @@ def page(
         "three": f"/*\n{_part('three/LICENSE')}*/\n{_part('three/three.min.js')}",
         "script": "".join(_part(name) for name in SCRIPTS),
     }
-    parts["policy"] = _policy(parts)
+    parts["policy"] = _policy(parts, feed)
     return PLACE.sub(lambda place: parts[place[1]], _part("page.html"))
 
 
@@ -94,14 +114,15 @@ def _as_json(data: dict) -> str:
     return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
 
 
-def _policy(parts: dict[str, str]) -> str:
-    """Content security policy: only the page's own scripts and style, and no request at all."""
+def _policy(parts: dict[str, str], feed: Feed | None) -> str:
+    """Content security policy: own scripts and style only, and no request but for the feed."""
 
     def hashes(*names: str) -> str:
         digests = (hashlib.sha256(parts[name].encode()).digest() for name in names)
         return " ".join(f"'sha256-{base64.b64encode(each).decode()}'" for each in digests)
 
+    connected = "; connect-src 'self'" if feed else ""
     return (
         f"default-src 'none'; script-src {hashes('three', 'script')}; "
-        f"style-src {hashes('style')}; img-src data:"
+        f"style-src {hashes('style')}; img-src data:{connected}"
     )

@@ -34,12 +34,15 @@ class ViewedRun:
     scene: dict
 
 
-def panels_of(runs: Sequence[ViewedRun]) -> tuple[list[dict], list[Signal]]:
+def panels_of(
+    runs: Sequence[ViewedRun], anyway: Iterable[Signal] = ()
+) -> tuple[list[dict], list[Signal]]:
     """The panels of the page, and the signals of those before the normal loads of the wheels.
 
-    wheel: index of the wheel whose load a panel shows, or None. limits: of a fixed axis, or None.
+    anyway: as for `signals_of`. wheel: index of the wheel whose load a panel shows, or None.
+    limits: of a fixed axis, or None.
     """
-    signals = signals_of(run.history for run in runs)
+    signals = signals_of((run.history for run in runs), anyway)
     panels = [_panel(signal.label) for signal in signals]
     panels[signals.index(LOAD_TRANSFER)] |= {"limits": [-1.05, 1.05], "digits": 3}
     loads = [_panel(f"normal load {name} (kN)", place) for place, name in enumerate(WHEELS)]
@@ -51,19 +54,25 @@ def _panel(label: str, wheel: int | None = None) -> dict:
     return {"title": title, "wheel": wheel, "limits": None, "span": LEAST_SPAN, "digits": 2}
 
 
-def recording(run: ViewedRun, signals: Sequence[Signal], most: int = MOST_ROWS) -> dict:
-    """The data of a run for the page. signals: of its panels. most: as for `kept_rows`."""
+def recording(
+    run: ViewedRun, signals: Sequence[Signal], most: int = MOST_ROWS, are_apart: bool = False
+) -> dict:
+    """The data of a run for the page.
+
+    signals: of its panels. most: as for `kept_rows`. are_apart: whether each wheel has a curve of
+    its own even if all have the same command.
+    """
     history, curves = run.history, []
     columns = _motion(history)
     for place, signal in enumerate(signals):
-        lines = _lines(signal, history)
+        lines = _lines(signal, history, are_apart)
         names = [f"panel_{place}_{k}" for k in range(len(lines))]
         columns |= dict(zip(names, lines.values(), strict=True))
         curves.append([{"column": c, "name": n} for c, n in zip(names, lines, strict=True)])
     for quantity, load in _of_wheels("load", history.wheels("normal_force") / KILO).items():
         columns[quantity] = load
         curves.append([{"column": quantity, "name": ""}])
-    events = _events(run)
+    events = events_in(run)
     plotted = [columns[line["column"]] for lines in curves for line in lines]
     rows = kept_rows(history, plotted, [each["time"] for each in events], most)
     values = np.array([values[rows] for values in columns.values()])
@@ -104,13 +113,15 @@ def _spin_angles(history: History) -> np.ndarray:
     return np.concatenate((np.zeros((1, len(WHEELS))), np.cumsum(steps, axis=0)))
 
 
-def _lines(signal: Signal, history: History) -> dict[str, np.ndarray]:
+def _lines(signal: Signal, history: History, are_apart: bool) -> dict[str, np.ndarray]:
     """The curves of a panel by name; wheels with the same command share one, as in the figure."""
     values = signal.of(history)
     if signal.is_of_axles:
         return dict(zip(("front", "rear"), values.T, strict=True))
     if not signal.is_command or values.ndim == 1:
         return {"": values}
+    if are_apart:
+        return dict(zip(WHEELS, values.T, strict=True))
     groups: dict[bytes, list[int]] = {}
     for wheel in range(len(WHEELS)):
         groups.setdefault(values[:, wheel].tobytes(), []).append(wheel)
@@ -119,7 +130,7 @@ def _lines(signal: Signal, history: History) -> dict[str, np.ndarray]:
     return {n: values[:, w[0]] for n, w in zip(names, groups.values(), strict=True)}
 
 
-def _events(run: ViewedRun) -> list[dict]:
+def events_in(run: ViewedRun) -> list[dict]:
     """Lift-offs, rollover and peaks of a run, in order of time."""
     events, found = run.events, []
     for wheel, time in zip(WHEELS, events.lift_off_time.tolist(), strict=True):

@@ -2,12 +2,11 @@
 
 /** Buttons, keys and the time line. */
 function bindControls(page) {
-  const { playback } = page, [begin, end] = playback.range;
+  const { playback } = page;
   const theme = () => page.paint(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
   const change = (direction) => { playback.change(direction); $("speed").value = playback.speed; };
   const step = (direction, isLong) => (isLong
     ? playback.seek(playback.time + direction * LONG_STEP) : playback.step(page.followed, direction));
-  Object.assign($("scrub"), { min: begin, max: end });
   $("scrub").addEventListener("input", (event) => playback.seek(Number(event.target.value)));
   $("play").addEventListener("click", () => playback.play());
   $("back").addEventListener("click", () => step(-1));
@@ -30,11 +29,11 @@ function bindControls(page) {
 
 /** Keys, except those that a focused list or button needs itself. */
 function bindKeys(page, { theme, change, step }) {
-  const { playback } = page, [begin, end] = playback.range;
+  const { playback } = page;
   const keys = {
     " ": () => playback.play(), n: () => playback.stop(1), p: () => playback.stop(-1),
     ArrowLeft: (event) => step(-1, event.shiftKey), ArrowRight: (event) => step(1, event.shiftKey),
-    Home: () => playback.seek(begin), End: () => playback.seek(end),
+    Home: () => playback.seek(playback.range[0]), End: () => playback.seek(playback.range[1]),
     "+": () => change(1), "-": () => change(-1), t: theme,
     i: () => page.plots.zoom(4), o: () => page.plots.zoom(0.25),
     1: () => page.use("chase"), 2: () => page.use("rear"), 3: () => page.use("top"), 4: () => page.use("free"),

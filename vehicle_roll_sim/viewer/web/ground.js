@@ -62,6 +62,7 @@ class Path {
     }));
     this.whole = of(0.25);
     this.done = of(0.8);
+    geometry.dispose();
     for (const each of [this.whole, this.done]) {
       each.frustumCulled = false;
       each.position.z = 0.002 * (recording.index + 1);
@@ -89,6 +90,16 @@ class Path {
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(at, 3));
     geometry.setIndex(faces);
     return geometry;
+  }
+
+  /** Follow the present samples of the run. */
+  renew() {
+    const geometry = this.ribbon(this.recording);
+    for (const each of [this.whole, this.done]) {
+      each.geometry.dispose();
+      each.geometry = geometry.clone();
+    }
+    geometry.dispose();
   }
 
   paint(colour) {

@@ -7,13 +7,10 @@ function $(id) {
 class Page {
   constructor(told) {
     const chosen = chosenRuns(told), recordings = chosen.map((run, k) => new Recording(told.runs[run], k));
-    const begin = Math.min(...recordings.map((run) => run.begin));
-    const end = Math.max(...recordings.map((run) => run.end), begin + SHORTEST_RUN);
-    const stops = recordings.flatMap((run) => run.events.map((each) => each.time));
     this.recordings = recordings;
     this.followed = recordings[0];
-    this.range = [begin, end];
-    this.playback = new Playback(this.range, stops, (time) => this.show(time));
+    this.range = this.wholeTime();
+    this.playback = new Playback(this.range, [], (time) => this.show(time));
     this.plots = new Plots($("plots"), told.panels, recordings, this.range, (time) => this.playback.seek(time));
     this.lamps = new Lamps($("lamps"));
     this.numbers = new Numbers($("numbers"));
@@ -21,9 +18,35 @@ class Page {
     $("notes").textContent = told.notes.join(" ");
     offerRuns($("choice"), told, chosen);
     offerMap($("map"), told, chosen);
-    eventMarks(recordings, this.range, (time) => this.goTo(time));
+    this.markEvents();
     $("legend").hidden = told.runs.length < 2;
     this.follow = legend($("legend"), recordings, (index) => this.choose(index));
+  }
+
+  /** First and last time of the runs (s). */
+  wholeTime() {
+    const begin = Math.min(...this.recordings.map((run) => run.begin));
+    return [begin, Math.max(...this.recordings.map((run) => run.end), begin + SHORTEST_RUN)];
+  }
+
+  markEvents() {
+    Object.assign($("scrub"), { min: this.range[0], max: this.range[1] });
+    const events = this.recordings.map((run) => run.events), known = JSON.stringify(events);
+    if (known !== this.marked) {
+      this.marked = known;
+      this.playback.stopAt(events.flat().map((each) => each.time));
+      this.placeMarks = eventMarks(this.recordings, (time) => this.goTo(time));
+    }
+    this.placeMarks(this.range);
+  }
+
+  /** Show what has been added to the runs. */
+  renew() {
+    const before = [...this.range];
+    this.range.splice(0, 2, ...this.wholeTime());
+    this.markEvents();
+    if (this.picture) this.picture.renew();
+    this.plots.renew(before);
   }
 
   /** The 3D view; null, with a message, where there is no WebGL. */
@@ -85,12 +108,13 @@ class Page {
       lamps: this.lamps.lit,
       wheels: this.picture && WHEELS.map((_, k) => this.picture.vehicle.centre(k).toArray()),
       run: this.followed.index,
+      isFollowing: this.playback.isFollowing,
     };
   }
 }
 
 function main() {
-  const page = new Page(JSON.parse($("data").textContent));
+  const told = JSON.parse($("data").textContent), page = new Page(told);
   bindControls(page);
   page.paint(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
   page.use("chase");
@@ -105,6 +129,7 @@ function main() {
     state: () => page.state(),
   };
   fromAddress(window.viewer, page.recordings.length);
+  if (told.feed) new Feed(page, told.feed);
 }
 
 main();

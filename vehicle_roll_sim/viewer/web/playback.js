@@ -10,20 +10,33 @@ class Playback {
   /** range: first and last time (s). stops: times of events. onTime: called with each new time. */
   constructor(range, stops, onTime) {
     Object.assign(this, { range, onTime });
-    this.stops = [...new Set(stops)].sort((a, b) => a - b);
+    this.stopAt(stops);
     this.speed = 1;
+    this.isLive = this.isFollowing = false;
+    this.rate = () => this.speed;
     this.time = range[0];
     this.isPlaying = false;
     this.onPlay = () => {};
   }
 
+  /** Let `stop` go to these times (s). */
+  stopAt(times) {
+    this.stops = [...new Set(times)].sort((a, b) => a - b);
+  }
+
+  /** Go to a time. */
   seek(time) {
+    this.isFollowing = false;
+    this.advance(time);
+  }
+
+  advance(time) {
     this.time = Math.min(Math.max(time, this.range[0]), this.range[1]);
     this.onTime(this.time);
   }
 
   play(isPlaying = !this.isPlaying) {
-    if (isPlaying && this.time >= this.range[1]) this.seek(this.range[0]);
+    if (isPlaying && this.time >= this.range[1] && !this.isLive) this.seek(this.range[0]);
     this.isPlaying = isPlaying;
     this.last = null;
     if (isPlaying) requestAnimationFrame((now) => this.frame(now));
@@ -34,8 +47,10 @@ class Playback {
     if (!this.isPlaying) return;
     const passed = this.last === null ? 0 : (now - this.last) / 1000;
     this.last = now;
-    this.seek(this.time + this.speed * passed);
-    if (this.time >= this.range[1]) this.play(false);
+    this.advance(this.time + this.rate() * passed);
+    const isAtEnd = this.time >= this.range[1];
+    if (isAtEnd && this.isLive) this.isFollowing = true;
+    if (isAtEnd && !this.isLive) this.play(false);
     else requestAnimationFrame((next) => this.frame(next));
   }
 

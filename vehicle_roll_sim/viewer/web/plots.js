@@ -34,10 +34,15 @@ class Panel {
     caption.append(title, this.values);
     this.canvas = document.createElement("canvas");
     this.canvas.setAttribute("role", "img");
-    this.canvas.setAttribute("aria-label", `${told.title} over time. ${this.summary()}`);
     this.figure.append(caption, this.canvas);
     this.cursor = this.line("cursor");
     this.hover = this.line("cursor hover");
+    this.renew();
+  }
+
+  /** Fit the panel to the present samples. */
+  renew() {
+    this.canvas.setAttribute("aria-label", `${this.told.title} over time. ${this.summary()}`);
     this.limits = this.extent();
   }
 
@@ -209,6 +214,16 @@ class Plots {
       canvas.addEventListener("pointerleave", () => this.hover(null));
     }
     new ResizeObserver(() => this.draw()).observe(parent);
+  }
+
+  /** Show the samples that have been added; `whole` has moved from another range. */
+  renew([begin, end]) {
+    const [from, to] = this.range;
+    if (from === begin && to === end) this.range.splice(0, 2, ...this.whole);
+    else this.turnTo(from, Math.min(to - from, this.whole[1] - this.whole[0]));
+    this.time = Math.min(Math.max(this.time, this.whole[0]), this.whole[1]);
+    for (const panel of this.panels) panel.renew();
+    this.draw();
   }
 
   hover(time) {

@@ -71,9 +71,11 @@ function legend(parent, recordings, onChoose) {
   return choose;
 }
 
-/** Marks of the events on the time line, and the list of them. */
-function eventMarks(recordings, range, onSeek) {
-  const line = $("marks"), list = $("event-list");
+/** Marks of the events on the time line, and the list of them; returns what moves them to a range. */
+function eventMarks(recordings, onSeek) {
+  const line = $("marks"), list = $("event-list"), marks = [];
+  line.replaceChildren();
+  list.replaceChildren();
   for (const run of recordings) {
     for (const { time, name, isSevere } of run.events) {
       const who = recordings.length > 1 ? `${run.label}: ` : "";
@@ -81,7 +83,7 @@ function eventMarks(recordings, range, onSeek) {
       const mark = element("button", "", { type: "button", title: text });
       mark.setAttribute("aria-label", text);
       mark.classList.toggle("severe", isSevere);
-      mark.style.left = `${(100 * (time - range[0])) / (range[1] - range[0])}%`;
+      marks.push({ mark, time });
       const entry = element("li"), button = element("button", text, { type: "button" });
       entry.append(button);
       for (const each of [mark, button]) each.addEventListener("click", () => onSeek(time));
@@ -90,6 +92,9 @@ function eventMarks(recordings, range, onSeek) {
     }
   }
   $("events").hidden = !list.children.length;
+  return ([begin, end]) => marks.forEach(({ mark, time }) => {
+    mark.style.left = `${(100 * (time - begin)) / (end - begin)}%`;
+  });
 }
 
 /** The text for screen readers at a time. */

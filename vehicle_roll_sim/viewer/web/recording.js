@@ -14,17 +14,44 @@ function bytesOf(text) {
 /** One run: columns over time, linear between samples. */
 class Recording {
   constructor(told, index) {
-    const { label, vehicle, events, curves } = told;
-    Object.assign(this, { index, label, vehicle, events, curves });
-    this.time = new Float64Array(bytesOf(told.time));
-    const rows = this.time.length, values = new Float32Array(bytesOf(told.values));
-    this.columns = {};
+    const { label, vehicle, curves } = told;
+    Object.assign(this, { index, label, vehicle, curves });
+    this.hold(told);
+  }
+
+  /** Take over the samples and events of another run of the vehicle. */
+  hold(told) {
+    const time = new Float64Array(bytesOf(told.time)), rows = time.length;
+    const values = new Float32Array(bytesOf(told.values)), columns = {};
     told.columns.forEach((name, k) => {
-      this.columns[name] = values.subarray(k * rows, (k + 1) * rows);
+      columns[name] = values.subarray(k * rows, (k + 1) * rows);
     });
+    this.keep(time, columns, told);
+  }
+
+  /** Append samples, the first of which is the last one so far, and drop those before `begin`. */
+  append(told) {
+    const { time, columns } = this, last = time.length - 1;
+    this.hold(told);
+    const from = Math.max(time.findIndex((each) => each >= told.begin), 0);
+    const joined = (before, after, shift = 0) => {
+      const all = new before.constructor(last - from + after.length);
+      all.set(before.subarray(from, last));
+      all.set(after.map((each) => each + shift), last - from);
+      return all;
+    };
+    const turned = (name) => (name.startsWith("wheel_angle") ? columns[name][last] : 0);
+    const added = Object.entries(this.columns);
+    const all = added.map(([name, values]) => [name, joined(columns[name], values, turned(name))]);
+    this.keep(joined(time, this.time), Object.fromEntries(all), told);
+  }
+
+  keep(time, columns, { rollover, events }) {
+    Object.assign(this, { time, columns, events });
+    const rows = time.length;
     this.begin = this.time[0];
     this.end = this.time[rows - 1];
-    this.rollover = told.rollover === null ? Infinity : told.rollover;
+    this.rollover = rollover === null ? Infinity : rollover;
     this.hasHeave = !this.columns.z.every(Number.isNaN);
   }
 

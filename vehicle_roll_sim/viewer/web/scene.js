@@ -60,6 +60,11 @@ class Picture {
     return this.vehicles[this.followed];
   }
 
+  /** Draw the paths that the runs have by now. */
+  renew() {
+    for (const path of this.paths) path.renew();
+  }
+
   /** Take the colours of the page's theme. */
   paint() {
     const style = getComputedStyle(document.documentElement);

@@ -1,0 +1,125 @@
+"""The page of a running simulator: a window of its samples, and what is new in it."""
+
+import dataclasses
+import json
+import math
+import threading
+import time
+from collections.abc import Iterator
+
+import numpy as np
+
+from vehicle_roll_sim.analysis.panels import COMMANDS, Signal, signals_of
+from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.sampled_events import events_of
+from vehicle_roll_sim.viewer.page import Feed, page
+from vehicle_roll_sim.viewer.recording import ViewedRun, events_in, recording
+
+WINDOW = 30.0
+"""s: how much of the run a page shows."""
+EVERY = 0.1
+"""Wall time (s) after which there is an update, with or without new samples."""
+NOTE = f"The last {WINDOW:g} s of a running simulator; this address works on this machine only."
+
+
+@dataclasses.dataclass(frozen=True)
+class Window:
+    """The newest samples. run: another after each reset. page: as in `Feed`."""
+
+    run: int
+    page: str
+    viewed: ViewedRun
+    signals: tuple[Signal, ...]
+
+
+class LiveRun:
+    """The run of a simulator; samples come from one thread, updates go to several.
+
+    label, scene, rollover_angle: of the vehicle, as for a ViewedRun and `events_of` (rad).
+    """
+
+    def __init__(self, label: str, scene: dict, rollover_angle: float):
+        self._label, self._scene, self._angle = label, scene, rollover_angle
+        self._changed = threading.Condition()
+        self._run, self._is_closed, self._rollover = 0, False, math.nan
+        self._name = time.time_ns()
+        self.window: Window | None = None
+
+    def add(self, history: History) -> None:
+        """Add samples, at least one; an earlier time than the last begins another run.
+
+        A stopped simulator repeats its last time, which is nothing new.
+        """
+        before = self.window
+        known = before and before.viewed.history
+        if known is None or history["time"][0] < known["time"][-1]:
+            self._run, self._rollover = self._run + 1, math.nan
+        else:
+            history = _joined(known, history)
+        history = history.part(np.diff(history["time"], prepend=-math.inf) > 0)
+        if known is not None and history["time"][-1] == known["time"][-1]:
+            return
+        history = history.part(history["time"] > history["time"][-1] - WINDOW)
+        events = events_of(history, self._angle)
+        if math.isnan(self._rollover):
+            self._rollover = float(events["rollover_time"][0])
+        events["rollover_time"][0] = self._rollover  # it may have left the window
+        signals = tuple(signals_of([history], before.signals if before else ()))
+        given = "".join(str(int(each in signals)) for each in COMMANDS)
+        viewed = ViewedRun(history, events, self._label, self._scene)
+        with self._changed:
+            self.window = Window(self._run, f"{self._name}-{given}", viewed, signals)
+            self._changed.notify_all()
+
+    def close(self) -> None:
+        """End all updates."""
+        with self._changed:
+            self._is_closed = True
+            self._changed.notify_all()
+
+    def page(self, address: str) -> str:
+        """The page that shows the window, and follows the updates at an address on its server."""
+        window = self.window
+        feed = Feed(address, window.page, window.signals)
+        return page([window.viewed], self._label, notes=[NOTE], feed=feed)
+
+    def updates(self) -> Iterator[str]:
+        """JSON for a page, until `close`: the whole window, then what is added to it.
+
+        Each is a `recording`, with run, page and begin, the first time (s) in the window. What is
+        added begins with the last sample before it. Without anything new: "".
+        """
+        last = None
+        while not self._is_closed:
+            with self._changed:
+                self._changed.wait_for(lambda: self._is_closed or self.window is not last, EVERY)  # noqa: B023
+                window = self.window
+            yield "" if window is last else _told(window, last)
+            last = window
+
+
+def _told(window: Window, last: Window | None) -> str:
+    """The JSON for a page that knows `last`."""
+    viewed, begin = window.viewed, -math.inf
+    times = viewed.history["time"]
+    if last and last.run == window.run:
+        begin = last.viewed.history["time"][-1]
+    added = dataclasses.replace(viewed, history=viewed.history.part(times >= begin))
+    told = recording(added, window.signals, are_apart=True)
+    told |= {"events": events_in(viewed), "begin": float(times[0])}
+    told |= {"run": window.run, "page": window.page}
+    return json.dumps(told, allow_nan=False, separators=(",", ":"))
+
+
+def _joined(first: History, second: History) -> History:
+    """One after the other; what only one of them knows is nan in the other."""
+
+    def joined(name: str) -> np.ndarray | None:
+        parts = [getattr(each, name) for each in (first, second)]
+        widths = {part.shape[1] for part in parts if part is not None}
+        if not widths:
+            return None
+        unknown = [np.full((len(each.rows), *widths), np.nan) for each in (first, second)]
+        return np.vstack([u if p is None else p for u, p in zip(unknown, parts, strict=True)])
+
+    return History(*(joined(name) for name in ("rows", "commands", "roll_centres", "wind")))
