@@ -16,6 +16,7 @@ from vehicle_roll_sim.roads.commanded import Commanded
 from vehicle_roll_sim.roads.kinds import NAMES, feature_of, values_of
 from vehicle_roll_sim.roads.tilt import TiltTable
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road_tables import with_table
 
 STEEPEST = 1.0
 """m/m: a slope of 45 degrees."""
@@ -69,7 +70,8 @@ class Road:
 
     @classmethod
     def from_file(cls, path: str | Path) -> "Road":
-        """Read a road file (YAML); raises InputError naming file, line and key."""
+        """Read a road file (YAML) and the tables that it names; raises InputError naming file, line
+        and key."""
         path = Path(path)
         values, lines = read_mapping(path, "road file", A_ROAD, LARGEST_FILE)
         for name in values:
@@ -82,7 +84,7 @@ class Road:
         read = []
         for index, each in enumerate(features):
             where = f"{path}: line {lines[FEATURES, index]}: feature {index + 1}"
-            read.append(feature_of(each, where))
+            read.append(feature_of(with_table(each, path.parent, where), where))
         try:
             return cls(**{**values, FEATURES: tuple(read)})
         except InputError as error:

@@ -24,20 +24,19 @@ def posts(times: np.ndarray) -> np.ndarray:
 
 
 def commands(times: np.ndarray) -> np.ndarray:
+    """Of steps from the first of the times on, which a step of the heights may precede."""
     records = np.zeros(len(times), COMMAND)
-    records["road_height"] = posts(times)[:, None]
+    records["road_height"] = posts(np.maximum(times, np.nextafter(times[0], END)))[:, None]
     return records
-
-
-commands.steps_at = [0.1]
 
 
 @pytest.fixture(scope="module")
 def symmetric(reference):
-    """All four corners alike, the c.g. in their middle."""
+    """All four corners alike, the c.g. in their middle, the wheel paths of model 2 vertical."""
     alike = {"cg_to_front_axle": 1.27, "cg_to_rear_axle": 1.27}
     for axle in ("front", "rear"):
         alike |= {f"{axle}_spring_stiffness": SPRING, f"{axle}_damping": DAMPING}
+        alike[f"{axle}_roll_centre_depth"] = reference.cg_height
     return reference.with_values(alike)
 
 
