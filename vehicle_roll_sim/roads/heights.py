@@ -92,7 +92,11 @@ class Curb(Feature):
         "distance from the middle plane of a tire to its side wall", "m", 0.01, 1.0, default=0.1
     )
     stiffness: float = parameter(
-        "force of the face on a side wall over its deflection", "N/m", 0.0, 1e8, default=3e5
+        "force of the face on a side wall, which it presses against the rim, over its deflection",
+        "N/m",
+        0.0,
+        1e8,
+        default=1e6,
     )
     damping: float = parameter(
         "force of the face on a side wall over its rate", "N s/m", 0.0, 1e6, default=2e3
