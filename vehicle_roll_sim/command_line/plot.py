@@ -41,9 +41,9 @@ def plot_command(words: list[str], program: str) -> int:
     rollover_angle = math.radians(settings.get("stop_roll", DEFAULT_ROLLOVER_DEGREES))
     runs = []
     for file, label in zip(files, labels, strict=True):
-        history, told = run_from(file, arguments.namespace, "FILE")
+        history, simulation = run_from(file, arguments.namespace, "FILE")
         part = part_of(history, settings, file)
-        road = told.simulation.road if told else None
+        road = simulation.road if simulation else None
         runs.append(plots.DrawnRun(part, events_of(history, rollover_angle), label, road))
     title = arguments.title
     if len(runs) == 1:  # no legend needed
