@@ -5,6 +5,7 @@ from vehicle_roll_sim.model.eight_dof import eight_dof_derivatives
 from vehicle_roll_sim.model.fourteen_dof import fourteen_dof_derivatives
 from vehicle_roll_sim.model.kinematic.contact import note_tire_compression
 from vehicle_roll_sim.model.kinematic.derivatives import kinematic_derivatives
+from vehicle_roll_sim.model.road.layout import USED
 from vehicle_roll_sim.model.wheel import note_turning
 
 
@@ -20,7 +21,12 @@ def derivatives(state, command, vehicle, tires, options, road, outputs, rates):
     if options.eight_dof:
         eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rates)
     elif options.kinematic:
-        kinematic_derivatives(state, command, vehicle, tires, options, road, outputs, rates)
+        if road[0][USED] == 0.0:
+            kinematic_derivatives(state, command, vehicle, tires, options, None, outputs, rates)
+        else:
+            kinematic_derivatives(state, command, vehicle, tires, options, road, outputs, rates)
+    elif road[0][USED] == 0.0:
+        fourteen_dof_derivatives(state, command, vehicle, tires, options, None, outputs, rates)
     else:
         fourteen_dof_derivatives(state, command, vehicle, tires, options, road, outputs, rates)
 
