@@ -47,10 +47,11 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 
 
 @kernel
-def fourteen_dof_derivatives(state, command, vehicle, tires, options, road, outputs, rates):
+def fourteen_dof_derivatives(state, command, vehicle, tires, options, ground, time, outputs, rates):
     """Rates of all states, and all intermediate quantities; see `derivatives`.
 
-    road: None for a plane. Older versions of numba prune branches by arguments that are None alone.
+    ground: None for a plane. Older versions of numba prune branches by arguments that are None
+    alone.
     """
     roll, pitch = state[at.ROLL], state[at.PITCH]
     heading, exact = heading_of(state[at.YAW]), attitude_of(roll, pitch)
@@ -63,22 +64,22 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, road, outp
     normal_friction(outputs)
     move_through_air(state, command, heading, attitude, outputs)
     strut_kinematics(state, vehicle, options, outputs)
-    if road is None:
+    if ground is None:
         contact_kinematics(state, vehicle, options, attitude, outputs)
         inclinations(attitude, vehicle, tires, options, outputs)
     else:
-        tilted_gravity_on_body_axes(road, heading, attitude, vehicle, outputs)
-        contact_on_road(state, command, heading, vehicle, options, attitude, road, outputs)
+        tilted_gravity_on_body_axes(time, ground, heading, attitude, vehicle, outputs)
+        contact_on_road(state, command, heading, vehicle, options, attitude, ground, outputs)
         inclinations_on_road(attitude, vehicle, tires, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
-    if road is not None:
+    if ground is not None:
         contact_moments_on_road(attitude, vehicle, outputs)
     elif options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
     wheel_rates(state, command, vehicle, options, outputs, rates)
     if options.wheel_gyroscopics:
         gyroscopic_moments(state, vehicle, outputs, rates)
-    if road is not None:
+    if ground is not None:
         turn_forces_to_level(outputs)
     contact_forces_on_body_axes(options, attitude, outputs)
     if vehicle.details.struts != 0.0:

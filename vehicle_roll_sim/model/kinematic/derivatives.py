@@ -48,10 +48,11 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 
 
 @kernel
-def kinematic_derivatives(state, command, vehicle, tires, options, road, outputs, rates):
+def kinematic_derivatives(state, command, vehicle, tires, options, ground, time, outputs, rates):
     """Rates of all states, and all intermediate quantities; see `derivatives`.
 
-    road: None for a plane. Older versions of numba prune branches by arguments that are None alone.
+    ground: None for a plane. Older versions of numba prune branches by arguments that are None
+    alone.
     """
     heading, attitude = heading_of(state[at.YAW]), attitude_of(state[at.ROLL], state[at.PITCH])
     steer(command, outputs)
@@ -65,23 +66,23 @@ def kinematic_derivatives(state, command, vehicle, tires, options, road, outputs
     carriers(vehicle, outputs)
     paths(vehicle, outputs)
     wheel_velocities(state, outputs)
-    if road is None:
+    if ground is None:
         place_on_road(state, vehicle, attitude, outputs)
         contact_motion(state, attitude, outputs)
     else:
-        tilted_gravity_on_body_axes(road, heading, attitude, vehicle, outputs)
-        place_on_uneven_road(state, command, heading, vehicle, attitude, road, outputs)
+        tilted_gravity_on_body_axes(time, ground, heading, attitude, vehicle, outputs)
+        place_on_uneven_road(state, command, heading, vehicle, attitude, ground, outputs)
         contact_motion(state, attitude, outputs)
-        motion_in_plane(state, heading, attitude, road, outputs)
+        motion_in_plane(state, heading, attitude, ground, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
-    if road is not None:
+    if ground is not None:
         contact_moments_on_road(attitude, vehicle, outputs)
     elif options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
     wheel_rates(state, command, vehicle, options, outputs, rates)
     if options.wheel_gyroscopics:
         gyroscopic_moments_on_carriers(state, vehicle, outputs, rates)
-    if road is not None:
+    if ground is not None:
         turn_forces_to_level(outputs)
     forces_on_body_axes(attitude, outputs)
     if vehicle.details.struts != 0.0:

@@ -20,13 +20,13 @@ from vehicle_roll_sim.model.road.resistance import place_over_ground, side_force
 
 
 @kernel
-def place_on_uneven_road(state, command, heading, vehicle, attitude, road, outputs):
+def place_on_uneven_road(state, command, heading, vehicle, attitude, ground, outputs):
     """Heading, inclination, loaded radius (m), load (N) and contact point of every wheel.
 
     As `place_on_road`, with the normal e and the distance of the wheel centre from the plane of the
     road. The compression of the state remains that against z = 0.
     """
-    terms, plane, ground = outputs.suspension_terms, outputs.road_terms, road[0]
+    terms, plane = outputs.suspension_terms, outputs.road_terms
     for i in range(WHEEL_COUNT):
         radius = vehicle.tire_radius[i]
         outputs.unloaded_radius[i] = radius
@@ -65,12 +65,12 @@ def place_on_uneven_road(state, command, heading, vehicle, attitude, road, outpu
 
 
 @kernel
-def motion_in_plane(state, heading, attitude, road, outputs):
+def motion_in_plane(state, heading, attitude, ground, outputs):
     """Turn the velocities of the contact points into the plane of the road; forces on the sides.
 
     After `contact_motion`, which leaves out the vertical velocity.
     """
-    terms, plane, ground = outputs.suspension_terms, outputs.road_terms, road[0]
+    terms, plane = outputs.suspension_terms, outputs.road_terms
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     wu = state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):

@@ -103,14 +103,14 @@ def load_on_road(i, compression, vehicle, outputs):
 
 
 @kernel
-def contact_on_road(state, command, heading, vehicle, options, attitude, road, outputs):
+def contact_on_road(state, command, heading, vehicle, options, attitude, ground, outputs):
     """Normal load (N), loaded radius (m) and contact velocity in the plane of the road (m/s).
 
     The contact point is the loaded radius along the body's z axis below the wheel centre, as in the
     paper, but turned about the axis of the wheel by the slope of the road along it: a normal force
     turns neither the wheel nor, through it, the body.
     """
-    terms, ground = outputs.road_terms, road[0]
+    terms = outputs.road_terms
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     xt, wu = state[at.TIRE_COMPRESSION], state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):

@@ -19,13 +19,12 @@ def slope_gravity_on_body_axes(heading, attitude, vehicle, outputs):
 
 
 @kernel
-def tilted_gravity_on_body_axes(road, heading, attitude, vehicle, outputs):
+def tilted_gravity_on_body_axes(time, ground, heading, attitude, vehicle, outputs):
     """What tilting the ground by an angle a about its x axis adds to gravity, in frame 1 (m/s^2).
 
     It is (0, -g sin a, g (1 - cos a)) in the frame of the ground, which turns so slowly that its
     own acceleration is left out.
     """
-    ground, time = road
     if ground[TILT_COUNT] == 0.0:
         return
     angle, g = tilt_angle(time, ground), vehicle.gravity
