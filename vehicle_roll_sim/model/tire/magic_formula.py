@@ -109,12 +109,13 @@ def curves_of_wheels(tire, inclined, with_moments, outputs):
         outputs.slip_angle[i] = arctan(outputs.slip_tangent[i])
         kappa, alpha = outputs.slip_ratio[i], outputs.side[i] * outputs.slip_angle[i]
         fz, dfz = outputs.normal_force[i], relative_load(outputs.normal_force[i], tire)
-        x_peak = pure_slip.longitudinal_friction(gamma, dfz, tire) * tire.LMUX * fz
-        y_peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz
+        grip = outputs.road_friction[i]
+        x_peak = pure_slip.longitudinal_friction(gamma, dfz, tire) * tire.LMUX * fz * grip
+        y_peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz * grip
         terms.longitudinal_peak[i], terms.lateral_peak[i] = x_peak, y_peak
         shift = fz * (tire.PVX1 + tire.PVX2 * dfz) * tire.LVX
-        terms.longitudinal_shift[i] = shift * tire.LMUX
-        shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY * tire.LMUY
+        terms.longitudinal_shift[i] = shift * tire.LMUX * grip
+        shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY * tire.LMUY * grip
         if inclined is None:
             terms.lateral_shift[i] = shift
             kx = pure_slip.slip_stiffness(gamma, fz, dfz, terms.stiffening[i], tire)
@@ -122,7 +123,7 @@ def curves_of_wheels(tire, inclined, with_moments, outputs):
             y_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, ky, tire)
         else:
             terms.upright_shift[i] = shift
-            terms.lateral_shift[i] = shift + camber_shift(gamma, fz, dfz, tire)
+            terms.lateral_shift[i] = shift + camber_shift(gamma, fz, dfz, tire) * grip
             kx = terms.slip_stiffness[i]
             ky = pure_slip.stiffness_of_wave(gamma, terms.cornering_wave[i], tire)
             per_ky = pure_slip.inverse(ky)
@@ -156,17 +157,18 @@ def curves_of_moments(i, alpha, gamma, y_zero, induced, slope, tire, outputs):
     """
     terms = outputs.tire_terms
     fz, dfz = outputs.normal_force[i], terms.relative_load[i]
-    peak = pure_slip.lateral_friction(0.0, dfz, tire) * tire.LMUY * fz
+    grip = outputs.road_friction[i]
+    peak = pure_slip.lateral_friction(0.0, dfz, tire) * tire.LMUY * fz * grip
     shift = (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
     stiffness = terms.upright_stiffness[i]
     fy = pure_slip.lateral_curve(alpha, 0.0, dfz, shift, stiffness, peak, tire)
     keep_curve(UPRIGHT_LATERAL, i, fy, terms)
-    keep_curve(TRAIL, i, moments.trail_curve(alpha, induced, gamma, dfz, tire), terms)
+    keep_curve(TRAIL, i, moments.trail_curve(alpha, induced, gamma, dfz, grip, tire), terms)
     forward = moments.direction(outputs.rolling[i]) * cosine_of_arctan(outputs.slip_tangent[i])
     terms.upright_peak[i] = peak
     terms.trail_peak[i] = moments.trail_peak(gamma, fz, dfz, forward, tire)
     terms.residual[i] = moments.residual_moment(
-        y_zero, induced, gamma, fz, dfz, slope, forward, tire
+        y_zero, induced, gamma, fz, dfz, slope, forward, grip, tire
     )
 
 

@@ -40,9 +40,13 @@ def equivalent_slip(angle, induced):
 
 
 @term
-def stiffness_over_friction(tire):
-    """LKY / LMUY, a factor in B of trail and residual moment; 0 without friction."""
-    return tire.LKY / tire.LMUY if tire.LMUY != 0.0 else 0.0
+def stiffness_over_friction(grip, tire):
+    """LKY / LMUY, a factor in B of trail and residual moment; 0 without friction.
+
+    grip: factor of the road on LMUY.
+    """
+    friction = tire.LMUY * grip
+    return tire.LKY / friction if friction != 0.0 else 0.0
 
 
 @term
@@ -57,11 +61,12 @@ def trail_peak(gamma, fz, dfz, forward, tire):
 
 
 @term
-def trail_curve(alpha, induced, gamma, dfz, tire):
+def trail_curve(alpha, induced, gamma, dfz, grip, tire):
     """x, B, half of C, and E of the trail over the equivalent slip angle (E34, E35, E40-E44)."""
     inclined = tire.LGAZ * gamma
     angle = alpha + tire.QHZ1 + tire.QHZ2 * dfz + (tire.QHZ3 + tire.QHZ4 * dfz) * inclined
-    stiffness = (tire.QBZ1 + (tire.QBZ2 + tire.QBZ3 * dfz) * dfz) * stiffness_over_friction(tire)
+    stiffness = tire.QBZ1 + (tire.QBZ2 + tire.QBZ3 * dfz) * dfz
+    stiffness *= stiffness_over_friction(grip, tire)
     stiffness *= 1 + tire.QBZ4 * inclined + tire.QBZ5 * abs(inclined)
     curvature = tire.QEZ1 + (tire.QEZ2 + tire.QEZ3 * dfz) * dfz
     side = (tire.QEZ4 + tire.QEZ5 * inclined) * arctan(stiffness * tire.QCZ1 * angle)
@@ -70,18 +75,18 @@ def trail_curve(alpha, induced, gamma, dfz, tire):
 
 
 @term
-def residual_moment(angle, induced, gamma, fz, dfz, slope, forward, tire):
+def residual_moment(angle, induced, gamma, fz, dfz, slope, forward, grip, tire):
     """Mzr: residual aligning moment (N m; E36-E38, E45-E47).
 
     angle: slip angle with the shift at which the lateral force is 0 (rad). slope: By Cy.
     """
     inclined = tire.LGAZ * gamma
-    stiffness = tire.QBZ9 * stiffness_over_friction(tire)
+    stiffness = tire.QBZ9 * stiffness_over_friction(grip, tire)
     stiffness += tire.QBZ10 * slope
     camber = (tire.QDZ8 + tire.QDZ9 * dfz) * (1 + tire.PPZ2 * tire.pressure_change)
     camber += (tire.QDZ10 + tire.QDZ11 * dfz) * abs(inclined)
     moment = (tire.QDZ6 + tire.QDZ7 * dfz) * tire.LRES + camber * inclined * tire.LKZC
-    moment *= fz * tire.UNLOADED_RADIUS * tire.LMUY * forward
+    moment *= fz * tire.UNLOADED_RADIUS * tire.LMUY * grip * forward
     return moment * cosine_of_arctan(stiffness * equivalent_slip(angle, induced))
 
 
