@@ -133,7 +133,7 @@ def test_another_process_goes_on_from_a_file(kept, tmp_path):
 def test_the_simulation_in_a_snapshot_goes_on_alone(kept):
     session = made()
     session.restore(kept)
-    alone = Simulation.from_snapshot(kept.simulation, ACTUATED)
+    alone = Simulation.from_snapshot(kept.simulation, ACTUATED, road=ROAD)
     assert everything(alone) == everything(session.simulation)
 
 

@@ -13,7 +13,7 @@ from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 TURN = Command(steering=0.02)
 
 
-@pytest.mark.parametrize("name", ["random profile", "curb"])
+@pytest.mark.parametrize("name", ["random profile", "corkscrew ramp"])
 def test_they_change_no_bit_of_the_motion(name):
     """Steps end where samples are taken, so what a road keeps must not depend on that."""
     plain = Simulation(preset(), road=ROADS[name])
