@@ -5,6 +5,7 @@ the next empty line, is replaced. `make tables` writes them, and
 test/package/test_generated_tables.py tells whether they are up to date.
 """
 
+import dataclasses
 import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
@@ -23,9 +24,11 @@ from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.logs.quantities import QUANTITIES
 from vehicle_roll_sim.messages import topics
 from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariances
-from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, MOTION_LABELS
+from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, MOTION_LABELS, ROAD_LABELS
 from vehicle_roll_sim.messages.topics import Topic
 from vehicle_roll_sim.model.records import WHEELS, element_names
+from vehicle_roll_sim.roads.feature import Feature
+from vehicle_roll_sim.roads.kinds import KINDS
 from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, Argument
 from vehicle_roll_sim.ros.services import SERVICES
 from vehicle_roll_sim.ros.simulator.parameters import IMU_PREFIX, ODOM_PREFIX
@@ -102,6 +105,7 @@ def label_table() -> str:
     labels |= {
         "`applied_command`": COMMAND_LABELS,
         "`applied_command` of vehicles with air forces": (*COMMAND_LABELS, *WIND),
+        "`applied_command` on a road that is commanded": (*COMMAND_LABELS, *ROAD_LABELS),
         "`applied_command` of vehicles with actuators, after these": DEMAND_LABELS,
         "`motion`": MOTION_LABELS,
     }
@@ -275,6 +279,32 @@ def _of_one_wheel() -> list:
     return [each for name, each in QUANTITIES.items() if not name.endswith(others)]
 
 
+def feature_table() -> str:
+    """The kinds of features of a road, and their values; those of all kinds first."""
+    common = parameters_of(Feature)
+    rows = [("all with a place", each) for each in common.values()]
+    for name, kind in KINDS.items():
+        own = [each for key, each in parameters_of(kind).items() if key not in common]
+        rows += [(f"`{name}`", each) for each in own]
+    return table(
+        ("kind", "value", "default", "allowed", "meaning"),
+        *(
+            (kind, f"`{each.name}`", _default_of(each), allowed_in_file(each), each.description)
+            for kind, each in rows
+        ),
+    )
+
+
+def _default_of(declared: Parameter) -> str:
+    if declared.default is dataclasses.MISSING:
+        return "required"
+    return declared.none if declared.default is None else default(declared)
+
+
+def allowed_in_file(declared: Parameter) -> str:
+    return declared.allowed if declared.is_curve else allowed(declared)
+
+
 SET = (*topics.STATE_SET, *topics.OF_SOME_SETS)
 TABLES: dict[str, Callable[[], str]] = {
     "commands": command_table,
@@ -287,6 +317,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "simulator": lambda: node_parameter_table({"": Settings}),
     "limits": lambda: node_parameter_table({"": CommandLimits}),
     "model": lambda: node_parameter_table({"": Options}),
+    "road features": feature_table,
     "road": lambda: node_parameter_table({"": Road}),
     "covariances": lambda: node_parameter_table(
         {IMU_PREFIX: ImuCovariances, ODOM_PREFIX: OdomCovariances}

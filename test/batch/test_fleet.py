@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from actuated import actuated
 from measured import measured
+from road_kinds import ROADS
 
 from vehicle_roll_sim import Command, Condition, InputError, Options, Simulation, preset
 from vehicle_roll_sim.batch.fleet import Fleet
@@ -35,6 +36,9 @@ def test_a_fleet_gives_the_bits_of_simulations_with_their_own_models_and_command
         simulations.append(Simulation(delayed, step=STEP))
     clocks = {"wheel_speed_sensor_period": 0.005}
     simulations += [Simulation(measured(**clocks, imu_delay=late), step=STEP) for late in (0, 0.03)]
+    simulations.append(Simulation(measured(**clocks), step=STEP, road=ROADS["curb"]))
+    for name in ("random profile", "curb", "random profile"):
+        simulations.append(Simulation(preset("suv"), step=STEP, road=ROADS[name]))
     simulations.append(Simulation(preset("van"), step=STEP, rollover_angle=0.03))
     for each in simulations:
         each.reset(22.0)

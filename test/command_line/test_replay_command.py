@@ -33,6 +33,14 @@ def test_the_options_of_the_run_are_in_the_bag(command):
     assert "bit for bit" in command("replay", "other", *words).value["run 1"]
 
 
+def test_the_road_of_the_run_is_in_the_bag_and_its_file_is_not_needed(command, folder):
+    (folder / "road.yaml").write_text("features: [{kind: random_profile, start: 2, roughness: D}]")
+    command(*SHORT, "--road", "road.yaml", "--bag", "rough")
+    assert "bit for bit" in command("replay", "rough", "--road", "road.yaml").value["run 1"]
+    (folder / "road.yaml").unlink()
+    assert "bit for bit" in command("replay", "rough", "--strict").value["run 1"]
+
+
 def test_commands_are_held_for_the_period_of_the_node_with_and_without_rows(rows):
     held = rows("j_turn", "--duration", "1.2", "--command-period", "0.01")
     with_bag = rows("j_turn", "--duration", "1.2", "--bag", "bag")

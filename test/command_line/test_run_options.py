@@ -113,6 +113,17 @@ def test_grade_and_bank_are_those_of_the_road_of_the_library(rows):
         assert sloping[name][-1] != level[name][-1]
 
 
+def test_road_is_the_file_whose_road_is_driven_and_its_slopes_can_be_overridden(rows, folder):
+    crest = {"kind": "wave", "start": 3.0, "length": 4.0, "height": 0.1}
+    text = f"grade: 0.05\nbank: 0.02\nfeatures: [{crest}]\n".replace("'", "")
+    (folder / "road.yaml").write_text(text)
+    road = Road.from_values({"grade": 0.05, "bank": -0.04, "features": [crest]})
+    history = run(Simulation(preset(), road=road), step_steer(), 2.0)
+    found = rows(*SHORT, "--road", "road.yaml", "--bank", "-0.04")
+    for name in ("u", "z", "roll"):
+        assert found[name].tolist() == history[name].tolist()
+
+
 def test_euler_terms_make_a_difference(rows):
     plain, full = rows("j_turn"), rows("j_turn", "--euler-terms")
     assert plain["roll"][250] != full["roll"][250]

@@ -48,6 +48,14 @@ def test_the_reference_vehicle_lifts_two_wheels_at_once(command):
     assert result.value["verdict"] == expected
 
 
+def test_the_road_is_that_of_the_file(command, folder):
+    """On ice no wheel lifts; nor is ice forgotten in the next series of the process."""
+    (folder / "ice.yaml").write_text("features: [{kind: patch, start: -100, friction: 0.2}]")
+    result = command("series", "nhtsa_j_turn", "--road", "ice.yaml")
+    assert result.value["verdict"] == "no two-wheel lift up to 60 mph"
+    assert "two-wheel lift at" in command("series", "nhtsa_j_turn").value["verdict"]
+
+
 def test_options_of_the_model_are_those_of_run(command):
     plain = command("series", "nhtsa_j_turn")
     simplified = command("series", "nhtsa_j_turn", "--model", "1b")

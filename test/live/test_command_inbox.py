@@ -15,6 +15,8 @@ GOOD = {
     "brake_torque_cmd": (500.0, 0.0, 300.0, 200.0),
     "normal_force_cmd": (100.0, 200.0, -300.0, -400.0),
     "wind_cmd": (3.0, -8.0),
+    "road_height_cmd": (0.1, 0.2, -0.3, 0.0),
+    "road_friction_cmd": (0.5, 0.6, 0.7, 1.2),
 }
 OTHER = {topic: tuple(value / 2 for value in values) for topic, values in GOOD.items()}
 DRIVEN = Command(
@@ -23,12 +25,16 @@ DRIVEN = Command(
     brake_torque=GOOD["brake_torque_cmd"],
     normal_force=GOOD["normal_force_cmd"],
     wind=GOOD["wind_cmd"],
+    road_height=GOOD["road_height_cmd"],
+    road_friction=GOOD["road_friction_cmd"],
 )
 STEERING = {"steering_cmd": "steering", "rear_steering_cmd": "rear_steering"}
 NOT_HELD = {
     f"{name}_cmd": name for name in ("wheel_torque", "brake_torque", "normal_force", "wind")
 }
-FIELDS = STEERING | NOT_HELD
+OF_ROAD = {"road_height_cmd": "road_height", "road_friction_cmd": "road_friction"}
+ROAD = {field: GOOD[topic] for topic, field in OF_ROAD.items()}
+FIELDS = STEERING | NOT_HELD | OF_ROAD
 NOT_FINITE = (math.nan, math.inf, -math.inf)
 LENGTHS = (0, 1, 3, 4, 5, 1_000_000)
 SECOND = 1_000_000_000
@@ -173,13 +179,13 @@ def test_of_silent_topics_forces_go_to_zero_and_steering_is_held_by_default():
     for topic, values in GOOD.items():
         inbox.receive(topic, values, 0)
     assert inbox.command(TIMEOUT) == DRIVEN
-    assert inbox.command(TIMEOUT + 1) == Command(steering=0.02, rear_steering=-0.01)
+    assert inbox.command(TIMEOUT + 1) == Command(steering=0.02, rear_steering=-0.01, **ROAD)
 
 
 def test_of_silent_topics_steering_is_centred_where_that_is_the_policy():
     inbox = filled(policy="centre")
     assert inbox.command(TIMEOUT) == DRIVEN
-    assert inbox.command(TIMEOUT + 1) == Command()
+    assert inbox.command(TIMEOUT + 1) == Command(**ROAD)
 
 
 @pytest.mark.parametrize("policy", ["hold", "centre"])

@@ -22,7 +22,7 @@ USUAL = CommandLimits()
 TOTALS = ("speed_cmd", "drive_torque_cmd", "brake_cmd")
 FIELDS = {t: c.field for t, c in channels().items() if t not in TOTALS}
 HUGE = (1e10, 1e308)
-ONE_SIDED = ("brake_torque_cmd", "brake_cmd")
+ONE_SIDED = ("brake_torque_cmd", "brake_cmd", "road_friction_cmd")
 PERIOD_NS, PERIOD = 10_000_000, 0.01
 TEN_SECONDS = 10_000_000_000
 """ns"""

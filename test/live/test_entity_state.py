@@ -85,6 +85,23 @@ def test_a_vehicle_that_was_moved_drives_the_same_path_elsewhere(model):
     assert moved.simulation.time_ns == straight.simulation.time_ns
 
 
+@pytest.mark.parametrize("model", ["1", "2"])
+def test_on_an_uneven_road_the_height_over_it_stays(model):
+    """On a wide plateau a vehicle drives as on the level below it, but for its height."""
+    plateau = {"kind": "ramp", "start": 500.0, "length": 5.0, "height": 0.4, "top": 100.0}
+    road = Road.from_values({"features": [plateau]})
+    moved, straight = session_of(model, road), session_of(model, road)
+    put(moved, (550.0, 0.0, 0.0), turned(float(straight.simulation.state["yaw"])))
+    straight.simulation.place(0.0, 0.0, float(straight.simulation.state["yaw"]))
+    for _ in range(20):
+        moved.run_period()
+        straight.run_period()
+    left, right = entity_state(moved.simulation), entity_state(straight.simulation)
+    assert np.subtract(left.position, right.position) == pytest.approx((550.0, 0.0, 0.4), abs=1e-8)
+    loads = moved.simulation.outputs["normal_force"]
+    assert loads == pytest.approx(straight.simulation.outputs["normal_force"], rel=1e-7)
+
+
 def test_outputs_are_those_of_the_new_heading():
     """On a slope, gravity acts along the vehicle as soon as it heads uphill."""
     session = session_of(road=Road(grade=0.1))

@@ -14,6 +14,7 @@ from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.live.session_snapshot import SessionSnapshot
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.snapshot import Snapshot
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
 
@@ -34,6 +35,7 @@ EQUIPPED = preset().with_values(
         "sensor_seed": 11,
     }
 )
+ROAD = Road.from_values({"features": [{"kind": "commanded"}]})
 BRANCHES, PERIODS = 1000, 6
 SPREAD = {
     "steering_cmd": 0.1,
@@ -41,6 +43,7 @@ SPREAD = {
     "wheel_torque_cmd": 500.0,
     "speed_cmd": 20.0,
     "wind_cmd": 10.0,
+    "road_height_cmd": 0.01,
 }
 """Standard deviation of random commands (SI units)."""
 
@@ -60,7 +63,7 @@ class Noise:
 
 def made(seed: int = 0) -> Session:
     inbox = CommandInbox(TIMEOUT, "centre", CommandLimits(steering_rate_limit=2.0))
-    session = Session(Simulation(EQUIPPED), inbox, PERIOD_NS, 20.0)
+    session = Session(Simulation(EQUIPPED, road=ROAD), inbox, PERIOD_NS, 20.0)
     session.parts["noise"] = Noise(seed)
     return session
 
@@ -78,6 +81,7 @@ def drive(session: Session, rng: np.random.Generator, periods: int) -> list:
             session.inbox.limits.steering_limit = float(rng.uniform(0.05, 0.2))
         noise = session.parts["noise"].generator.normal(size=4)
         session.inbox.receive("brake_torque_cmd", abs(noise).tolist(), now)
+        session.inbox.receive("road_friction_cmd", abs(1.0 + 0.1 * noise).tolist(), now)
         session.run_period()
         readings = session.simulation.sensors.devices["wheel_speed_sensor"].memory.tobytes()
         seen.append((everything(session.simulation), session.applied, readings))
@@ -136,7 +140,7 @@ def test_another_process_goes_on_from_a_file(kept, tmp_path):
 def test_the_simulation_in_a_snapshot_goes_on_alone(kept):
     session = made()
     session.restore(kept)
-    alone = Simulation.from_snapshot(kept.simulation, EQUIPPED)
+    alone = Simulation.from_snapshot(kept.simulation, EQUIPPED, road=ROAD)
     assert everything(alone) == everything(session.simulation)
 
 

@@ -337,6 +337,8 @@ def test_commands_have_the_units_and_sizes_that_their_limits_are_for():
         "drive_torque_cmd": ("N m", FLOAT),
         "brake_cmd": ("N m", FLOAT),
         "wind_cmd": ("m/s", ARRAY),
+        "road_height_cmd": ("m", ARRAY),
+        "road_friction_cmd": ("", ARRAY),
     }
 
 

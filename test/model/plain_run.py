@@ -12,6 +12,7 @@ if sys.argv[3:] == ["without-numba"]:
 
 import numpy as np
 from programmes import ramp_and_hold, record_run
+from road_kinds import FEATURES, TILT, road
 from swing_axles import on_swing_axles
 
 from vehicle_roll_sim import Options, Simulation, Vehicle, preset
@@ -65,6 +66,16 @@ SENSED = {
 }
 PERIOD_NS = 10_000_000
 SLOPE = Road(grade=0.05, bank=-0.03)
+ROUGH = road(
+    {"kind": "commanded"},
+    {**TILT, "angles": [[0, 0], [0.1, 5]]},
+    *({**feature, "start": -2.0} for feature in FEATURES.values()),
+)
+"""Every kind of feature, all of them under the wheels at once."""
+ON_ROADS = (
+    *((options, SLOPE) for options in VARIANTS),
+    *((Options(name), ROUGH) for name in ("1", "1b", "2")),
+)
 
 
 def run(steps: int, options: Options = FULL):
@@ -84,9 +95,9 @@ def run_variants(steps: int) -> dict[str, np.ndarray]:
     swerve = ramp_and_hold(0.0, 80.0, 6.0, **HELD)
     runs = [
         record_run(
-            Simulation(vehicle_for(options), options, step=STEP, road=SLOPE), swerve, steps * STEP
+            Simulation(vehicle_for(options), options, step=STEP, road=where), swerve, steps * STEP
         )
-        for options in VARIANTS
+        for options, where in ON_ROADS
     ]
     parts = {p: np.concatenate([getattr(r, p) for r in runs]) for p in ("state", "outputs")}
     return parts | {"readings": readings(steps)}

@@ -144,10 +144,11 @@ class Evaluation:
 def _evaluate(state, commands, plant, outputs, result):
     """`derivatives` with arrays of one record each, which compiled code takes sooner than records.
 
-    plant: vehicle, tires and options.
+    plant: vehicle, tires, options and the ground.
     """
-    vehicle, tires, options = plant
-    derivatives(state, commands[0], vehicle[0], tires[0], options[0], outputs[0], result)
+    vehicle, tires, options, ground = plant
+    car, out = (vehicle[0], tires[0], options[0]), outputs[0]
+    derivatives(state, commands[0], car[0], car[1], car[2], ground, 0.0, out, result)
 
 
 def _flat(state: np.ndarray) -> np.ndarray:

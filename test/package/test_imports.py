@@ -9,11 +9,12 @@ import pytest
 from patience import PATIENCE
 
 PACKAGE = "vehicle_roll_sim"
-SIMULATED = ("model", "files", "vehicle", "simulation", "runs")
+SIMULATED = ("model", "files", "vehicle", "roads", "simulation", "runs")
 """From the bottom up; each may import those before it."""
 MAY_IMPORT = {
     **{part: set(SIMULATED[:rank]) for rank, part in enumerate(SIMULATED)},
     "files": set(),
+    "roads": {"model"},
     "live": {"model", "vehicle", "simulation"},
     "manoeuvres": {*SIMULATED},
     "logs": {*SIMULATED},

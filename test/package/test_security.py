@@ -84,7 +84,10 @@ def test_no_parameter_that_names_a_file_changes_while_the_node_runs():
     from vehicle_roll_sim.ros.simulator.parameters import PARAMETERS
 
     files = {name for name in PARAMETERS if name.endswith(("file", "tire"))}
-    assert files == {"vehicle_file", "vehicle.tire", "vehicle.front_tire", "vehicle.rear_tire"}
+    assert files == {
+        *("road_file", "vehicle_file"),
+        *("vehicle.tire", "vehicle.front_tire", "vehicle.rear_tire"),
+    }
     assert not [name for name in files if PARAMETERS[name].tunable]
     of_any_text = [
         name

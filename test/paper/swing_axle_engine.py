@@ -43,6 +43,7 @@ class SwingAxleEngine:
         self.engine = mujoco.MjModel.from_xml_string(self._bodies())
         self.data = mujoco.MjData(self.engine)
         self._outputs = np.full(1, 0.0, OUTPUTS)
+        self._outputs["road_friction"] = 1.0
         self.outputs = self._outputs[0]
         self.coordinates = np.zeros(25)
         self.coordinates[[2, 3]] = vehicle.cg_height, 1.0

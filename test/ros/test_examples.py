@@ -40,6 +40,10 @@ def is_blown_to_the_right(state):
     return state[Y] < -0.05
 
 
+def drifts(state):
+    return abs(state[Y]) > 1.0
+
+
 EFFECTS = {
     "steering_cmd": turns_left,
     "rear_steering_cmd": yaws_left_from_behind,
@@ -50,8 +54,15 @@ EFFECTS = {
     "brake_cmd": loses_speed,
     "normal_force_cmd": leans_left,
     "wind_cmd": is_blown_to_the_right,
+    "road_height_cmd": leans_left,
+    "road_friction_cmd": drifts,
 }
-NEEDED = {"wind_cmd": ("--ros-args", "-p", "vehicle.side_force_area:=4.0")}
+COMMANDED_ROAD = ("--ros-args", "-p", f"road_file:={EXAMPLES / 'commanded_road.yaml'}")
+NEEDED = {
+    "wind_cmd": ("--ros-args", "-p", "vehicle.side_force_area:=4.0"),
+    "road_height_cmd": COMMANDED_ROAD,
+    "road_friction_cmd": (*COMMANDED_ROAD, "-p", "bank:=-0.1"),
+}
 """Arguments of the simulator without which a message has no effect."""
 
 

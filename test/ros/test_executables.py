@@ -104,6 +104,8 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
         "drive_torque_cmd": 0.0,
         "brake_cmd": 0.0,
         "wind_cmd": [0.0, 0.0],
+        "road_height_cmd": four,
+        "road_friction_cmd": four,
     } | {topic.name: message_class(topic.type)() for topic in WAYS_IN if is_installed(topic)}
     topics = (*COMMANDS, *WAYS_IN, *PUBLISHED, *STAMPED)
     topics = [topic for topic in topics if is_installed(topic)]

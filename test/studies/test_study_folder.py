@@ -180,6 +180,16 @@ def test_a_vehicle_file_that_was_changed_is_another_vehicle(study, tmp_path, by_
         run_study(heavier, tmp_path, "csv")
 
 
+def test_a_road_file_that_was_changed_is_another_study(study, tmp_path, by_formula, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    ramp = "features: [{{kind: ramp, start: 5, length: 4, height: {}}}]"
+    (tmp_path / "road.yaml").write_text(ramp.format(0.2))
+    run_study(study(road="road.yaml"), tmp_path / "study", "csv")
+    (tmp_path / "road.yaml").write_text(ramp.format(0.3))
+    with pytest.raises(InputError, match="a study with another value of road"):
+        run_study(study(road="road.yaml"), tmp_path / "study", "csv")
+
+
 def test_a_folder_with_other_files_is_not_taken(study, tmp_path, by_formula):
     (tmp_path / "thesis.txt").write_text("mine")
     with pytest.raises(InputError, match="a new folder, or that of the same study"):

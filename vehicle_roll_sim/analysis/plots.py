@@ -19,10 +19,12 @@ from vehicle_roll_sim.analysis.drawing import (
     save_figure,
 )
 from vehicle_roll_sim.analysis.figure_size import Size
+from vehicle_roll_sim.analysis.friction_shading import shade_friction
 from vehicle_roll_sim.analysis.panels import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.analysis.pens import Pen, pens
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.derived_values import AXLES
 
 STYLES_OF_WHEELS = ("-", "--", "-.", ":")
@@ -49,11 +51,12 @@ ARROW = {"pivot": "mid", "scale_units": "width", "scale": 24, "width": 0.006}
 
 @dataclasses.dataclass(frozen=True)
 class DrawnRun:
-    """A run to draw, with its EVENTS record and its label in the legend."""
+    """A run to draw, with its EVENTS record, its label in the legend, and its road."""
 
     history: History
     events: np.record
     label: str = ""
+    road: Road | None = None
 
     def shows(self, time: float) -> bool:
         """Whether the history covers a time (s; nan for never)."""
@@ -61,10 +64,15 @@ class DrawnRun:
 
 
 def plot_run(
-    history: History, events: np.record, path: Path, title: str, size: Size | None = None
+    history: History,
+    events: np.record,
+    path: Path,
+    title: str,
+    size: Size | None = None,
+    road: Road | None = None,
 ) -> None:
     """Write the standard figure of one run; events: its EVENTS record."""
-    save_figure(standard_figure([DrawnRun(history, events)], title, size), path)
+    save_figure(standard_figure([DrawnRun(history, events, road=road)], title, size), path)
 
 
 def standard_figure(runs: Sequence[DrawnRun], title: str, size: Size | None = None) -> DrawnFigure:
@@ -72,8 +80,9 @@ def standard_figure(runs: Sequence[DrawnRun], title: str, size: Size | None = No
 
     Also the roll centres, for models in which they move.
     At most as many runs as there are COLOURS. The steering is always shown, other commands only if
-    they are not 0 throughout. The panel of a wheel is shaded while it is off the ground. size: size
-    in print; by default the figure is made for a screen.
+    they are not 0 throughout. The panel of a wheel is shaded while it is off the ground, that of
+    the path where the road of the first run is slippery. size: size in print; by default the figure
+    is made for a screen.
     """
     shown = signals_of(run.history for run in runs)
     figure = new_figure(WIDTH, HEIGHT_OF_REST + HEIGHT_OF_SIGNAL * len(shown), size)
@@ -97,6 +106,7 @@ def _fill(figure: DrawnFigure, runs: Sequence[DrawnRun], shown: Sequence[Signal]
             _draw_signal(axis, signal, run, pen)
         _draw_loads(loads, run, pen)
         _draw_path(path, run, pen, headings)
+    shade_friction(path, runs[0].road, runs[0].history["x"], runs[0].history["y"])
     _label(signals, loads, path, runs)
     path.set_title(f"path, heading every {headings[1] - headings[0]:g} s", fontsize="medium")
     for axis in (*signals, *loads):

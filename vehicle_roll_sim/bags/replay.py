@@ -8,7 +8,7 @@ import numpy as np
 
 from vehicle_roll_sim.bags.reading import RecordedRun
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.messages.run_messages import demand_in, wind_in
+from vehicle_roll_sim.messages.run_messages import demand_in, road_in, wind_in
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.simulation.command import STILL_AIR, Command
@@ -120,7 +120,11 @@ def _command(values: np.ndarray) -> Command:
     steering, rear_steering, *rest = map(float, demand_in(values))
     torque, brake, force = (rest[k * WHEEL_COUNT : (k + 1) * WHEEL_COUNT] for k in range(3))
     wind = tuple(map(float, wind_in(values))) or STILL_AIR
-    return Command(steering, rear_steering, torque, brake, force, wind=wind)
+    road = tuple(map(float, road_in(values)))
+    of_road = {}
+    if road:
+        of_road = {"road_height": road[:WHEEL_COUNT], "road_friction": road[WHEEL_COUNT:]}
+    return Command(steering, rear_steering, torque, brake, force, wind=wind, **of_road)
 
 
 def _compared(

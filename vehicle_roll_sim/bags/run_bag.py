@@ -12,6 +12,7 @@ from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     COMMANDS,
+    COMMANDS_OF_ROAD,
     OF_SOME_SETS,
     OF_WIND,
     PUBLISHED,
@@ -54,7 +55,7 @@ class RunBag:
     """Observer of a run that writes every set to a bag, stamped and logged in simulated time.
 
     The bag has the topics of a recording, without those of total torques, since a run commands
-    wheels, and without that of a wind which the vehicle does not feel. The topics of the
+    wheels, and without those of a wind or a road which the vehicle does not feel. The topics of the
     `commanded` fields of a Command have the values applied in each period; diagnostics stay empty.
     """
 
@@ -71,6 +72,7 @@ class RunBag:
         absent = [
             *TOTAL_TORQUES,
             *(() if simulation.feels_wind else OF_WIND),
+            *(() if simulation.road.is_commanded else COMMANDS_OF_ROAD),
             *(topic for topic in OF_SOME_SETS if topic not in in_set),
         ]
         with_header = (topic for topic in in_set if topic in STAMPED)

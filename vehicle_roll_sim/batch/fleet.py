@@ -1,6 +1,7 @@
 """Simulations that are stepped together, each with its own command, on all processors."""
 
 import itertools
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -14,6 +15,7 @@ from vehicle_roll_sim.model.integration.events import EVENTS, Condition
 from vehicle_roll_sim.model.integration.integrator import STAGE_VECTORS
 from vehicle_roll_sim.model.integration.step_each import CONDITION, NOW, PROGRESS_SIZE, step_each
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
+from vehicle_roll_sim.model.road.layout import PLANE
 from vehicle_roll_sim.simulation.actuators import Actuation
 from vehicle_roll_sim.simulation.advance_address import PLANT, address_of_advance
 from vehicle_roll_sim.simulation.sensors import NEVER, Sensors
@@ -39,6 +41,7 @@ class Fleet:
         self.events = np.full(count, np.nan, EVENTS)
         self._plant = tuple(np.zeros(count, kind) for kind in PLANT)
         self._stages = np.zeros((count, STAGE_VECTORS, STATE_SIZE))
+        self._grounds = [PLANE] * count
         self._actuators = np.zeros(count, ACTUATORS)
         self._acting = np.zeros((count, 0), COMMAND)
         self._progress = np.zeros((count, PROGRESS_SIZE), np.int64)
@@ -96,6 +99,7 @@ class Fleet:
         of_fleet = (*self._plant[:-1], self.states, self.outputs, self.events, self._stages)
         for kept, given in zip(of_fleet, (*plant, *memory), strict=True):
             kept[i] = given if kept is self._stages else given[0]
+        self._grounds[i] = simulation.ground
         self._place_actuators(i, simulation.actuation)
         self.sensors[i] = simulation.sensors.copy() if simulation.has_sensors else None
         self._sensing = [k for k, each in enumerate(self.sensors) if each]
@@ -153,7 +157,7 @@ class Fleet:
         if not self._arguments:
             outputs, events = kernel_argument(self.outputs), kernel_argument(self.events)
             memory = (self.state_vectors, outputs, events, self._stages)
-            plants = tuple(map(kernel_argument, self._plant))
+            plants = (*map(kernel_argument, self._plant), *joined(self._grounds))
             numbers = self._acting.view(np.float64).reshape(*self._acting.shape, COMMAND_SIZE)
             actuation = (kernel_argument(self._actuators), self._acting, numbers)
             self._arguments = (address_of_advance(), memory, plants, actuation)
@@ -163,6 +167,17 @@ class Fleet:
         """End the threads."""
         if self._pool is not None:
             self._pool.shutdown()
+
+
+def joined(arrays: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Flat arrays as one, and where each begins and ends in it, shape (n, 2); equal ones once."""
+    places, parts, end = {}, [], 0
+    for array in arrays:
+        if (content := array.tobytes()) not in places:
+            places[content] = end, end + len(array)
+            parts.append(array)
+            end += len(array)
+    return np.concatenate(parts), np.array([places[array.tobytes()] for array in arrays])
 
 
 def _step_some(arguments: tuple, first: int, last: int) -> None:

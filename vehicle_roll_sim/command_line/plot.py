@@ -41,9 +41,10 @@ def plot_command(words: list[str], program: str) -> int:
     rollover_angle = math.radians(settings.get("stop_roll", DEFAULT_ROLLOVER_DEGREES))
     runs = []
     for file, label in zip(files, labels, strict=True):
-        history, _ = run_from(file, arguments.namespace, "FILE")
+        history, simulation = run_from(file, arguments.namespace, "FILE")
         part = part_of(history, settings, file)
-        runs.append(plots.DrawnRun(part, events_of(history, rollover_angle), label))
+        road = simulation.road if simulation else None
+        runs.append(plots.DrawnRun(part, events_of(history, rollover_angle), label, road))
     title = arguments.title
     if len(runs) == 1:  # no legend needed
         title = labels[0] if title is None else title

@@ -18,9 +18,11 @@ from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.vehicle_options import (
+    add_road_options,
     add_vehicle_options,
     as_option,
     chosen_options,
+    chosen_road,
     chosen_vehicle,
 )
 from vehicle_roll_sim.declaration import InputError, parameters_of
@@ -36,6 +38,7 @@ from vehicle_roll_sim.model.integration.events import VALUE
 from vehicle_roll_sim.offline.series import SeriesResult, drive_series
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.viewer.page import write_page
 from vehicle_roll_sim.viewer.recording import ViewedRun
@@ -72,6 +75,7 @@ def series_command(words: list[str], program: str) -> int:
         check_distinct({"--csv": path, "--view": page})
     vehicle = chosen_vehicle(arguments)
     options = chosen_options(arguments, vehicle)
+    road = chosen_road(arguments)
     with signals.exit_on_signal():
         compile_model()
     try:
@@ -79,7 +83,7 @@ def series_command(words: list[str], program: str) -> int:
             tqdm(delay=1.0, disable=None, leave=False, unit=" runs") as bar,
             kept_runs() if page else contextlib.nullcontext() as kept,
         ):
-            result = _driven(series, vehicle, options, bar.update)
+            result = _driven(series, vehicle, options, bar.update, road)
     except BaseException as end:  # a refusal, a failure or a signal, after some of the runs
         if getattr(end, "driven", ()):
             _show(end.driven, path)
@@ -129,11 +133,15 @@ def _adjusted(series: Series, arguments: argparse.Namespace) -> Series:
 
 
 def _driven(
-    series: Series, vehicle: Vehicle, options: Options, progress: Callable[[], object]
+    series: Series,
+    vehicle: Vehicle,
+    options: Options,
+    progress: Callable[[], object],
+    road: Road,
 ) -> SeriesResult:
     """Run the series; an error in the model options is reported under the option's name."""
     try:
-        return drive_series(series, vehicle, options, progress)
+        return drive_series(series, vehicle, options, progress, road)
     except InputError as error:
         if error.field not in parameters_of(Options):
             raise
@@ -158,6 +166,7 @@ def _parser(program: str, settings: Iterable[tuple[str, object]]) -> OneLinePars
     for title, declaring in settings:
         add_declared(parser, declaring, title, without=SpeedSearch.fixed)
     add_declared(parser, Options, "model")
+    add_road_options(parser)
     add_vehicle_options(parser)
     parser.add_argument("--csv", metavar="FILE", help="write the table in full precision (CSV)")
     about = "write a page (HTML) that shows up to four of the runs in a browser, as `view` does"

@@ -1,6 +1,7 @@
 """The options that define the simulation: vehicle, model, road and integration."""
 
 import argparse
+import dataclasses
 import math
 
 from vehicle_roll_sim.arguments import add_declared, declared_values, named_file, number
@@ -21,7 +22,7 @@ from vehicle_roll_sim.vehicle.vehicle_file import NO_NUMBERS, TIRES, no_paramete
 def add_simulation_options(parser: argparse.ArgumentParser) -> None:
     """Add all options that `chosen_simulation` reads."""
     add_declared(parser, Options, "model")
-    add_declared(parser, Road, "road")
+    add_road_options(parser)
     add_vehicle_options(parser)
     add_declared(parser, Integration, "integration")
 
@@ -31,7 +32,7 @@ def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
     integration = Integration(**declared_values(arguments, Integration))
     vehicle = chosen_vehicle(arguments)
     options = chosen_options(arguments, vehicle)
-    road = Road(**declared_values(arguments, Road))
+    road = chosen_road(arguments)
     with signals.exit_on_signal():
         compile_model()
     return Simulation(
@@ -41,6 +42,24 @@ def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
         rollover_angle=math.radians(integration.stop_roll),
         road=road,
     )
+
+
+def add_road_options(parser: argparse.ArgumentParser) -> None:
+    """Add all options that `chosen_road` reads."""
+    group = parser.add_argument_group("road")
+    about = "road file (YAML) with grade, bank and features; --grade and --bank override its values"
+    group.add_argument("--road", metavar="FILE", help=about)
+    add_declared(parser, Road, "road")
+
+
+def chosen_road(arguments: argparse.Namespace) -> Road:
+    """The road that the options of `add_road_options` describe; raises InputError."""
+    file = named_file(arguments.road, "--road")
+    road = Road.from_file(file) if file else Road()
+    try:
+        return dataclasses.replace(road, **declared_values(arguments, Road))
+    except InputError as error:
+        raise as_option(error) from None
 
 
 def add_vehicle_options(parser: argparse.ArgumentParser) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import yaml
 
-from vehicle_roll_sim.files.text_file import read_text
+from vehicle_roll_sim.files.text_file import LARGEST_FILE, read_text
 from vehicle_roll_sim.input_errors import LONGEST_SHOWN, InputError
 
 LONGEST_VALUE = 4096
@@ -76,13 +76,15 @@ _Loader.add_implicit_resolver(  # YAML 1.1 would read 35e3 and 3.5e4 as text
 )
 
 
-def read_mapping(path: Path, kind: str, wanted: str) -> tuple[dict, dict[Place, int]]:
+def read_mapping(
+    path: Path, kind: str, wanted: str, largest: int = LARGEST_FILE
+) -> tuple[dict, dict[Place, int]]:
     """The values of a file by name, and the line of each, also within mappings and lists.
 
-    kind: of the file, such as `vehicle file`. wanted: what is expected of it. Raises InputError
-    naming file and line.
+    kind: of the file, such as `vehicle file`. wanted: what is expected of it. largest: maximum size
+    of the file (bytes). Raises InputError naming file and line.
     """
-    text = read_text(path)
+    text = read_text(path, largest)
 
     def refused(problem: str) -> InputError:
         return InputError(f"{kind} {path}", "", wanted, problem)

@@ -6,7 +6,15 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, validated
 from vehicle_roll_sim.learning.names import mapping_of, names_of
-from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, SPEED, WIND, Channel, channels
+from vehicle_roll_sim.live.command_inbox import (
+    BRAKE,
+    DRIVE,
+    OF_ROAD,
+    SPEED,
+    WIND,
+    Channel,
+    channels,
+)
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS
@@ -17,7 +25,7 @@ ENDING = "_cmd"
 ACTIONS: dict[str, Channel] = {
     topic.removesuffix(ENDING): channel
     for topic, channel in channels().items()
-    if channel.field not in (SPEED, WIND)
+    if channel.field not in (SPEED, WIND, *OF_ROAD)
 }
 """Each action has the name of the topic on which the node takes the same command."""
 STEERING = ("steering", "rear_steering")

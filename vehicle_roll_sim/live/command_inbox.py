@@ -16,6 +16,8 @@ SPEED, DRIVE, BRAKE = TOTALS = ("speed", "drive_torque", "brake")
 which the driveline and the brake system distribute."""
 WIND = "wind"
 """The channel of the air's velocity over the ground."""
+HEIGHT, FRICTION = OF_ROAD = ("road_height", "road_friction")
+"""The channels of the road under the wheels."""
 OVERRULED_BY = {
     "speed_cmd": ("wheel_torque_cmd", "drive_torque_cmd"),
     "drive_torque_cmd": ("wheel_torque_cmd",),
@@ -86,6 +88,8 @@ def channels() -> dict[str, Channel]:
         "drive_torque_cmd": Channel(DRIVE, 1, "drive_torque_limit"),
         "brake_cmd": Channel(BRAKE, 1, "brake_limit", 0.0),
         "wind_cmd": Channel(WIND, len(STILL_AIR), "wind_limit"),
+        "road_height_cmd": Channel(HEIGHT, WHEEL_COUNT, "road_height_limit"),
+        "road_friction_cmd": Channel(FRICTION, WHEEL_COUNT, "road_friction_limit", 0.0),
     }
 
 
@@ -94,8 +98,8 @@ class CommandInbox:
 
     timeout: simulated time (s) without a message after which a topic that had received one counts
     as silent; 0: never. The torques, active forces and wind of a silent topic become 0 and its
-    speed command ends; steering follows `steering_policy`, `hold` or `centre`. limits: the limits
-    applied when commands are read; by default those of CommandLimits().
+    speed command ends; steering follows `steering_policy`, `hold` or `centre`; the road stays as it
+    is. limits: the limits applied when commands are read; by default those of CommandLimits().
     """
 
     def __init__(
@@ -166,6 +170,8 @@ class CommandInbox:
             if channel.is_steering:
                 centred = silent and self.steering_policy == CENTRE
                 values[channel.field] = 0.0 if centred else value[0]
+            elif channel.field in OF_ROAD:
+                values[channel.field] = value
             else:
                 values[channel.field] = (0.0,) * channel.size if silent else value
         if values != self._values:

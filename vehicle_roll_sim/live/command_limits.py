@@ -96,6 +96,23 @@ class CommandLimits:
         default=MAXIMUM_SPEED,
     )
 
+    road_height_limit: float = parameter(
+        "values of road_height_cmd are clamped to this height",
+        "m",
+        0.0,
+        100.0,
+        tunable=True,
+        default=1.0,
+    )
+    road_friction_limit: float = parameter(
+        "values of road_friction_cmd are clamped to this factor",
+        "",
+        0.0,
+        10.0,
+        tunable=True,
+        default=10.0,
+    )
+
     def clamped(self, name: str, values: tuple[float, ...]) -> tuple[float, ...]:
         """`values` clamped to the limit of that name, of either sign."""
         limit = getattr(self, name)
@@ -109,7 +126,7 @@ class CommandLimits:
         largest = max(values, key=abs)
         if abs(largest) <= limit:
             return ""
-        return f"{float(largest):g} is beyond {name}, {limit:g} {UNITS[name]}"
+        return f"{float(largest):g} is beyond {name}, {limit:g} {UNITS[name]}".rstrip()
 
     def steered(self, before: Command, wanted: Command, period: float) -> Command:
         """`wanted` with rate-limited steering: what is reached from `before` in `period` (s)."""

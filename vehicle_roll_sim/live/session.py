@@ -7,10 +7,12 @@ from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.live.session_snapshot import SessionSnapshot
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
-from vehicle_roll_sim.simulation.command import STILL_AIR, Command
+from vehicle_roll_sim.simulation.command import NO_FORCE, OWN_FRICTION, STILL_AIR, Command
 from vehicle_roll_sim.simulation.memory import WithMemory
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.speed_controller import SpeedController
+
+LEVEL_ROAD = NO_FORCE, OWN_FRICTION
 
 
 class Session:
@@ -106,10 +108,15 @@ class Session:
         self.simulation.step(self.applied, period)
 
     def _felt(self, command: Command) -> Command:
-        """The command, without a wind that the vehicle does not feel."""
-        if self.simulation.feels_wind or command.wind == STILL_AIR:
-            return command
-        return dataclasses.replace(command, wind=STILL_AIR)
+        """The command, without a wind that the vehicle does not feel, and without heights and
+        frictions that its road does not take."""
+        feels_wind, takes_road = self.simulation.takes
+        fields = {}
+        if not feels_wind and command.wind != STILL_AIR:
+            fields["wind"] = STILL_AIR
+        if not takes_road and (command.road_height, command.road_friction) != LEVEL_ROAD:
+            fields["road_height"], fields["road_friction"] = LEVEL_ROAD
+        return dataclasses.replace(command, **fields) if fields else command
 
     def _with_totals(self, command: Command, now_ns: int) -> Command:
         """The command with the total torques, if any, distributed to the wheels."""

@@ -3,7 +3,7 @@
 import enum
 from collections.abc import Mapping, Sequence
 
-from vehicle_roll_sim.live.command_inbox import SPEED, WIND, Channel, Traffic
+from vehicle_roll_sim.live.command_inbox import OF_ROAD, SPEED, WIND, Channel, Traffic
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
@@ -68,8 +68,10 @@ def _ignored(topic: str, channel: Channel, session: Session) -> str:
         return ""
     if winner := inbox.overruled_by(topic, now):
         return f" while {inbox.channels[winner].source} is commanded"
-    is_unfelt = channel.field == WIND and not session.simulation.feels_wind
-    return ", the vehicle has no air forces" if is_unfelt else ""
+    feels_wind, takes_road = session.simulation.takes
+    if channel.field in OF_ROAD and not takes_road:
+        return ", the road does not take it"
+    return ", the vehicle has no air forces" if channel.field == WIND and not feels_wind else ""
 
 
 def step_trouble(session: Session) -> str:
@@ -84,6 +86,8 @@ def _instead(channel: Channel, session: Session) -> str:
     """What is applied instead of the command of a silent topic."""
     if channel.is_steering:
         return f"steering follows the policy {session.inbox.steering_policy}"
+    if channel.field in OF_ROAD:
+        return "the road stays as it is"
     return "no speed is held" if channel.field == SPEED else "0 is applied"
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS
+from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, ROAD_LABELS
 from vehicle_roll_sim.messages.topics import (
     GROUND_TRUTH,
     MEASUREMENTS,
@@ -36,11 +36,12 @@ OF_TIRES = {topic.name for topic in TIRE_FORCES}
 HORIZONTAL = ("longitudinal", "lateral")
 
 COMMAND_SIZES = tuple(
-    len(COMMAND_LABELS) + wind + demand
+    len(COMMAND_LABELS) + wind + road + demand
     for wind in (0, len(WIND))
+    for road in (0, len(ROAD_LABELS))
     for demand in (0, len(DEMAND_LABELS))
 )
-"""Numbers of values of an `applied_command`, with and without wind and what was demanded."""
+"""Numbers of values of an `applied_command`, with and without wind, road and what was demanded."""
 NEEDED = {"x", "y", "yaw", "u", "v", "yaw_rate", "roll", "roll_rate"}
 """States that every model publishes."""
 
@@ -134,6 +135,18 @@ def _used(name: str, message):
 
 def wind_in(values: np.ndarray) -> np.ndarray:
     """The wind among the values of an `applied_command`, shape (2,), or none, shape (0,)."""
+    between = _between(values)
+    return between[: len(between) % len(ROAD_LABELS)]
+
+
+def road_in(values: np.ndarray) -> np.ndarray:
+    """Heights and frictions of the road among them, shape (8,), or none, shape (0,)."""
+    between = _between(values)
+    return between[len(between) % len(ROAD_LABELS) :]
+
+
+def _between(values: np.ndarray) -> np.ndarray:
+    """The values of wind and road, between what was applied and what was demanded."""
     further = values[len(COMMAND_LABELS) :]
     return further[: len(further) % len(DEMAND_LABELS)]
 
@@ -199,6 +212,6 @@ def _lateral_acceleration(road: Road, state: dict, imu) -> float:
     """Acceleration (m/s^2) along the y axis of frame 2: the specific force there plus gravity."""
     roll, pitch = state["roll"], state.get("pitch", 0.0)
     attitude = (np.sin(roll), np.cos(roll), np.sin(pitch), np.cos(pitch))
-    _, ahead, across = road.gravity(GRAVITY)
+    _, ahead, across = road.gravity(GRAVITY, state["time"])
     gravity = np.cos(state["yaw"]) * across - np.sin(state["yaw"]) * ahead
     return body_to_yawed(attitude, *imu)[1] + gravity

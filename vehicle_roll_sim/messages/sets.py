@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from vehicle_roll_sim.live.command_inbox import OF_ROAD
 from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
@@ -33,8 +34,9 @@ COMMAND_LABELS = (
     *(f"brake_torque_{wheel}" for wheel in WHEELS),
     *(f"normal_force_{wheel}" for wheel in WHEELS),
 )
-"""Those of vehicles with air forces are followed by WIND, those of vehicles with actuators by
-DEMAND_LABELS at last."""
+"""Those of vehicles with air forces are followed by WIND, those on a road that is commanded by
+ROAD_LABELS, those of vehicles with actuators by DEMAND_LABELS at last."""
+ROAD_LABELS = tuple(f"{name}_{wheel}" for name in OF_ROAD for wheel in WHEELS)
 DEMAND_LABELS = tuple(f"demanded_{name}" for name in COMMAND_LABELS[1:])
 """What was demanded of the actuators in the period that ends with the set."""
 MOTION_LABELS = (
@@ -86,6 +88,7 @@ class Messages:
         self.named: dict[str, tuple[tuple[str, ...], np.ndarray]] = {}
         further = (
             *(WIND if simulation.feels_wind else ()),
+            *(ROAD_LABELS if simulation.road.is_commanded else ()),
             *(DEMAND_LABELS if simulation.has_actuators else ()),
         )
         self._state = self._labelled("state", ("time", *simulation.state_names))
@@ -186,6 +189,7 @@ class Messages:
             self.simulation.time,
             *_numbers(self.simulation.acting(demand)),
             *(demand.wind if self.simulation.feels_wind else ()),
+            *(_of_road(demand) if self.simulation.road.is_commanded else ()),
             *(_numbers(demand) if self.simulation.has_actuators else ()),
         )
         return bytes(self._command)
@@ -263,6 +267,11 @@ class Messages:
             numbers[TRANSLATION] = state["x"], state["y"], height
             numbers[ROTATION] = turn
         return self._dated(self._transforms)
+
+
+def _of_road(command: Command) -> tuple[float, ...]:
+    """What ROAD_LABELS name."""
+    return (*command.road_height, *command.road_friction)
 
 
 def _numbers(command: Command) -> tuple[float, ...]:

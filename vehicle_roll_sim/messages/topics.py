@@ -6,7 +6,7 @@ Nodes, bags and the documentation take them from here.
 import dataclasses
 from collections.abc import Collection
 
-from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, WIND, channels
+from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, OF_ROAD, WIND, channels
 from vehicle_roll_sim.live.command_limits import UNITS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.options import Options
@@ -55,6 +55,9 @@ COMMAND_MEANINGS = {
     "`front_brake_share`; ignored while brake torques of wheels are commanded",
     "wind_cmd": "velocity of the air over the ground, along x and y of `odom`; ignored if the "
     "vehicle has no air forces",
+    "road_height_cmd": "height of the road under each wheel; ignored unless the road has the "
+    "feature commanded",
+    "road_friction_cmd": "factor of the friction of each tire, not below 0; likewise",
 }
 COMMANDS = tuple(
     Topic(
@@ -95,6 +98,8 @@ TOTAL_TORQUES = tuple(topic for topic in COMMANDS if channels()[topic.name].fiel
 """Commands that the vehicle distributes to the wheels."""
 OF_WIND = tuple(topic for topic in COMMANDS if channels()[topic.name].field == WIND)
 """Commands for vehicles with air forces."""
+COMMANDS_OF_ROAD = tuple(t for t in COMMANDS if channels()[t.name].field in OF_ROAD)
+"""Commands for roads that take them."""
 STATE_SET = (
     Topic("state", ARRAY, meaning="time since the reset, then the states of the model"),
     Topic(

@@ -23,6 +23,7 @@ WHEEL_TORQUE, BRAKE_TORQUE, NORMAL_FORCE = map(
 CHANNELS = HOLD_GAIN = _place("speed_hold_gain")
 """Number of values that have an actuator; the others follow them in a command."""
 HOLD_TARGET, WIND = _place("speed_hold_target"), _place("wind")
+ROAD_HEIGHT, ROAD_FRICTION = _place("road_height"), _place("road_friction_change")
 COMMAND_SIZE = COMMAND.itemsize // 8
 INSTANTS = 3
 """Beginning, middle and end of a step."""
@@ -62,8 +63,10 @@ def note_demand(asked, speed, actuators, row):
         row[WHEEL_TORQUE + i] = asked.wheel_torque[i]
         row[BRAKE_TORQUE + i] = asked.brake_torque[i]
         row[NORMAL_FORCE + i] = asked.normal_force[i]
+        row[ROAD_HEIGHT + i] = asked.road_height[i]
+        row[ROAD_FRICTION + i] = asked.road_friction_change[i]
     row[HOLD_GAIN], row[HOLD_TARGET] = asked.speed_hold_gain, asked.speed_hold_target
-    for i in range(COMMAND_SIZE - WIND):
+    for i in range(ROAD_HEIGHT - WIND):
         row[WIND + i] = asked.wind[i]
     if actuators.takes_speed_hold > 0.0:
         torque = asked.speed_hold_gain * (asked.speed_hold_target - speed)

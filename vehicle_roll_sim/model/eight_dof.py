@@ -15,6 +15,7 @@ from vehicle_roll_sim.model.contact import contact_forces, normal_force
 from vehicle_roll_sim.model.frames import attitude_of, heading_of, yawed_to_ground
 from vehicle_roll_sim.model.inclination import inclinations
 from vehicle_roll_sim.model.records import DU, DV, DWX, DWZ, LF, LR, WHEEL_COUNT
+from vehicle_roll_sim.model.road.contact import normal_friction
 from vehicle_roll_sim.model.road.slope import slope_gravity_on_yawed_axes
 from vehicle_roll_sim.model.roll_axis import (
     corner_damping,
@@ -41,6 +42,7 @@ def eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rate
     if vehicle.details.steering != 0.0:
         steer_each_wheel(state, vehicle, options, outputs)
     contact_velocities(state, vehicle, outputs)
+    normal_friction(outputs)
     inclinations(attitude_of(state[at.ROLL], 0.0), vehicle, tires, options, outputs)
     slope_gravity_on_yawed_axes(heading, vehicle, outputs)
     accelerate(state, command, vehicle, tires, options, outputs)

@@ -24,7 +24,17 @@ from vehicle_roll_sim.model.gyroscopic import gyroscopic_moments
 from vehicle_roll_sim.model.inclination import inclinations
 from vehicle_roll_sim.model.records import DU, DV, DW, DWX, DWY, DWZ, WHEEL_COUNT
 from vehicle_roll_sim.model.rigid_body import applied_forces, mass_matrix, solve_in_place
-from vehicle_roll_sim.model.road.slope import slope_gravity_on_body_axes
+from vehicle_roll_sim.model.road.contact import (
+    contact_moments_on_road,
+    contact_on_road,
+    inclinations_on_road,
+    normal_friction,
+    turn_forces_to_level,
+)
+from vehicle_roll_sim.model.road.slope import (
+    slope_gravity_on_body_axes,
+    tilted_gravity_on_body_axes,
+)
 from vehicle_roll_sim.model.steering import steer, steer_each_wheel
 from vehicle_roll_sim.model.suspension.links import (
     applied_link_forces,
@@ -37,8 +47,12 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 
 
 @kernel
-def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, rates):
-    """Rates of all states, and all intermediate quantities; see `derivatives`."""
+def fourteen_dof_derivatives(state, command, vehicle, tires, options, ground, time, outputs, rates):
+    """Rates of all states, and all intermediate quantities; see `derivatives`.
+
+    ground: None for a plane. Older versions of numba prune branches by arguments that are None
+    alone.
+    """
     roll, pitch = state[at.ROLL], state[at.PITCH]
     heading, exact = heading_of(state[at.YAW]), attitude_of(roll, pitch)
     attitude = (roll, 1.0, pitch, 1.0) if options.small_angles else exact
@@ -47,16 +61,26 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, outputs, r
         steer_each_wheel(state, vehicle, options, outputs)
 
     slope_gravity_on_body_axes(heading, attitude, vehicle, outputs)
+    normal_friction(outputs)
     move_through_air(state, command, heading, attitude, outputs)
     strut_kinematics(state, vehicle, options, outputs)
-    contact_kinematics(state, vehicle, options, attitude, outputs)
-    inclinations(attitude, vehicle, tires, options, outputs)
+    if ground is None:
+        contact_kinematics(state, vehicle, options, attitude, outputs)
+        inclinations(attitude, vehicle, tires, options, outputs)
+    else:
+        tilted_gravity_on_body_axes(time, ground, heading, attitude, vehicle, outputs)
+        contact_on_road(state, command, heading, vehicle, options, attitude, ground, outputs)
+        inclinations_on_road(attitude, vehicle, tires, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
-    if options.contact_moments:
+    if ground is not None:
+        contact_moments_on_road(attitude, vehicle, outputs)
+    elif options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
     wheel_rates(state, command, vehicle, options, outputs, rates)
     if options.wheel_gyroscopics:
         gyroscopic_moments(state, vehicle, outputs, rates)
+    if ground is not None:
+        turn_forces_to_level(outputs)
     contact_forces_on_body_axes(options, attitude, outputs)
     if vehicle.details.struts != 0.0:
         detailed_strut_forces(state, command, vehicle, outputs)
@@ -101,7 +125,7 @@ def body_rates(state, options, heading, attitude, outputs, rates):
 
 @kernel
 def compression_rates(state, options, attitude, outputs, rates):
-    """Rates of the suspension springs (eq. 12) and of the tires on a smooth road (eqs 14, 61)."""
+    """Rates of the suspension springs (eq. 12), and of the tires against z = 0 (eqs 14, 61)."""
     wu = state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):
         uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]

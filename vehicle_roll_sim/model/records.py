@@ -19,6 +19,7 @@ from vehicle_roll_sim.model.work_space import (
     COEFFICIENTS,
     COMPLIANCE_TERMS,
     KNOTS,
+    ROAD_TERMS,
     SUSPENSION_TERMS,
     TIRE_TERMS,
     TRAVEL_CURVE_COUNT,
@@ -97,11 +98,13 @@ COMMAND = record_dtype(
     *per_wheel("wheel_torque", "brake_torque", "normal_force"),
     *("speed_hold_gain", "speed_hold_target"),
     ("wind", 2),
+    *per_wheel("road_height", "road_friction_change"),
 )
 """The commands: road-wheel angles (rad), drive torque at each wheel (N m), brake torque capacity at
 each wheel (N m), active force at each corner (N), and a speed hold, a torque gain * (target - u)
 added at each rear wheel (N m per m/s, m/s). wind: velocity of the air along x and y of the ground
-frame (m/s)."""
+frame (m/s). road_height, road_friction_change: on a road that takes them, height of the road under
+each wheel (m), and the change of its factor of friction, added to those of its features."""
 
 STOPS = ("bump_stop", "rebound_stop")
 DETAIL_CURVES = ("spring", "damper", "toe_change", "spring_travel", "damper_travel")
@@ -218,6 +221,8 @@ OUTPUTS = record_dtype(
     ("compliance_terms", COMPLIANCE_TERMS),
     ("commanded_steering", AXLE_COUNT),
     ("air_velocity", 2),
+    *per_wheel("road_height", "road_friction"),
+    ("road_terms", ROAD_TERMS),
 )
 """Everything that is computed between a state and its derivative.
 
@@ -227,5 +232,6 @@ of frame 2 (m/s^2). specific_force: reading of an accelerometer at the c.g., in 
 commanded_steering: front and rear (rad). air_velocity: of the sprung c.g. through the air, along x
 and y of frame 1 (m/s).
 body_acceleration: derivatives of u, v, w and the body rates. The others are terms of the equations,
-described where they are computed. Outputs that a model does not have are nan.
+described where they are computed. road_height: of the road under each wheel above the plane z = 0
+(m). road_friction: factor of the friction of its tire. Outputs that a model does not have are nan.
 """

@@ -18,7 +18,10 @@ ALLOWED = (
     "a name, a Manoeuvre, a command file (.csv) or table, a Command, a function of time or "
     "a Feedback"
 )
-COMMANDED = ("steering", "rear_steering", "wheel_torque", "brake_torque", "normal_force", "wind")
+COMMANDED = (
+    *("steering", "rear_steering", "wheel_torque", "brake_torque", "normal_force", "wind"),
+    *("road_height", "road_friction"),
+)
 """The commands that a user-defined driver may issue."""
 
 

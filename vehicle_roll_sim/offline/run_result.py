@@ -15,6 +15,7 @@ from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structur
 from vehicle_roll_sim.runs.history import COLUMNS, UNITS, History
 from vehicle_roll_sim.runs.run_metrics import metrics_of
 from vehicle_roll_sim.runs.summary import line, summary_lines
+from vehicle_roll_sim.simulation.road import Road
 
 
 @dataclasses.dataclass(frozen=True)
@@ -24,8 +25,8 @@ class RunResult:
     manoeuvre: as driven, completed for the vehicle. history: all rows. events: EVENTS record with
     lift-off and rollover times (s, nan for never) and peaks. condition: RUNNING if the run was
     completed, else why it stopped. time: end of the run (s). implausible: the state that diverged,
-    or None. report: results of the manoeuvre, text by label. columns, units: names of the columns,
-    and their units by name.
+    or None. report: results of the manoeuvre, text by label. road: on which it was driven. columns,
+    units: names of the columns, and their units by name.
     """
 
     manoeuvre: Manoeuvre
@@ -35,6 +36,7 @@ class RunResult:
     time: float
     implausible: str | None
     report: dict[str, str]
+    road: Road | None = None
 
     columns = COLUMNS
     units = UNITS
@@ -91,4 +93,4 @@ class RunResult:
         check_figure_format(path, "path")
         from vehicle_roll_sim.analysis import plots  # matplotlib: half a second
 
-        plots.plot_run(self.history, self.events, path, title, size)
+        plots.plot_run(self.history, self.events, path, title, size, self.road)

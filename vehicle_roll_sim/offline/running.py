@@ -108,6 +108,7 @@ def drive(
         simulation.time,
         simulation.implausible,
         choices(simulation.vehicle, simulation.options) | manoeuvre.report(history, driver),
+        simulation.road,
     )
 
 

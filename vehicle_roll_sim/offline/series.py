@@ -10,11 +10,12 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
 from vehicle_roll_sim.files.table_file import write_rows
 from vehicle_roll_sim.input_errors import given
-from vehicle_roll_sim.manoeuvres.series.base import Series
+from vehicle_roll_sim.manoeuvres.series.base import Series, on_road
 from vehicle_roll_sim.manoeuvres.series.catalogue import series_named
 from vehicle_roll_sim.manoeuvres.series.speed_search import SpeedSearch
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
 from vehicle_roll_sim.simulation.options import Options, options_for
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
@@ -68,16 +69,17 @@ def series(
     vehicle: Vehicle | None = None,
     *,
     options: Options | None = None,
+    road: Road | None = None,
     progress: Callable[[], object] = lambda: None,
     **values: float | str,
 ) -> SeriesResult:
-    """Drive the test series of a manoeuvre on a level road, like `vehicle_roll_sim series`.
+    """Drive the test series of a manoeuvre, like `vehicle_roll_sim series`.
 
     name: name of the manoeuvre. values: parameters with the names and units of the command's
     options; any of those on the range of entry speeds selects the entry-speed search. vehicle: by
-    default the reference vehicle. progress: called after every run. Returns a SeriesResult. Raises
-    InputError. An exception in the middle of a series has an attribute `driven`, the SeriesResult
-    of the runs before it.
+    default the reference vehicle. road: by default level. progress: called after every run. Returns
+    a SeriesResult. Raises InputError. An exception in the middle of a series has an attribute
+    `driven`, the SeriesResult of the runs before it.
     """
     if not isinstance(name, str):
         raise InputError("name", name, "the name of a manoeuvre")
@@ -93,9 +95,9 @@ def series(
             raise unknown_name(each, known_values, "name")
     chosen = chosen.with_values({n: known_values[n].validate(v) for n, v in values.items()})
     vehicle = given("vehicle", preset() if vehicle is None else vehicle, Vehicle)
-    return drive_series(
-        chosen, vehicle, given("options", options or options_for(vehicle), Options), progress
-    )
+    options = given("options", options or options_for(vehicle), Options)
+    road = given("road", road or Road(), Road)
+    return drive_series(chosen, vehicle, options, progress, road)
 
 
 def drive_series(
@@ -103,13 +105,15 @@ def drive_series(
     vehicle: Vehicle,
     options: Options,
     progress: Callable[[], object] = lambda: None,
+    road: Road | None = None,
 ) -> SeriesResult:
     """Drive a series with its present values; arguments and result as for `series`."""
     rows = []
     try:
-        for row in chosen.rows(vehicle, options):
-            rows.append(row)
-            progress()
+        with on_road(road):
+            for row in chosen.rows(vehicle, options):
+                rows.append(row)
+                progress()
     except BaseException as end:  # a signal too
         end.driven = SeriesResult(chosen.columns, rows, {}, _unfinished(rows))
         raise

@@ -237,6 +237,7 @@ class Multibody(Simulation):
         ug, vg = velocities[:, 0], velocities[:, 1]
         outputs["rolling"], outputs["sliding"] = ug * c + vg * s, vg * c - ug * s
         outputs["loaded_radius"], outputs["side"] = radius, self._side
+        outputs["road_friction"] = 1.0
         outputs["inclination"] = self._inclinations(s, c)
         _roll_on_tires(spins, self._seen_tires, kernel_argument(self._outputs))
         along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]

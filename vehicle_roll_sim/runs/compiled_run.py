@@ -141,13 +141,13 @@ class _Loop:
         if not self.period:
             steps = (until - self.now) // self.simulation.step_ns
             times = self.simulation.stage_times(steps)
-            records = records_of(self.driver, lambda: times, self.simulation.feels_wind)
+            records = records_of(self.driver, lambda: times, *self.simulation.takes)
             records = records if len(records) == len(times) else np.repeat(records, len(times))
             return np.require(records, requirements=WRITABLE)
         beginnings = np.arange(self.now // self.period, -(-until // self.period)) * self.period
         beginnings[0] = self.now
-        at, feels_wind = beginnings / NANOSECONDS, self.simulation.feels_wind
-        records = records_of(self.driver.commands, lambda: at, feels_wind)
+        at = beginnings / NANOSECONDS
+        records = records_of(self.driver.commands, lambda: at, *self.simulation.takes)
         return np.require(records, requirements=WRITABLE)
 
     def _watch(self) -> np.ndarray:

@@ -10,12 +10,14 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_of
 from vehicle_roll_sim.model.records import COMMAND, LR, WHEELS
+from vehicle_roll_sim.roads.commanded import NOT_COMMANDED
 from vehicle_roll_sim.simulation.memory import Remembering
 from vehicle_roll_sim.vehicle.air_parameters import NO_WIND
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 NO_FORCE = (0.0,) * len(WHEELS)
 STILL_AIR = (0.0, 0.0)
+OWN_FRICTION = (1.0,) * len(WHEELS)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -28,7 +30,9 @@ class Command:
     active force at each suspension corner (N, positive pushes the body up). speed_hold_gain,
     speed_hold_target: additional torque at each rear wheel, gain * (target - u), in N m per m/s and
     m/s. wind: velocity of the air over the ground along x and y of the ground frame (m/s), for
-    vehicles with air forces; x is the initial heading, y points to its left.
+    vehicles with air forces; x is the initial heading, y points to its left. road_height,
+    road_friction: height of the road under each wheel (m), and factor of the friction of its tire
+    (>= 0), for roads with the feature `commanded`.
 
     Values per wheel may be any sequence of four numbers, the wind one of two; all values are stored
     as floats. Raises InputError for non-finite values and for sequences of another length. Issues a
@@ -43,6 +47,8 @@ class Command:
     speed_hold_gain: float = 0.0
     speed_hold_target: float = 0.0
     wind: tuple[float, float] = STILL_AIR
+    road_height: tuple[float, float, float, float] = NO_FORCE
+    road_friction: tuple[float, float, float, float] = OWN_FRICTION
 
     def __post_init__(self):
         for name, checked in KEPT.items():
@@ -51,10 +57,17 @@ class Command:
                 object.__setattr__(self, name, kept)
         if min(self.brake_torque) < 0.0:
             raise InputError("brake_torque", self.brake_torque, "numbers of at least 0")
+        if min(self.road_friction) < 0.0:
+            raise InputError("road_friction", self.road_friction, "numbers of at least 0")
         for name in ("steering", "rear_steering"):
             if abs(angle := getattr(self, name)) > LARGEST_STEERING:
                 rounded = float(f"{angle:.2g}")  # so that many commands give few distinct warnings
                 warn([doubtful_steering(f"{name} of a command", rounded)])
+
+    @property
+    def road_friction_change(self) -> tuple[float, ...]:
+        """The factors of friction less 1, as a COMMAND record has them."""
+        return tuple(factor - 1.0 for factor in self.road_friction)
 
     def records(self) -> np.ndarray:
         """The command as input to the equations: an array of one COMMAND record; do not modify."""
@@ -76,7 +89,7 @@ def _number(field: str, value) -> float:
 
 
 def _of_wheels(field: str, value) -> tuple[float, ...]:
-    if value is NO_FORCE:
+    if value is NO_FORCE or value is OWN_FRICTION:
         return value
     return _numbers(field, value, len(WHEELS), "four numbers, for lf, rf, lr and rr")
 
@@ -106,7 +119,9 @@ def _are_floats(value, count: int) -> bool:
     return is_tuple and {*map(type, value)} == {float} and math.isfinite(sum(value))
 
 
-_CHECKS = {NO_FORCE: _of_wheels, STILL_AIR: _horizontal}
+_CHECKS = {NO_FORCE: _of_wheels, OWN_FRICTION: _of_wheels, STILL_AIR: _horizontal}
+OF_ROAD = {"road_height": 0.0, "road_friction_change": 1.0}
+"""Fields of COMMAND for roads that take them, and what is added to show them."""
 KEPT = {field.name: _CHECKS.get(field.default, _number) for field in dataclasses.fields(Command)}
 """The function that checks each value of a command and converts it."""
 
@@ -124,13 +139,17 @@ from the step on.
 
 
 def records_of(
-    command: "Command | Programme", times: Callable[[], np.ndarray], feels_wind: bool = True
+    command: "Command | Programme",
+    times: Callable[[], np.ndarray],
+    feels_wind: bool = True,
+    takes_road: bool = True,
 ) -> np.ndarray:
     """The COMMAND records at some times (s): one that is held, or one for each time.
 
-    Raises InputError for anything that is not a command, and for a wind unless the vehicle
-    `feels_wind`. Non-finite values are accepted, and the run then ends as diverged, except for
-    brake torques, which would otherwise be ignored silently.
+    Raises InputError for anything that is not a command, for a wind unless the vehicle
+    `feels_wind`, and for heights and frictions unless its road `takes_road`. Non-finite values are
+    accepted, and the run then ends as diverged, except for brake torques, which would otherwise be
+    ignored silently.
     """
     if isinstance(command, Command):
         records = command.records()
@@ -141,6 +160,11 @@ def records_of(
         raise InputError("command", command, "a Command, or a function of an array of times")
     if not feels_wind and records["wind"].any():
         raise InputError("wind", float(max(records["wind"].flat, key=abs)), NO_WIND)
+    if not takes_road:
+        for name, neutral in OF_ROAD.items():
+            if (values := records[name]).any():
+                value = round(neutral + float(max(values.flat, key=abs)), 12)
+                raise InputError(name.removesuffix("_change"), value, NOT_COMMANDED)
     return records
 
 
@@ -189,8 +213,16 @@ def command_at(driver: Programme | Feedback, time: float, state) -> Command:
 
 def held_command(record: np.record, speed: float) -> Command:
     """The command in a COMMAND record, its speed hold replaced by the torque at a speed (m/s)."""
-    steering, rear_steering, torque, brakes, forces, gain, target, wind = record.tolist()
+    steering, rear_steering, torque, brakes, forces, gain, target, wind, *road = record.tolist()
+    heights, changes = road
     torque = torque.copy()
     torque[LR:] += gain * (target - float(speed))
     wheels = (tuple(each.tolist()) for each in (torque, brakes, forces))
-    return Command(steering, rear_steering, *wheels, wind=tuple(wind.tolist()))
+    return Command(
+        steering,
+        rear_steering,
+        *wheels,
+        wind=tuple(wind.tolist()),
+        road_height=tuple(heights.tolist()),
+        road_friction=tuple((1.0 + changes).tolist()),
+    )

@@ -79,7 +79,7 @@ def _parts(simulation: Simulation) -> dict:
         "step": simulation.step_ns / NANOSECONDS,
         "rollover_angle": simulation.rollover_angle,
         "model": _without_neutral(options, OFF_UNLESS_DESCRIBED),
-        "road": dataclasses.asdict(simulation.road),
+        "road": simulation.road.values(),
         "vehicle": _without_neutral(numbers, UPRIGHT),
     }
     records = vehicle.tires(simulation.options.tire_moments == ON)
@@ -129,7 +129,7 @@ def described(text: str) -> Described:
             Options(**OFF_UNLESS_DESCRIBED | told["model"]),
             step=told["step"],
             rollover_angle=told["rollover_angle"],
-            road=Road(**told["road"]),
+            road=Road.from_values(told["road"]),
             check_step=False,  # it was run with this step
         )
         period = float(told["publish_period"])

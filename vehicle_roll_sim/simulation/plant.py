@@ -6,6 +6,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import ON
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.road.layout import PLANE, USED
 from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
@@ -20,12 +21,13 @@ class Plant(NamedTuple):
     """The records of one simulated vehicle, in arrays of shape (1,), for tires (2,).
 
     vehicle: VEHICLE, with the gravity of its road. tires: TIRE, of front and rear axle. options:
-    OPTIONS.
+    OPTIONS. ground: the features of the road (see `model.road.layout`), an array of numbers.
     """
 
     vehicle: np.ndarray
     tires: np.ndarray
     options: np.ndarray
+    ground: np.ndarray
 
     @classmethod
     def of(cls, vehicle: Vehicle, options: Options, road: Road | None = None) -> "Plant":
@@ -45,14 +47,17 @@ class Plant(NamedTuple):
         use_details(record, tires, vehicle, options)
         if options.contact_patch_shift == ON:
             record["tire_lateral_compliance"] = vehicle.contact_patch_compliance(has_moments)
+        flags, ground = options.record(), PLANE
         if road:
-            gravity = road.gravity(GRAVITY)
+            gravity = road.resting_gravity(GRAVITY)
             record["gravity"], record["gravity_along"], record["gravity_across"] = gravity
-        return cls(record, tires, options.record())
+            ground = road.ground()
+            road.check_model(options)
+        if ground[USED]:
+            flags["contact_moments"] = True
+        return cls(record, tires, flags, ground)
 
     def arguments(self, *others: np.ndarray) -> tuple:
-        """The records, and `others` after them, in the form in which kernels take them."""
-        return tuple(
-            kernel_argument(record)
-            for record in (self.vehicle, as_one(self.tires), self.options, *others)
-        )
+        """The records, with `others` and the ground after them, as kernels take them."""
+        records = (self.vehicle, as_one(self.tires), self.options, *others)
+        return (*(kernel_argument(record) for record in records), self.ground)

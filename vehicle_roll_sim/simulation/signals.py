@@ -117,6 +117,9 @@ OUTPUT_SIGNALS = {
     "air_velocity": Signal(
         "m/s", BODY, "velocity of the sprung c.g. through the air, forward and to the left"
     ),
+    "road_height": Signal("m", GROUND, "height of the road under the wheel; nan on a plane"),
+    "road_friction": Signal("", WHEEL, "factor of the road on the friction of the tire"),
+    "road_terms": Signal("", ROAD, "the road under the wheels (work space)"),
 }
 """Every field of an OUTPUTS record, in its order; fields of four values are lf, rf, lr, rr."""
 

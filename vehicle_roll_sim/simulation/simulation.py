@@ -32,27 +32,20 @@ from vehicle_roll_sim.model.records import (
     element_names,
 )
 from vehicle_roll_sim.model.roll_axis import roll_axis_depth
-from vehicle_roll_sim.model.tire.coefficients import as_one
 from vehicle_roll_sim.simulation.actuators import Actuation
 from vehicle_roll_sim.simulation.advance_address import address_of_advance
-from vehicle_roll_sim.simulation.command import (
-    IDLE,
-    Command,
-    Programme,
-    held_command,
-    records_of,
-)
+from vehicle_roll_sim.simulation.command import IDLE, Command, Programme, records_of
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
+from vehicle_roll_sim.simulation.readable import LONGEST_STEP, Readable
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.sensing import cg_motion
 from vehicle_roll_sim.simulation.sensors import Sensors
-from vehicle_roll_sim.simulation.snapshot import Restorable, identity
+from vehicle_roll_sim.simulation.snapshot import identity
 from vehicle_roll_sim.simulation.stability import Modes
 from vehicle_roll_sim.vehicle.air_parameters import has_air_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
-DEFAULT_STEP, SHORTEST_STEP, LONGEST_STEP = 0.001, 1e-6, 0.1
+DEFAULT_STEP, SHORTEST_STEP = 0.001, 1e-6
 """s"""
 DEFAULT_SPEED = 50 / 3.6
 """m/s: 50 km/h, as in the manoeuvres of the paper."""
@@ -83,7 +76,7 @@ def _within(field: str, value, least: float, most: float, unit: str) -> float:
     return number
 
 
-class Simulation(Restorable):
+class Simulation(Readable):
     """A simulation of one vehicle, by default with the 14-degree-of-freedom model.
 
     vehicle: the vehicle to simulate. options: model and variants of the equations. step:
@@ -99,8 +92,10 @@ class Simulation(Restorable):
     - `model_state`, `state_names`: the states of the chosen model and their names
     - `events`: an EVENTS record: lift-off and rollover times, peaks (model.integration.events)
     - `feels_wind`: whether the vehicle has air forces; commands of a wind are refused otherwise
+    - `takes`: the same, and whether the road takes heights and frictions as commands
     - `has_actuators`, `actuation`: whether commands pass through actuators, and their state
     - `has_sensors`, `sensors`: whether quantities are measured, and `sensors["gyro"]` ...
+    - `ground`: the features of the road, an array of numbers (model.road.layout)
     - `condition`: RUNNING, or why the run has stopped; `implausible`: the state that diverged
 
     Units are SI and radians. The records are views of memory that the next step overwrites: copy
@@ -127,6 +122,7 @@ class Simulation(Restorable):
         )
         self.road = given("road", road or Road(), Road)
         self.feels_wind = has_air_forces(vehicle)
+        self.takes = (self.feels_wind, self.road.is_commanded)
         step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
         self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
@@ -144,7 +140,8 @@ class Simulation(Restorable):
             name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
         ]
         self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
-        self._records = (*plant, self._limits)
+        self._records = (*plant[:-1], self._limits)
+        self.ground = plant.ground
         self._plant = plant.arguments(self._limits, IDLE.records())
         self.actuation = Actuation(vehicle, self.step_ns)
         self.has_actuators = self.actuation.is_present
@@ -166,51 +163,15 @@ class Simulation(Restorable):
 
     @functools.cached_property
     def _identity(self) -> str:
-        described = (*self._records, self.actuation.actuators, *self.sensors.described)
+        described = (*self._records, self.ground, self.actuation.actuators)
+        described = (*described, *self.sensors.described)
         return identity(type(self).__name__, described, self.step_ns)
-
-    @property
-    def time(self) -> float:
-        """Simulated time since the last reset (s)."""
-        return self.time_ns / NANOSECONDS
-
-    @property
-    def state_vector(self) -> np.ndarray:
-        """The state as a flat vector (a view), shape (STATE_SIZE,), named by STATE_NAMES."""
-        return self._vector
-
-    @property
-    def output_vector(self) -> np.ndarray:
-        """The outputs as a flat vector (a view), in the order of OUTPUTS."""
-        return self._output_vector
-
-    @property
-    def model_state(self) -> np.ndarray:
-        """The states of the model in the order of its equations, shape (n,), see `state_names`."""
-        return self.state_vector[self._places]
-
-    @property
-    def cg_motion(self) -> tuple[float, ...]:
-        """x, y, z of the sprung c.g. in the ground frame (m), and u, v, w in the body frame (m/s).
-
-        nan for components that the model does not have: z and w in the 8 DOF model.
-        """
-        return self.cg_motion_at(self.state)
-
-    def cg_motion_at(self, state) -> tuple[float, ...]:
-        """`cg_motion` at another STATE record of the same vehicle and model."""
-        return cg_motion(state, self._axis_depth)
 
     def _without_absent(self, states: np.ndarray) -> np.ndarray:
         """Set the states that the model does not have to nan in STATE records; returns them."""
         for name in self._absent:
             states[name] = np.nan
         return states
-
-    @property
-    def static_suspension_compression(self) -> np.ndarray:
-        """Static compression of the suspension springs, shape (4,) (m; eq. 19)."""
-        return self._vehicle[0]["static_suspension_compression"]
 
     def reset(self, speed: float = DEFAULT_SPEED) -> None:
         """Reset to time 0 and static equilibrium, rolling freely straight ahead at `speed` (m/s).
@@ -240,13 +201,18 @@ class Simulation(Restorable):
     def place(self, x: float, y: float, yaw: float, command: Command | None = None) -> None:
         """Move the c.g. to x, y (m) and turn the heading to `yaw` (rad); all else stays as it is.
 
-        Velocities turn with the vehicle. command: the one applied last, for the outputs. Raises
-        InputError for a number that is not finite, or one that no vehicle reaches.
+        Velocities turn with the vehicle. The height is kept over the road, that below the c.g.
+        command: the one applied last, for the outputs. Raises InputError for a number that is not
+        finite, or one that no vehicle reaches.
         """
         for name, value in {"x": x, "y": y, "yaw": yaw}.items():
             most = float(plausible_magnitudes()[0][name])
             _within(name, value, -most, most, "m" if name != "yaw" else "rad")
         state = self.state
+        if self.road.features:
+            rise = self.road.surface(x, y)[0] - self.road.surface(*self.cg_motion[:2])[0]
+            state["z"] += rise
+            state["tire_compression"] -= rise
         state["x"], state["y"], state["yaw"] = 0.0, 0.0, yaw
         ahead, left, *_ = self.cg_motion  # of the c.g. from the point that the states describe
         state["x"], state["y"] = x - ahead, y - left
@@ -292,22 +258,11 @@ class Simulation(Restorable):
             if self.has_sensors:
                 until = min(end, self.sensors.until(self.time_ns))
                 steps = (until - self.time_ns) // self.step_ns
-            records = records_of(
-                command, functools.partial(self.stage_times, steps), self.feels_wind
-            )
+            records = records_of(command, functools.partial(self.stage_times, steps), *self.takes)
             self._advance(records, steps)
             if self.has_sensors:
                 self.sense()
         return self.condition
-
-    def sense(self) -> None:
-        """Let the sensors that are due take a sample; whoever moves the parts calls this."""
-        self.sensors.sample(self.time_ns, self.state, self.outputs)
-
-    def stage_times(self, steps: int) -> np.ndarray:
-        """Times of the ends and midpoints of the next steps (s), shape (2 * steps + 1,)."""
-        halves = np.arange(2 * steps + 1)
-        return (self.time_ns + halves * (self.step_ns / 2)) / NANOSECONDS
 
     def _build(self, arguments: dict) -> None:
         Simulation.__init__(self, **arguments)
@@ -322,41 +277,6 @@ class Simulation(Restorable):
             "road": self.road,
             "check_step": self._checks_step,
         }
-
-    def largest_stable_step(self, command: Command | None = None) -> float:
-        """Largest step (s), up to 0.1, at which the fastest mode about the present state is stable.
-
-        command: the command held; by default none. nan if the linearization is not finite.
-        """
-        return self._modes.largest_step(self.state_vector, command or IDLE, LONGEST_STEP)
-
-    def acting(self, command: Command) -> Command:
-        """What acts at the present time, `command` being the last one that was given.
-
-        That is the command itself, but where the vehicle has actuators.
-        """
-        if not self.has_actuators:
-            return command
-        return held_command(self.actuation.records()[0], float(self.state["u"]))
-
-    def parts(self) -> tuple:
-        """State, plant, outputs, events and work space, in the form in which kernels take them."""
-        outputs, events = kernel_argument(self._outputs), kernel_argument(self._events)
-        return self.state_vector, self._plant, outputs, events, self._stages
-
-    def arrays(self) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
-        """Vehicle, tires, options and limits; and state, outputs, events and work space.
-
-        All but the work space are arrays of one record. The next step overwrites the second group.
-        """
-        vehicle, tires, *others = self._records
-        return (vehicle, as_one(tires), *others), self._own
-
-    def note_moved(self, until_ns: int, condition: int, culprit: int) -> None:
-        """Note the time (ns), the condition and the culprit with which a kernel left the parts."""
-        self.time_ns, self.condition = until_ns, Condition(condition)
-        if self.condition is Condition.DIVERGED:
-            self.implausible = STATE_NAMES[culprit]
 
     def _advance(self, commands: np.ndarray, steps: int) -> None:
         state, *others = self.parts()

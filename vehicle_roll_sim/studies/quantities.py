@@ -71,6 +71,9 @@ def case_of(study: Study, values: Mapping[str, float | str]) -> Case:
     for name, value in {**study.fixed, **values}.items():
         section, _, key = name.partition(".")
         parts[section][key] = value
+    road = study.road
+    if parts["road"]:
+        road = dataclasses.replace(road or Road(), **parts["road"])
     vehicle = _with_tires(_with_payload(study.vehicle, parts[PAYLOAD]), parts)
     if parts["vehicle"]:
         vehicle = vehicle.with_values(parts["vehicle"])
@@ -80,7 +83,7 @@ def case_of(study: Study, values: Mapping[str, float | str]) -> Case:
         controller=study.controller
         and dataclasses.replace(study.controller, **parts["controller"]),
         options=options_for(vehicle, **parts["options"]),
-        road=Road(**parts["road"]) if parts["road"] else None,
+        road=road,
         step=study.settings.step,
         rollover_angle=math.radians(study.settings.stop_roll),
     )

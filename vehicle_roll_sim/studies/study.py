@@ -13,6 +13,7 @@ from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.runs.control_law import ControlLaw
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.simulation.integration import Integration
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.studies.factors import Distribution, Factor, Levels
 from vehicle_roll_sim.studies.source import whole
 from vehicle_roll_sim.vehicle.parameters import Vehicle
@@ -152,7 +153,8 @@ class Study:
     controller is None. code: what Python code of the user's own the manoeuvre and the controller
     have, by section, see `own_code`. correlation:
     of the normal scores of the drawn factors, shape (drawn, drawn). outputs: metrics that are
-    drawn and summarized. said: the values as they were given, for comparison.
+    drawn and summarized. said: the values as they were given, for comparison, with
+    those of the road in place of its file.
     """
 
     said: dict
@@ -167,6 +169,7 @@ class Study:
     events: dict[str, Event]
     search: Search | None = None
     rare: Rare | None = None
+    road: Road | None = None
     controller: ControlLaw | None = None
     code: dict[str, dict] = dataclasses.field(default_factory=dict)
 

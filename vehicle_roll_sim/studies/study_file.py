@@ -12,6 +12,7 @@ from vehicle_roll_sim.files.yaml_file import Place
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.runs.control_law import ControlLaw
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+from vehicle_roll_sim.simulation.road import ROAD_KEYS, Road
 from vehicle_roll_sim.studies import design_checks
 from vehicle_roll_sim.studies.driving import driving_of
 from vehicle_roll_sim.studies.factors import DISTRIBUTIONS, MOST_VALUES, Factor, Grid, Levels
@@ -23,7 +24,8 @@ from vehicle_roll_sim.vehicle.shipped import SHIPPED, vehicle_named
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 KEYS = (
-    *("manoeuvre", "controller", "vehicle", "model", "fixed", "factors", "correlations", "design"),
+    *("manoeuvre", "controller", "vehicle", "model", "road", "fixed", "factors", "correlations"),
+    "design",
     *parameters_of(Settings),
     *("outputs", "events", "search", "rare"),
 )
@@ -57,14 +59,18 @@ def study_of(source: Source, is_to_run: bool = True, code: Mapping | None = None
         events=_events(source),
         search=_declared(source, "search", Search),
         rare=_declared(source, "rare", Rare),
+        road=_road(source),
     )
     checked = design_checks.checked(source, study, reader.quantity)
-    return dataclasses.replace(checked, said=_said(values))
+    return dataclasses.replace(checked, said=_said(values, checked.road))
 
 
-def _said(values: Mapping) -> dict:
-    """The values, which have been checked, as JSON has them."""
-    return json.loads(json.dumps(dict(values), default=_in_json))
+def _said(values: Mapping, road: Road | None) -> dict:
+    """The values, which have been checked, as JSON has them; those of a road for its file."""
+    said = dict(values)
+    if road:
+        said["road"] = road.values()
+    return json.loads(json.dumps(said, default=_in_json))
 
 
 def _in_json(value) -> float | bool | int | str:
@@ -92,6 +98,22 @@ def _vehicle(source: Source) -> Vehicle:
         if error.field != "vehicle":
             raise
         raise source.refused(("vehicle",), name, error.allowed, error.problem) from None
+
+
+def _road(source: Source) -> Road | None:
+    """The road that is given: a file beside the study file, or its values."""
+    given = source.values.get("road")
+    if given is None or isinstance(given, Road):
+        return given
+    try:
+        if isinstance(given, str) and given:
+            return Road.from_file((source.path.parent if source.path else Path()) / given)
+        return Road.from_values(source.mapping(("road",), given, ROAD_KEYS))
+    except InputError as error:
+        if isinstance(given, str) or error.field.startswith(source.where("road")):
+            raise
+        where = f"{source.where('road')}: {error.field}"
+        raise InputError(where, error.value, error.allowed, error.problem) from None
 
 
 @dataclasses.dataclass(frozen=True)

@@ -83,7 +83,7 @@ def _forces(record: np.ndarray, points: np.ndarray, wheel: int) -> np.ndarray:
         outputs["normal_force"], outputs["slip_ratio"] = load, ratio
         outputs["slip_tangent"], outputs["inclination"] = np.tan(angle), inclination
         outputs["rolling"], outputs["tread"] = speed, speed + ratio * np.abs(speed)
-        outputs["side"] = record["side"][0, wheel]
+        outputs["side"], outputs["road_friction"] = record["side"][0, wheel], 1.0
         tire_forces(tires, kernel_argument(outputs)[0])
         rows = (
             *(seen.tire_longitudinal, seen.tire_lateral, seen.overturning_moment),

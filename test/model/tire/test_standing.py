@@ -45,14 +45,14 @@ def test_what_a_tire_holds_gives_its_friction(reference):
     tire, load = reference.tire, 4000.0
     (record,) = kernel_argument(tire.record())
     held_slips = entry(standing.held_slips)
-    kappa, tangent = held_slips(0.5, -0.5, 0.0, 1.0, load, record)
+    kappa, tangent = held_slips(0.5, -0.5, 0.0, 1.0, load, 1.0, record)
     p = tire.coefficients
     assert magic_formula.pure_longitudinal(p, kappa, load) == pytest.approx(
         magic_formula.longitudinal_peak(p, load), rel=1e-9
     )
     force = magic_formula.pure_lateral(p, np.arctan(tangent), load)
     assert abs(force) == pytest.approx(abs(magic_formula.lateral_peak(p, load)), rel=1e-9)
-    assert held_slips(0.01, -0.01, 0.0, 1.0, load, record) == pytest.approx((0.01, -0.01))
+    assert held_slips(0.01, -0.01, 0.0, 1.0, load, 1.0, record) == pytest.approx((0.01, -0.01))
 
 
 def moved(vehicle, road) -> float:

@@ -26,7 +26,7 @@ def forces_of(tire, kappa: float, alpha: float, load: float, side: float = LEFT)
     """Longitudinal and lateral force (N) of a wheel with that slip, slip angle (rad) and load."""
     outputs = np.zeros(1, OUTPUTS)
     outputs["slip_ratio"], outputs["slip_tangent"] = kappa, math.tan(alpha)
-    outputs["normal_force"], outputs["side"] = load, side
+    outputs["normal_force"], outputs["side"], outputs["road_friction"] = load, side, 1.0
     tires = on_axles(tire.record(), tire.record())
     tire_forces(kernel_argument(as_one(tires))[0], kernel_argument(outputs)[0])
     return outputs[0]["tire_longitudinal"][LF], outputs[0]["tire_lateral"][LF]

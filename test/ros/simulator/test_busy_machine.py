@@ -24,6 +24,7 @@ NOT_OF_WHEELS = {
     **dict.fromkeys(("steering_cmd", "rear_steering_cmd", "drive_torque_cmd", "brake_cmd"), 0.0),
     "speed_cmd": 13.0,
     "wind_cmd": [0.0, 0.0],
+    **dict.fromkeys(("road_height_cmd", "road_friction_cmd"), [1.0] * 4),
 }
 FLOOD = 4.0
 """s"""

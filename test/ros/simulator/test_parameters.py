@@ -25,6 +25,7 @@ WRONG = {
     "vehicle.roll_inertia:=5000": ("vehicle.roll_inertia", "4000"),
     "vehicle.tire:=none.tir": ("none.tir", "No such file"),
     "vehicle_file:=none.yaml": ("none.yaml", "No such file"),
+    "road_file:=none.yaml": ("none.yaml", "No such file"),
     "steering_limt:=1.0": ("steering_limt", "did you mean steering_limit?"),
     "normal_force_limit:=-1.0": ("normal_force_limit", "from 0 to 1e+06 N"),
     "steering_rate_limit:=.inf": ("steering_rate_limit", "from 0 to 1000 rad/s"),

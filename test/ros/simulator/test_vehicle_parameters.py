@@ -1,4 +1,4 @@
-"""A simulator's vehicle from its parameters: roll centres and implausible values."""
+"""A simulator's vehicle and road from its parameters: roll centres and implausible values."""
 
 import pytest
 import rclpy
@@ -7,6 +7,7 @@ from rclpy.context import Context
 from vehicle_roll_sim import InputError
 from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.simulator.node import Simulator
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.vehicle_file import PRESETS
 
 HEIGHT, DEPTH = "vehicle.front_roll_centre_height", "vehicle.front_roll_centre_depth"
@@ -162,3 +163,15 @@ def test_else_the_log_has_it_once_and_stderr_nothing_more(start, peer):
     told = "vehicle.front_roll_centre_depth: 0.65 m below a c.g. at 0.6 m puts the roll centre"
     assert err.count(told) == err.count("0.05 m below the road") == 1
     assert "[WARN]" in next(line for line in err.splitlines() if told in line)
+
+
+def test_the_road_is_that_of_its_file_with_the_slopes_given_as_parameters(simulator, tmp_path):
+    file = tmp_path / "road.yaml"
+    file.write_text("grade: 0.05\nbank: 0.02\nfeatures: [{kind: curb, start: 20, offset: 2}]\n")
+    node = simulator(f"road_file:={file}", "bank:=-0.03")
+    road = node.session.simulation.road
+    assert (road.grade, road.bank) == (0.05, -0.03)
+    assert road.features == Road.from_file(file).features
+    assert node.get_parameter("grade").value == 0.05
+    with pytest.raises(InputError, match=r"^road: features on the road of model 8dof"):
+        simulator(f"road_file:={file}", "model:=8dof")

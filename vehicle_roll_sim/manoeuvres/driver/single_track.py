@@ -66,7 +66,7 @@ def cornering_stiffnesses(vehicle: Vehicle) -> np.ndarray:
     for slip in (-SMALL_SLIP, SMALL_SLIP):
         outputs = np.zeros(1, OUTPUTS)
         outputs["side"], outputs["normal_force"] = side, loads
-        outputs["slip_tangent"] = slip
+        outputs["slip_tangent"], outputs["road_friction"] = slip, 1.0
         tire_forces(kernel_argument(as_one(tires))[0], kernel_argument(outputs)[0])
         forces.append(outputs["tire_lateral"][0])
     slopes = (forces[0] - forces[1]) / (2 * SMALL_SLIP)

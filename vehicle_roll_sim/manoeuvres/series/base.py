@@ -13,11 +13,13 @@ from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 COMPLETE = "complete"
 _KEPT: ContextVar[list["DrivenRun"] | None] = ContextVar("kept runs", default=None)
+_ROAD: ContextVar[Road | None] = ContextVar("road", default=None)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -36,7 +38,7 @@ class Series(abc.ABC):
         return dataclasses.replace(self, manoeuvre=dataclasses.replace(self.manoeuvre, **values))
 
     def rows(self, vehicle: Vehicle, options: Options) -> Iterator[tuple]:
-        """Drive the runs one by one on a level road; yields a row per run, direction first."""
+        """Drive the runs one by one; yields a row per run, direction first."""
         ready = self.manoeuvre.for_vehicle(vehicle, options)
         for direction in SIDES:
             for row in self.rows_to_a_side(ready, direction, vehicle, options):
@@ -80,9 +82,19 @@ def kept_runs() -> Iterator[list[DrivenRun]]:
         _KEPT.reset(before)
 
 
+@contextlib.contextmanager
+def on_road(road: Road | None) -> Iterator[None]:
+    """Within the context, every series is driven on this road; None is the level plane."""
+    before = _ROAD.set(road)
+    try:
+        yield
+    finally:
+        _ROAD.reset(before)
+
+
 def driven(manoeuvre: Manoeuvre, vehicle: Vehicle, options: Options) -> tuple[Simulation, History]:
     """Drive a manoeuvre, completed by `for_vehicle`, in a new simulation."""
-    simulation = Simulation(vehicle, options)
+    simulation = Simulation(vehicle, options, road=_ROAD.get())
     simulation.reset(manoeuvre.speed)
     history = history_of(simulation, manoeuvre.driver(), manoeuvre.duration)
     if (kept := _KEPT.get()) is not None:

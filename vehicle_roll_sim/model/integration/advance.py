@@ -35,7 +35,8 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     state: flat vector laid out as STATE, changed in place. commands: 2 * steps + 1 records, for the
     beginning, the middle and the end of each step, or a single one that is held. start_ns, step_ns:
     simulated time and step (ns). plant: vehicle, tires, options, limits and a
-    zero command, in arrays of records, as are outputs and events. stages: work space.
+    zero command, in arrays of records, as are outputs and events, and the ground, an array of
+    numbers (see `road.layout`). stages: work space.
 
     If the initial state is implausible or has a non-finite rate, no step is taken; a step that
     leads to such a state is undone. The culprit is the index of the state concerned, else -1. An
@@ -44,7 +45,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     divergence, which the command may have caused, to the zero command.
     """
     vehicle, tires, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
-    idle = plant[4][0]
+    idle, ground = plant[4][0], plant[5]
     out, seen = outputs[0], events[0]
     car = (vehicle, tires, options, out)
     stride = 0 if len(commands) == 1 else 1
@@ -55,7 +56,8 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         copy(stages[KEPT], state)
         return taken, Condition.DIVERGED, culprit
     note_turning(state, out)
-    derivatives(state, commands[0], vehicle, tires, options, out, stages[K1])
+    now = start_ns / NANOSECONDS
+    derivatives(state, commands[0], vehicle, tires, options, ground, now, out, stages[K1])
     note_tire_compression(state, options, out)
     culprit = without_rate(stages[K1], limits.largest)
     if culprit < 0:
@@ -66,12 +68,13 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         copy(state, stages[BEFORE])
         row = 2 * taken * stride
         after = commands[row + 2 * stride]
-        rk4_step(state, commands[row + stride], after, step, car, stages)
+        rk4_step(state, commands[row + stride], after, time, step, car, ground, stages)
         stop_reversed(state, after, vehicle, out)
         culprit = diverged(state, step, stages, limits)
         if culprit < 0:
             note_turning(state, out)
-            derivatives(state, after, vehicle, tires, options, out, stages[K1])
+            now = (start_ns + (taken + 1) * step_ns) / NANOSECONDS
+            derivatives(state, after, vehicle, tires, options, ground, now, out, stages[K1])
             note_tire_compression(state, options, out)
             culprit = without_rate(stages[K1], limits.largest)
         if culprit < 0:
@@ -85,7 +88,8 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     if culprit >= 0:
         condition = Condition.DIVERGED
         note_turning(state, out)
-        derivatives(state, idle, vehicle, tires, options, out, stages[K1])
+        now = (start_ns + taken * step_ns) / NANOSECONDS
+        derivatives(state, idle, vehicle, tires, options, ground, now, out, stages[K1])
         note_tire_compression(state, options, out)
     note_peaks((start_ns + taken * step_ns) / NANOSECONDS, state, tires, out, seen)
     copy(state, stages[KEPT])

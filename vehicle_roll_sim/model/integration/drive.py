@@ -76,7 +76,10 @@ def following(now, interval):
 
 @kernel
 def hold(asked, speed, held):
-    """Write a command to `held`, with its speed hold replaced by the torque at this speed (m/s)."""
+    """Write a command to `held`, with its speed hold replaced by the torque at this speed (m/s).
+
+    The change of friction is rounded as in a Command, which has the friction itself.
+    """
     held.steering, held.rear_steering = asked.steering, asked.rear_steering
     torque = asked.speed_hold_gain * (asked.speed_hold_target - speed)
     for i in range(WHEEL_COUNT):
@@ -84,6 +87,8 @@ def hold(asked, speed, held):
         held.wheel_torque[i] = driving + torque if i >= LR else driving
         held.brake_torque[i] = asked.brake_torque[i]
         held.normal_force[i] = asked.normal_force[i]
+        held.road_height[i] = asked.road_height[i]
+        held.road_friction_change[i] = (1.0 + asked.road_friction_change[i]) - 1.0
     for i in range(len(held.wind)):
         held.wind[i] = asked.wind[i]
 

@@ -114,7 +114,7 @@ def curves_of_wheels(tire, inclined, with_moments, outputs):
     tire = tire_constants(tire) if inclined is None else all_tire_constants(tire)
     for i in range(WHEEL_COUNT):
         side, fz, kappa = outputs.side[i], outputs.normal_force[i], outputs.slip_ratio[i]
-        tangent = outputs.slip_tangent[i]
+        tangent, grip = outputs.slip_tangent[i], outputs.road_friction[i]
         angle = arctan(tangent)
         alpha = side * angle
         if inclined is None:
@@ -129,10 +129,11 @@ def curves_of_wheels(tire, inclined, with_moments, outputs):
             per_ky = pure_slip.inverse(ky)
         if with_moments is not None:
             upright_ky, rolling = terms.upright_stiffness[i], outputs.rolling[i]
-        x_peak = pure_slip.longitudinal_friction(gamma, dfz, tire) * tire.LMUX * fz
-        y_peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz
-        x_shift = fz * (tire.PVX1 + tire.PVX2 * dfz) * tire.LVX * tire.LMUX
-        y_shift = upright_shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY * tire.LMUY
+        x_peak = pure_slip.longitudinal_friction(gamma, dfz, tire) * tire.LMUX * fz * grip
+        y_peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz * grip
+        x_shift = fz * (tire.PVX1 + tire.PVX2 * dfz) * tire.LVX * tire.LMUX * grip
+        y_shift = fz * (tire.PVY1 + tire.PVY2 * dfz) * tire.LVY * tire.LMUY * grip
+        upright_shift = y_shift
         slip_shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, per_ky, tire)
         fx = pure_slip.longitudinal_curve(kappa, dfz, kx, x_peak, tire)
         fy = pure_slip.lateral_curve(alpha, gamma, dfz, slip_shift, ky, y_peak, tire)
@@ -140,16 +141,18 @@ def curves_of_wheels(tire, inclined, with_moments, outputs):
         gy = lateral_weight_curve(alpha, kappa, gamma, dfz, tire)
         weight_shift = tire.RHY1 + tire.RHY2 * dfz
         if inclined is not None:
-            y_shift += camber_shift(gamma, fz, dfz, tire)
+            y_shift += camber_shift(gamma, fz, dfz, tire) * grip
             induced = slip_ply_steer(kappa, alpha, gamma, dfz, y_peak, tire)
         if with_moments is not None:
             forward = moments.direction(rolling) * cosine_of_arctan(tangent)
             y_zero = alpha + slip_shift + y_shift * per_ky
             ratio = kx * kappa * tire.combined * per_ky
-            upright = upright_lateral(alpha, fz, dfz, upright_ky, tire)
-            trail = trail_of_wheel(alpha, ratio, gamma, fz, dfz, forward, tire)
+            upright = upright_lateral(alpha, fz, dfz, upright_ky, grip, tire)
+            trail = trail_of_wheel(alpha, ratio, gamma, fz, dfz, forward, grip, tire)
             slope = fy[1] * tire.PCY1 * tire.LCY
-            residual = moments.residual_moment(y_zero, ratio, gamma, fz, dfz, slope, forward, tire)
+            residual = moments.residual_moment(
+                y_zero, ratio, gamma, fz, dfz, slope, forward, grip, tire
+            )
         outputs.slip_angle[i] = angle
         terms.longitudinal_peak[i], terms.lateral_peak[i] = x_peak, y_peak
         terms.longitudinal_shift[i], terms.lateral_shift[i] = x_shift, y_shift
@@ -167,18 +170,18 @@ def curves_of_wheels(tire, inclined, with_moments, outputs):
 
 
 @term
-def upright_lateral(alpha, fz, dfz, slope, tire):
+def upright_lateral(alpha, fz, dfz, slope, grip, tire):
     """Peak (N), and x, B, C and E of the lateral force without inclination. slope: Ky (N/rad)."""
-    peak = pure_slip.upright_lateral_friction(dfz, tire) * tire.LMUY * fz
+    peak = pure_slip.upright_lateral_friction(dfz, tire) * tire.LMUY * fz * grip
     shift = (tire.PHY1 + tire.PHY2 * dfz) * tire.LHY
     return peak, pure_slip.lateral_curve(alpha, None, dfz, shift, slope, peak, tire)
 
 
 @term
-def trail_of_wheel(alpha, ratio, gamma, fz, dfz, forward, tire):
+def trail_of_wheel(alpha, ratio, gamma, fz, dfz, forward, grip, tire):
     """Peak (m), and x, B, half of C, and E of the trail; see `moments`. ratio: Kx kappa / Ky."""
     peak = moments.trail_peak(gamma, fz, dfz, forward, tire)
-    return peak, moments.trail_curve(alpha, ratio, gamma, dfz, tire)
+    return peak, moments.trail_curve(alpha, ratio, gamma, dfz, grip, tire)
 
 
 @kernel

@@ -15,6 +15,7 @@ from vehicle_roll_sim.model.compiled.elementary import (
     sine,
 )
 from vehicle_roll_sim.model.compiled.jit import math, term
+from vehicle_roll_sim.model.tire.pure_slip import inverse
 
 LOW_SPEED = 1.0
 """m/s: below this speed, moments that depend on the rolling direction fade out."""
@@ -51,11 +52,12 @@ def trail_peak(gamma, fz, dfz, forward, tire):
 
 
 @term
-def trail_curve(alpha, induced, gamma, dfz, tire):
+def trail_curve(alpha, induced, gamma, dfz, grip, tire):
     """x, B, half of C, and E of the trail over the equivalent slip angle (E34, E35, E40-E44)."""
     inclined = tire.LGAZ * gamma
     angle = alpha + tire.QHZ1 + tire.QHZ2 * dfz + (tire.QHZ3 + tire.QHZ4 * dfz) * inclined
     stiffness = (tire.QBZ1 + (tire.QBZ2 + tire.QBZ3 * dfz) * dfz) * tire.stiffness_over_friction
+    stiffness *= inverse(grip)
     stiffness *= 1 + tire.QBZ4 * inclined + tire.QBZ5 * abs(inclined)
     curvature = tire.QEZ1 + (tire.QEZ2 + tire.QEZ3 * dfz) * dfz
     side = (tire.QEZ4 + tire.QEZ5 * inclined) * arctan(stiffness * tire.QCZ1 * angle)
@@ -64,18 +66,18 @@ def trail_curve(alpha, induced, gamma, dfz, tire):
 
 
 @term
-def residual_moment(angle, induced, gamma, fz, dfz, slope, forward, tire):
+def residual_moment(angle, induced, gamma, fz, dfz, slope, forward, grip, tire):
     """Mzr: residual aligning moment (N m; E36-E38, E45-E47).
 
     angle: slip angle with the shift at which the lateral force is 0 (rad). slope: By Cy.
     """
     inclined = tire.LGAZ * gamma
-    stiffness = tire.QBZ9 * tire.stiffness_over_friction
+    stiffness = tire.QBZ9 * tire.stiffness_over_friction * inverse(grip)
     stiffness += tire.QBZ10 * slope
     camber = (tire.QDZ8 + tire.QDZ9 * dfz) * tire.camber_moment_growth
     camber += (tire.QDZ10 + tire.QDZ11 * dfz) * abs(inclined)
     moment = (tire.QDZ6 + tire.QDZ7 * dfz) * tire.LRES + camber * inclined * tire.LKZC
-    moment *= fz * tire.UNLOADED_RADIUS * tire.LMUY * forward
+    moment *= fz * tire.UNLOADED_RADIUS * tire.LMUY * grip * forward
     return moment * cosine_of_arctan(stiffness * equivalent_slip(angle, induced))
 
 

@@ -53,18 +53,18 @@ def held(parts, slip):
 
 
 @kernel
-def held_slips(along, across, gamma, side, fz, tire):
+def held_slips(along, across, gamma, side, fz, grip, tire):
     """The slip ratio and the tangent of the slip angle that a tire holds.
 
     along, across: the present ones. gamma: inclination in the axes of the tire (rad). side: -1 if
-    the tire is mirrored, else 1. fz: normal load (N).
+    the tire is mirrored, else 1. fz: normal load (N). grip: factor of the road on the friction.
     """
     dfz = pure_slip.relative_load(fz, tire)
     slope = pure_slip.slip_stiffness(gamma, fz, dfz, math.exp(tire.PKX3 * dfz), tire)
-    peak = pure_slip.longitudinal_friction(gamma, dfz, tire) * tire.LMUX * fz
+    peak = pure_slip.longitudinal_friction(gamma, dfz, tire) * tire.LMUX * fz * grip
     kappa = held(pure_slip.longitudinal_curve(along, dfz, slope, peak, tire), along)
     slope = pure_slip.cornering_stiffness(gamma, fz, tire)
-    peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz
+    peak = pure_slip.lateral_friction(gamma, dfz, tire) * tire.LMUY * fz * grip
     shift = pure_slip.lateral_slip_shift(gamma, fz, dfz, pure_slip.inverse(slope), tire)
     alpha = side * arctan(across)
     curve = pure_slip.lateral_curve(alpha, gamma, dfz, shift, slope, peak, tire)

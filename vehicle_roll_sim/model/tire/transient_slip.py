@@ -160,8 +160,8 @@ def hold_slips(tire, vehicle, outputs):
         if weight > 0.0 and fz > 0.0:
             along, across = outputs.patch_slip_ratio[i], outputs.patch_slip_tangent[i]
             side = outputs.side[i]
-            gamma = side * outputs.inclination[i]
-            along_held, across_held = held_slips(along, across, gamma, side, fz, tire)
+            gamma, grip = side * outputs.inclination[i], outputs.road_friction[i]
+            along_held, across_held = held_slips(along, across, gamma, side, fz, grip, tire)
             terms.longitudinal_release[i] = weight * (along - along_held)
             terms.lateral_release[i] = weight * (across - across_held)
             slope = fz * tire.PKX1 * tire.LKX * outputs.unloaded_radius[i] ** 2  # about Kx r^2

@@ -81,7 +81,7 @@ def _tell(name: str, driver: ManoeuvrePlayer, files: Files) -> int:
     if files.plot:
         from vehicle_roll_sim.analysis import plots  # takes 0.5 s: only if a figure is wanted
 
-        plots.plot_run(history, events, files.plot, name, files.size)
+        plots.plot_run(history, events, files.plot, name, files.size, driver.road)
     condition = driver.condition
     late = late_commands(history, driver.sent)
     report = driver.manoeuvre.report(history, driver.driver)

@@ -1,5 +1,6 @@
 """The node that drives a running simulator through a manoeuvre, in real time or in lockstep."""
 
+import dataclasses
 import math
 import time
 from collections.abc import Iterable
@@ -85,7 +86,7 @@ class ManoeuvrePlayer(Node):
             problem = f"it has no parameter {names[0]}"
             raise NoAnswerError(f"`{simulator.name}` is not a simulator: {problem}")
         self.rollover_angle, steady, mode, awaited = values
-        self.road = Road(*simulator.get(list(parameters_of(Road))))
+        self.road = _road(*simulator.get(["road_file", *parameters_of(Road)]))
         self._slowest = MINIMUM_SPEED if steady else -math.inf
         self._awaited = awaited if mode == LOCKSTEP else []
         if mode == LOCKSTEP:
@@ -254,3 +255,9 @@ class ManoeuvrePlayer(Node):
         if self._time >= self.manoeuvre.duration - ROUNDING:
             return Condition.RUNNING
         return Condition.TOO_SLOW if self.state["u"] < self._slowest else Condition.DIVERGED
+
+
+def _road(file: str, *slopes: float) -> Road:
+    """The road of a simulator, from its parameters; its file is read again."""
+    road = Road.from_file(file) if file else Road()
+    return dataclasses.replace(road, **dict(zip(parameters_of(Road), slopes, strict=True)))

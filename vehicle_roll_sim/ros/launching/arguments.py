@@ -81,6 +81,7 @@ BAG_ALWAYS = dataclasses.replace(BAG, default="bag_DATE-TIME", at_start=new_bag)
 USE_RVIZ = Argument("use_rviz", "start RViz: true or false", YES)
 SIMULATOR = (
     Argument("vehicle_file", "vehicle file (YAML); none: the reference vehicle"),
+    Argument("road_file", "road file (YAML); none: a plane"),
     *_of_simulator("model", "initial_speed", "publish_rate", "real_time_factor"),
     Argument(
         "params_file",

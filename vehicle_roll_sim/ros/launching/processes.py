@@ -25,7 +25,7 @@ from vehicle_roll_sim.ros.launching.values import YES, log_words, ros_words, und
 from vehicle_roll_sim.ros.simulator.settings import PUBLISHED_IN_SETS
 
 PACKAGE = "vehicle_roll_sim"
-TEXTS = ("model", "vehicle_file", "frame_prefix")
+TEXTS = ("model", "vehicle_file", "road_file", "frame_prefix")
 NUMBERS = ("publish_rate", "initial_speed", "real_time_factor")
 """Arguments that are parameters of the simulator."""
 TIME_TO_END = "10"

@@ -69,7 +69,7 @@ def declare(node: Node) -> Declared:
     _check_makes_time(node.get_parameter(SIM_TIME).value)
     settings = Settings(**_declare_class(node, Settings))
     limits = CommandLimits(**_declare_class(node, CommandLimits))
-    road = Road(**_declare_class(node, Road))
+    road = _road(node, settings.road_file)
     vehicle = vehicle_named(settings.vehicle_file) if settings.vehicle_file else preset()
     vehicle = _on_tires(node, vehicle)
     vehicle = vehicle.with_values(_given_of_vehicle(node), VEHICLE_PREFIX)
@@ -84,6 +84,13 @@ def declare(node: Node) -> Declared:
     imu = ImuCovariances(**_declare_class(node, ImuCovariances, IMU_PREFIX))
     odom = OdomCovariances(**_declare_class(node, OdomCovariances, ODOM_PREFIX))
     return Declared(settings, limits, options, road, vehicle, Covariances(imu, odom))
+
+
+def _road(node: Node, file: str) -> Road:
+    """The road of a file, or a plane, with the slopes given as parameters."""
+    road = Road.from_file(file) if file else Road()
+    slopes = {name: _declare(node, name, getattr(road, name)) for name in parameters_of(Road)}
+    return dataclasses.replace(road, **slopes)
 
 
 def _refuse_keys_of_files(node: Node) -> None:

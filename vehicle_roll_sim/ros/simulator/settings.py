@@ -150,6 +150,10 @@ class Settings:
         default=False,
     )
     frame_prefix: str = parameter("prefix of the frame names in all messages", default="")
+    road_file: str = parameter(
+        "path of a road file; grade and bank override its values; empty: a plane",
+        default="",
+    )
     vehicle_file: str = parameter(
         "path of the vehicle file (YAML), or name of a shipped vehicle; empty: the reference "
         "vehicle",

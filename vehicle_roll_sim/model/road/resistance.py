@@ -1,0 +1,83 @@
+"""Forces of the road on the side of a wheel: of the face of a curb, and of a furrow in soil."""
+
+from vehicle_roll_sim.model.compiled.jit import kernel, math
+from vehicle_roll_sim.model.frames import ground_to_yawed, yawed_to_ground
+from vehicle_roll_sim.model.road.layout import COSINE, COUNT, KIND, OWN, SINE, WALL
+from vehicle_roll_sim.model.road.shapes import lift
+from vehicle_roll_sim.model.road.surface import in_feature, row_of
+
+PLOUGHING_SPEED = 0.1
+"""m/s: lateral speed from which on the resistance of a furrow is nearly complete (tanh)."""
+
+
+@kernel
+def side_force(i, x, y, ahead, left, heading, ground, outputs):
+    """Force of curbs and soil on wheel i in frame 2 (N), and its height above the contact (m).
+
+    x, y: place of the wheel centre in the ground frame (m). ahead, left: horizontal velocity of the
+    contact point in frame 2 (m/s). Reads deflection, load and sinkage of the wheel.
+    """
+    terms = outputs.road_terms
+    for k in range(int(ground[COUNT])):
+        row = row_of(k, ground)
+        if ground[row + KIND] == WALL:
+            strike(i, x, y, ahead, left, heading, row, ground, outputs)
+    if terms.sinkage[i] > 0.0:
+        plough(i, ahead, left, outputs)
+
+
+@kernel
+def strike(i, x, y, ahead, left, heading, row, ground, outputs):
+    """Force of the face of a curb on the side wall of a tire.
+
+    Its own numbers: length of the curb, its height (m), distance from the middle plane of the tire
+    to its side wall (m), stiffness (N/m) and damping (N s/m) of the side wall, rounding, and length
+    of the face across (m). The low side is at n < 0. The force is that of a spring and a damper
+    that never pull, in proportion to the part of the face that the tire covers: nothing once the
+    wheel has climbed it. It acts in the middle of this part.
+    """
+    terms, at = outputs.road_terms, row + OWN
+    length, height, reach = ground[at], ground[at + 1], ground[at + 2]
+    s, n = in_feature(x, y, row, ground)
+    if not (0.0 < s < length and n > -reach):
+        return
+    mx, my = ground_to_yawed(heading, -ground[row + SINE], ground[row + COSINE])
+    sideways = abs(outputs.steering_cosine[i] * my - outputs.steering_sine[i] * mx)
+    depth = reach * sideways + n
+    climbed, _ = lift(n, 0.0, ground[at + 6], ground[at + 5])
+    covered = height * (1.0 - climbed) - max(-terms.deflection[i], 0.0)
+    if depth <= 0.0 or covered <= 0.0:
+        return
+    begun, _ = lift(min(s, length - s), 0.0, ground[at + 5], 0.5 * ground[at + 5])
+    share = begun * covered / height
+    speed = ahead * mx + left * my
+    force = share * max(ground[at + 3] * depth + ground[at + 4] * speed, 0.0)
+    terms.side_x[i] -= force * mx
+    terms.side_y[i] -= force * my
+    terms.side_height[i] = 0.5 * covered
+
+
+@kernel
+def plough(i, ahead, left, outputs):
+    """Resistance of a furrow to a wheel that slides sideways in it.
+
+    The passive earth pressure on the side of the tire at a sinkage z, a z + b z^2: its first part
+    acts at z / 2, the second at z / 3 above the bottom of the furrow.
+    """
+    terms, depth = outputs.road_terms, outputs.road_terms.sinkage[i]
+    s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
+    sliding = math.tanh((c * left - s * ahead) / PLOUGHING_SPEED)
+    first, second = terms.linear[i] * depth, terms.quadratic[i] * depth * depth
+    force = -sliding * (first + second)
+    terms.side_x[i] -= s * force
+    terms.side_y[i] += c * force
+    if first + second > 0.0:
+        arm = (first / 2 + second / 3) / (first + second)
+        terms.side_height[i] = max(terms.side_height[i], depth * arm)
+
+
+@kernel
+def place_over_ground(ahead, left, heading, x, y):
+    """x and y in the ground frame of a point given in frame 2, relative to the c.g. at x, y (m)."""
+    along, across = yawed_to_ground(heading, ahead, left)
+    return x + along, y + across

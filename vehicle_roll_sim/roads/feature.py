@@ -1,0 +1,79 @@
+"""What all features of a road have in common."""
+
+import dataclasses
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import keep_validated, parameter
+
+FURTHEST = 1e5
+"""m"""
+Row = tuple[int, list[float], np.ndarray | None]
+"""A feature for `model.road.layout.ground_of`: kind, numbers and table."""
+UNBOUNDED = "unbounded"
+
+
+def place(description: str, **settings):
+    """Declare a place or a distance in m."""
+    return parameter(description, "m", -FURTHEST, FURTHEST, **settings)
+
+
+def size(description: str, **settings):
+    """Declare a length in m."""
+    return parameter(description, "m", settings.pop("least", 1e-3), FURTHEST, **settings)
+
+
+def edge(**settings):
+    """Declare the length over which the edges of a feature are rounded."""
+    about = "length over which its edges are rounded, as the contact patch of a tire does"
+    return parameter(about, "m", 0.01, 10.0, **{"default": 0.1} | settings)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Feature:
+    """A part of a road in coordinates of its own, s along it and n to the left, from its start.
+
+    Raises InputError for a value that is not allowed.
+    """
+
+    start: float = place("where it begins, along the initial heading")
+    offset: float = place("where it begins, to the left of the initial heading", default=0.0)
+    heading: float = parameter(
+        "direction in which it runs, to the left of the initial heading",
+        "deg",
+        -360.0,
+        360.0,
+        default=0.0,
+    )
+
+    def __post_init__(self):
+        keep_validated(self)
+
+    def row(self, kind: int, *numbers: float, table: np.ndarray | None = None) -> Row:
+        """A row with this feature's origin and heading, and its own numbers."""
+        angle = math.radians(self.heading)
+        return kind, [self.start, self.offset, math.cos(angle), math.sin(angle), *numbers], table
+
+    def rows(self) -> list[Row]:
+        """The rows of the ground that it consists of."""
+        raise NotImplementedError
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Rectangle(Feature):
+    """A feature that is bounded by a rectangle."""
+
+    length: float | None = size("length along its heading", default=None, none=UNBOUNDED)
+    left: float | None = place(
+        "its left edge, to the left of its start", default=None, none=UNBOUNDED
+    )
+    right: float | None = place(
+        "its right edge, also to the left of its start", default=None, none=UNBOUNDED
+    )
+
+    @property
+    def bounds(self) -> tuple[float, float, float]:
+        """Length, right and left edge (m), infinite if they are not given."""
+        given = zip((self.length, self.right, self.left), (1, -1, 1), strict=True)
+        return tuple(sign * math.inf if value is None else value for value, sign in given)

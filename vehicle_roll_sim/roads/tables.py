@@ -1,0 +1,213 @@
+"""Features with a height that a table gives: profiles along the road, and grids."""
+
+import dataclasses
+import math
+
+import numpy as np
+
+from vehicle_roll_sim.declaration import InputError, number_of, parameter
+from vehicle_roll_sim.model.road.layout import GRID, PROFILE
+from vehicle_roll_sim.roads.feature import FURTHEST, Feature, Row, place, size
+from vehicle_roll_sim.roads.iso8608 import PRECISION, ROUGHNESS, random_tracks
+
+MOST_POINTS = 200_000
+"""Of a track, and of a grid."""
+HIGHEST = 1e3
+"""m"""
+COLUMNS = ("distance", "height", "right height")
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Tracks(Feature):
+    """Heights along two tracks, one for the wheels of each side.
+
+    Between the tracks the height changes smoothly; beyond them, and before and after the table, it
+    stays the same. It is averaged over the length of the contact patch.
+    """
+
+    track: float = size("distance of the two tracks, half of it to each side", default=1.5)
+    contact_length: float = parameter(
+        "length of the contact patch of a tire, over which heights are averaged; 0: not at all",
+        "m",
+        0.0,
+        2.0,
+        default=0.1,
+    )
+    spacing: float = size("distance of two points of the table in use", least=0.005, default=0.05)
+
+    def tracks(self) -> np.ndarray:
+        """Heights of the left and the right track, shape (2, n) (m)."""
+        raise NotImplementedError
+
+    def rows(self) -> list[Row]:
+        heights = np.array(
+            [averaged(each, self.contact_length / self.spacing) for each in self.tracks()]
+        )
+        sides = (self.track / 2, -self.track / 2)
+        own = (heights.shape[1], self.spacing, *sides)
+        return [self.row(PROFILE, *own, table=heights.ravel())]
+
+
+def averaged(heights: np.ndarray, width: float) -> np.ndarray:
+    """The moving average of heights over a width (in points), of straight lines between them.
+
+    Beyond the ends the heights stay the same.
+    """
+    if width == 0.0:
+        return heights
+    reach = math.ceil(width / 2) + 1
+    padded = np.concatenate((np.full(reach, heights[0]), heights, np.full(reach, heights[-1])))
+    at = np.arange(len(padded), dtype=float)
+    area = np.concatenate(([0.0], np.cumsum((padded[1:] + padded[:-1]) / 2)))
+
+    def integral(place: np.ndarray) -> np.ndarray:
+        below = np.floor(place).astype(int)
+        part = place - below
+        rise = (padded[below + 1] - padded[below]) * part**2 / 2
+        return area[below] + padded[below] * part + rise
+
+    middle = at[reach:-reach]
+    return (integral(middle + width / 2) - integral(middle - width / 2)) / width
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Profile(Tracks):
+    """A profile through points, straight between them.
+
+    points: of each the distance from the start (m, increasing) and the height (m), or the heights
+    of the left and of the right track.
+    """
+
+    points: tuple[tuple[float, ...], ...] = ()
+
+    def __post_init__(self):
+        super().__post_init__()
+        object.__setattr__(self, "points", self._checked())
+
+    def _checked(self) -> tuple[tuple[float, ...], ...]:
+        allowed = f"2 to {MOST_POINTS} lists, each of distance and one or two heights (m)"
+        if not isinstance(self.points, list | tuple) or not 2 <= len(self.points) <= MOST_POINTS:
+            raise InputError("points", self.points or None, allowed)
+        kept = []
+        for number, point in enumerate(self.points, 1):
+            field = f"points: {number}"
+            if not isinstance(point, list | tuple) or len(point) not in (2, 3):
+                raise InputError(field, point, "distance and one or two heights (m)")
+            values = tuple(number_of(each, field, "a number") for each in point)
+            if not all(
+                abs(each) <= limit
+                for each, limit in zip(values, (FURTHEST, HIGHEST, HIGHEST), strict=False)
+            ):
+                raise InputError(field, point, f"finite, heights up to {HIGHEST:g} m")
+            if kept and not values[0] > kept[-1][0]:
+                raise InputError(field, values[0], f"a distance beyond {kept[-1][0]:g} m")
+            kept.append(values)
+        length = kept[-1][0] - kept[0][0]
+        if length / self.spacing > MOST_POINTS or length < self.spacing:
+            allowed = f"1 to {MOST_POINTS} times the spacing, {self.spacing:g} m"
+            raise InputError("points", f"{length:g} m", allowed)
+        return tuple(kept)
+
+    def row(self, kind: int, *numbers: float, table: np.ndarray | None = None) -> Row:
+        kind, (x, y, c, s, *own), table = super().row(kind, *numbers, table=table)
+        first = self.points[0][0]
+        return kind, [x + c * first, y + s * first, c, s, *own], table
+
+    def tracks(self) -> np.ndarray:
+        places = np.array([point[0] for point in self.points])
+        sides = [[point[1] for point in self.points], [point[-1] for point in self.points]]
+        count = math.ceil((places[-1] - places[0]) / self.spacing) + 1
+        wanted = places[0] + self.spacing * np.arange(count)
+        return np.array([np.interp(wanted, places, heights) for heights in sides])
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class RandomProfile(Tracks):
+    """A random road after ISO 8608, the same for the same seed; see `roads.iso8608`."""
+
+    roughness: str = parameter("class of roughness", choices=tuple(ROUGHNESS), default="B")
+    seed: float = parameter("number of the road", "", 0.0, 2.0**53, default=1.0)
+    length: float = size("its length, after which it is level", least=1.0, default=1000.0)
+    incoherence: float = parameter(
+        "length L of the coherence exp(-n L) of the tracks at the spatial frequency n; 0: both "
+        "tracks are the same",
+        "m",
+        0.0,
+        1e3,
+        default=1.5,
+    )
+    run_in: float = size(
+        "length over which the roughness grows at the start and fades at the end", default=10.0
+    )
+
+    def __post_init__(self):
+        super().__post_init__()
+        if self.seed != round(self.seed):
+            raise InputError("seed", self.seed, "a whole number")
+        if self.length / self.spacing > MOST_POINTS:
+            allowed = f"at most {MOST_POINTS} times the spacing, {self.spacing:g} m"
+            raise InputError("length", self.length, allowed)
+
+    def tracks(self) -> np.ndarray:
+        count = round(self.length / self.spacing) + 1
+        found = random_tracks(self.roughness, int(self.seed), count, self.spacing, self.incoherence)
+        distance = self.spacing * np.arange(count)
+        near = np.minimum(distance, distance[::-1])
+        share = np.clip(near / min(self.run_in, self.length / 2), 0.0, 1.0)
+        return np.round(found * share**2 * (3.0 - 2.0 * share), PRECISION)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Grid(Feature):
+    """Heights, and factors of friction, at the points of a grid.
+
+    heights: rows along the heading, from the start on; each row has the heights across, from right
+    to left (m). frictions: likewise, or empty. Between the points heights follow cubic curves,
+    friction changes linearly; beyond the grid both stay as at its edge.
+    """
+
+    spacing: float = size("distance of two rows along the heading", least=0.01)
+    side_spacing: float = size("distance of two points of a row", least=0.01)
+    right: float = place("where the rows begin, to the left of the start")
+    heights: tuple[tuple[float, ...], ...] = ()
+    frictions: tuple[tuple[float, ...], ...] = ()
+
+    def __post_init__(self):
+        super().__post_init__()
+        shape = None
+        for name, least in (("heights", -HIGHEST), ("frictions", 0.0)):
+            values = getattr(self, name)
+            if name == "frictions" and not values:
+                continue
+            kept = _matrix(name, values, least)
+            object.__setattr__(self, name, kept)
+            if shape and shape != (len(kept), len(kept[0])):
+                allowed = f"as many as heights, {shape[0]} rows of {shape[1]}"
+                raise InputError(name, f"{len(kept)} rows of {len(kept[0])}", allowed)
+            shape = len(kept), len(kept[0])
+
+    def rows(self) -> list[Row]:
+        heights = np.array(self.heights)
+        parts = [heights.ravel(), np.array(self.frictions).ravel()]
+        own = (*heights.shape, self.spacing, self.side_spacing, float(bool(self.frictions)))
+        return [self.row(GRID, *own, table=np.concatenate(parts))]
+
+    def row(self, kind: int, *numbers: float, table: np.ndarray | None = None) -> Row:
+        kind, (x, y, c, s, *own), table = super().row(kind, *numbers, table=table)
+        return kind, [x - s * self.right, y + c * self.right, c, s, *own], table
+
+
+def _matrix(field: str, values, least: float) -> tuple[tuple[float, ...], ...]:
+    """Rows of numbers, all of the same length; raises InputError."""
+    allowed = f"2 or more rows of 2 or more numbers from {least:g} to {HIGHEST:g}, all of a length"
+    try:
+        matrix = np.array(values, dtype=float)
+    except (ValueError, TypeError):
+        raise InputError(field, "", allowed, "not a table of numbers") from None
+    if matrix.ndim != 2 or min(matrix.shape) < 2 or matrix.size > MOST_POINTS:
+        problem = f"a table of {' x '.join(map(str, matrix.shape)) or 'no'} numbers"
+        raise InputError(field, "", f"{allowed}, at most {MOST_POINTS} in all", problem)
+    if not ((matrix >= least) & (matrix <= HIGHEST)).all():
+        wrong = matrix[~((matrix >= least) & (matrix <= HIGHEST))].flat[0]
+        raise InputError(field, float(wrong), allowed)
+    return tuple(map(tuple, matrix.tolist()))
