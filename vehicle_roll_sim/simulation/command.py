@@ -80,6 +80,11 @@ class Command:
             record[name] = getattr(self, name)
         return record
 
+    @functools.cached_property
+    def moves_road(self) -> bool:
+        """Whether it has a height of the road under a wheel or a friction of its own."""
+        return self.road_height != NO_FORCE or self.road_friction != OWN_FRICTION
+
 
 def _number(field: str, value) -> float:
     number = number_of(value, field, "a finite number")
@@ -151,8 +156,9 @@ def records_of(
     accepted, and the run then ends as diverged, except for brake torques, which would otherwise be
     ignored silently.
     """
+    moves_road = True  # perhaps; what a Command knows takes far less time than a look at records
     if isinstance(command, Command):
-        records = command.records()
+        records, moves_road = command.records(), command.moves_road
     elif callable(command):
         instants = times()
         records = _checked(command(instants), len(instants))
@@ -160,7 +166,7 @@ def records_of(
         raise InputError("command", command, "a Command, or a function of an array of times")
     if not feels_wind and records["wind"].any():
         raise InputError("wind", float(max(records["wind"].flat, key=abs)), NO_WIND)
-    if not takes_road:
+    if moves_road and not takes_road:
         for name, neutral in OF_ROAD.items():
             if (values := records[name]).any():
                 value = round(neutral + float(max(values.flat, key=abs)), 12)
