@@ -10,7 +10,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, Parameter, parameters_of, plain, unknown_name
 from vehicle_roll_sim.files.yaml_file import Place
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import MANOEUVRES
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
 from vehicle_roll_sim.simulation.road import ROAD_KEYS, Road
 from vehicle_roll_sim.studies import design_checks
@@ -79,10 +79,10 @@ def _number(value) -> float | bool | int:
 def _manoeuvre(source: Source) -> Manoeuvre:
     name = source.values.get("manoeuvre")
     if name is None:
-        raise source.refused(("manoeuvre",), None, "one of " + ", ".join(STANDARD))
-    if not isinstance(name, str) or name not in STANDARD:
-        raise unknown_name(str(name), STANDARD, source.where("manoeuvre"))
-    return STANDARD[name]
+        raise source.refused(("manoeuvre",), None, "one of " + ", ".join(MANOEUVRES))
+    if not isinstance(name, str) or name not in MANOEUVRES:
+        raise unknown_name(str(name), MANOEUVRES, source.where("manoeuvre"))
+    return MANOEUVRES[name]
 
 
 def _vehicle(source: Source) -> Vehicle:
