@@ -45,9 +45,9 @@ def slalom_start(
 def evaluate(states, commands, plant, outputs, rates):
     """Evaluate the derivatives at each state with its command; `rates` keeps those of the last."""
     vehicle, tires, options = plant[0][0], plant[1][0], plant[2][0]
-    road = (plant[3], 0.0)
+    ground = plant[3]
     for k in range(len(states)):
-        derivatives(states[k], commands[k], vehicle, tires, options, road, outputs[0], rates)
+        derivatives(states[k], commands[k], vehicle, tires, options, ground, 0.0, outputs[0], rates)
 
 
 def repeated(call, repetitions: int, prepare=lambda: None) -> np.ndarray:

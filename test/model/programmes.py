@@ -147,8 +147,8 @@ def _evaluate(state, commands, plant, outputs, result):
     plant: vehicle, tires, options and the ground.
     """
     vehicle, tires, options, ground = plant
-    road = (ground, 0.0)
-    derivatives(state, commands[0], vehicle[0], tires[0], options[0], road, outputs[0], result)
+    car, out = (vehicle[0], tires[0], options[0]), outputs[0]
+    derivatives(state, commands[0], car[0], car[1], car[2], ground, 0.0, out, result)
 
 
 def _flat(state: np.ndarray) -> np.ndarray:

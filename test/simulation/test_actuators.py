@@ -256,7 +256,8 @@ def test_what_does_not_go_together_is_refused(values, told):
     assert str(refusal.value) == told
 
 
-def test_every_commanded_value_but_speed_hold_and_wind_has_an_actuator():
+def test_every_commanded_value_but_speed_hold_wind_and_road_has_an_actuator():
     sizes = [np.prod(COMMAND[name].shape, dtype=int) for name in QUANTITIES]
     assert sum(sizes) == CHANNELS
-    assert {*COMMAND.names} - {*QUANTITIES} == {"speed_hold_gain", "speed_hold_target", "wind"}
+    others = {"speed_hold_gain", "speed_hold_target", "wind", "road_height", "road_friction_change"}
+    assert {*COMMAND.names} - {*QUANTITIES} == others

@@ -52,13 +52,16 @@ TIRE_TERMS = record_dtype(
 ROAD_TERMS = record_dtype(
     *per_wheel("along", "across", "yielding", "linear", "quadratic", "deflection", "sinkage"),
     *per_wheel("arm_x", "arm_y", "arm_z", "side_x", "side_y", "side_height"),
+    *per_wheel("level", "normal_x", "normal_y", "normal_z", "force_x", "force_y", "force_z"),
 )
 """Work space of model/road.
 
-along, across: slope under a wheel along the axes of frame 2 (m/m). yielding, linear, quadratic: see
+along, across: slope under a wheel along the axes of frame 2 (m/m). level, normal: cosine of the
+first, and the normal of the road in frame 2. yielding, linear, quadratic: see
 `road.surface.softness`. deflection: of the tire, normal to the road, negative off it (m). sinkage:
 of the wheel into the ground (m). arm: from wheel centre to contact point in frame 1 (m). side:
-force on the side of the wheel in frame 2 (N), and its height above the contact point (m).
+force on the side of the wheel in frame 2 (N), and its height above the contact point (m). force:
+the whole force of the road in frame 2 (N).
 """
 
 PARTS = 27

@@ -18,8 +18,8 @@ from vehicle_roll_sim import Options, Simulation
 pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 
 EXACT = Options(no_roll_centre=True, euler_terms=True)
-STEP, END = 1e-3, 3.0
-"""s"""
+STEP, END, SPEED = 1e-3, 3.0, 12.0
+"""s, s, m/s"""
 SHARE = 2e-5
 """Of the kinetic energy. A power that jumps within a step, at an edge or a landing, counts with an
 error of up to half of the jump times the step: 1e4 W * 5e-4 s on 1.4e5 J, some ten times."""
@@ -101,33 +101,32 @@ def rotations(roll: np.ndarray, pitch: np.ndarray) -> np.ndarray:
     return np.moveaxis(np.array(rows), -1, 0)
 
 
-def driven(vehicle, name: str, step: float = STEP, speed: float = 12.0) -> Run:
-    simulation = Simulation(vehicle, EXACT, step=step, road=ALL[name])
-    simulation.reset(speed)
-    return record_run(simulation, ramp_and_hold(0.4, 10.0, 1.0), END)
+def driven(vehicle, name: str, steering: float) -> Run:
+    """steering: deg."""
+    simulation = Simulation(vehicle, EXACT, step=STEP, road=ALL[name])
+    simulation.reset(SPEED)
+    return record_run(simulation, ramp_and_hold(0.4, 10.0, steering), END)
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_energy_changes_by_the_work_of_the_road_the_dampers_and_gravity_alone(vehicle, name):
-    motion = Motion(vehicle, driven(vehicle, name))
+def test_energy_changes_by_the_work_of_the_road_the_dampers_and_gravity_alone(reference, name):
+    motion = Motion(reference, driven(reference, name, 1.0))
     energy, work = motion.mechanical(), motion.work()
     moved = energy[-1] - energy[0]
     assert work["dampers"] < 0.0
-    most = WITH_DROP.get(name, SHARE) * vehicle.sprung_mass * 12.0**2 / 2
+    most = WITH_DROP.get(name, SHARE) * reference.sprung_mass * SPEED**2 / 2
     assert abs(moved - sum(work.values())) < most
 
 
 @pytest.mark.parametrize("name", ["crests", "dip", "random profile", "profile", "banked curve"])
-def test_a_smooth_road_gives_back_what_it_takes_but_for_slip(vehicle, name):
+def test_a_smooth_road_gives_back_what_it_takes_but_for_slip(reference, name):
     """Rolling straight ahead, tires included. What is missing is the work of the plane under the
     wheel, which turns about the point below the wheel centre and not about the contact point."""
-    simulation = Simulation(vehicle, EXACT, step=STEP, road=ALL[name])
-    simulation.reset(12.0)
-    motion = Motion(vehicle, record_run(simulation, ramp_and_hold(0.0, 0.0, 0.0), END))
+    motion = Motion(reference, driven(reference, name, 0.0))
     run, work = motion.run, motion.work()
     slip = run.outputs["tire_longitudinal"] * (run.outputs["rolling"] - run.outputs["tread"])
     slip += run.outputs["tire_lateral"] * run.outputs["sliding"]
     by_slip = np.trapezoid(slip.sum(1), run.time)
     stored = motion.of_tires()
     missing = work["road"] + stored[-1] - stored[0] - by_slip
-    assert abs(missing) < PASSIVE * vehicle.sprung_mass * 12.0**2 / 2
+    assert abs(missing) < PASSIVE * reference.sprung_mass * SPEED**2 / 2

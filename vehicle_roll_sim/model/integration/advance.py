@@ -47,7 +47,7 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     vehicle, tires, options, limits = plant[0][0], plant[1][0], plant[2][0], plant[3][0]
     idle, ground = plant[4][0], plant[5]
     out, seen = outputs[0], events[0]
-    car = (vehicle, tires, options, ground, out)
+    car = (vehicle, tires, options, out)
     stride = 0 if len(commands) == 1 else 1
     step = step_ns / NANOSECONDS
     taken, condition = 0, Condition.RUNNING
@@ -56,8 +56,8 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         copy(stages[KEPT], state)
         return taken, Condition.DIVERGED, culprit
     note_turning(state, out)
-    road = (ground, start_ns / NANOSECONDS)
-    derivatives(state, commands[0], vehicle, tires, options, road, out, stages[K1])
+    now = start_ns / NANOSECONDS
+    derivatives(state, commands[0], vehicle, tires, options, ground, now, out, stages[K1])
     note_tire_compression(state, options, out)
     culprit = without_rate(stages[K1], limits.largest)
     if culprit < 0:
@@ -68,13 +68,13 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
         copy(state, stages[BEFORE])
         row = 2 * taken * stride
         after = commands[row + 2 * stride]
-        rk4_step(state, commands[row + stride], after, time, step, car, stages)
+        rk4_step(state, commands[row + stride], after, time, step, car, ground, stages)
         stop_reversed(state, after, vehicle, out)
         culprit = diverged(state, step, stages, limits)
         if culprit < 0:
             note_turning(state, out)
-            road = (ground, (start_ns + (taken + 1) * step_ns) / NANOSECONDS)
-            derivatives(state, after, vehicle, tires, options, road, out, stages[K1])
+            now = (start_ns + (taken + 1) * step_ns) / NANOSECONDS
+            derivatives(state, after, vehicle, tires, options, ground, now, out, stages[K1])
             note_tire_compression(state, options, out)
             culprit = without_rate(stages[K1], limits.largest)
         if culprit < 0:
@@ -88,8 +88,8 @@ def advance(state, commands, steps, start_ns, step_ns, plant, outputs, events, s
     if culprit >= 0:
         condition = Condition.DIVERGED
         note_turning(state, out)
-        road = (ground, (start_ns + taken * step_ns) / NANOSECONDS)
-        derivatives(state, idle, vehicle, tires, options, road, out, stages[K1])
+        now = (start_ns + taken * step_ns) / NANOSECONDS
+        derivatives(state, idle, vehicle, tires, options, ground, now, out, stages[K1])
         note_tire_compression(state, options, out)
     note_peaks((start_ns + taken * step_ns) / NANOSECONDS, state, tires, out, seen)
     copy(state, stages[KEPT])

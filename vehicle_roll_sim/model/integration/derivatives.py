@@ -5,24 +5,38 @@ from vehicle_roll_sim.model.eight_dof import eight_dof_derivatives
 from vehicle_roll_sim.model.fourteen_dof import fourteen_dof_derivatives
 from vehicle_roll_sim.model.kinematic.contact import note_tire_compression
 from vehicle_roll_sim.model.kinematic.derivatives import kinematic_derivatives
+from vehicle_roll_sim.model.road.layout import USED
 from vehicle_roll_sim.model.wheel import note_turning
 
 
 @kernel
-def derivatives(state, command, vehicle, tires, options, road, outputs, rates):
+def derivatives(state, command, vehicle, tires, options, ground, time, outputs, rates):
     """Write the time derivative of `state` to `rates`, and intermediate quantities to `outputs`.
 
-    state, rates: flat vectors laid out as records.STATE. road: the ground (see `road.layout`), and
-    the simulated time (s), on which a ground that tilts depends. The other arguments are records
+    state, rates: flat vectors laid out as records.STATE. ground: see `road.layout`. time:
+    simulated time (s), on which a ground that tilts depends. The other arguments are records
     (tires: of TIRES). Rates and outputs that the model does not have are left unchanged: nan from
     the start of a run.
     """
     if options.eight_dof:
         eight_dof_derivatives(state, command, vehicle, tires, options, outputs, rates)
     elif options.kinematic:
-        kinematic_derivatives(state, command, vehicle, tires, options, road, outputs, rates)
+        if ground[USED] == 0.0:
+            kinematic_derivatives(
+                state, command, vehicle, tires, options, None, time, outputs, rates
+            )
+        else:
+            kinematic_derivatives(
+                state, command, vehicle, tires, options, ground, time, outputs, rates
+            )
+    elif ground[USED] == 0.0:
+        fourteen_dof_derivatives(
+            state, command, vehicle, tires, options, None, time, outputs, rates
+        )
     else:
-        fourteen_dof_derivatives(state, command, vehicle, tires, options, road, outputs, rates)
+        fourteen_dof_derivatives(
+            state, command, vehicle, tires, options, ground, time, outputs, rates
+        )
 
 
 @kernel
@@ -36,5 +50,5 @@ def smooth_derivatives(state, commands, plant, outputs, rates):
     """
     vehicle, tires, options = plant[0][0], plant[1][0], plant[2][0]
     note_turning(state, outputs)
-    derivatives(state, commands[0], vehicle, tires, options, (plant[3], 0.0), outputs, rates)
+    derivatives(state, commands[0], vehicle, tires, options, plant[3], 0.0, outputs, rates)
     note_tire_compression(state, options, outputs)

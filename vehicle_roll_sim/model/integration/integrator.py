@@ -24,21 +24,21 @@ def along(state, slope, interval, result):
 
 
 @kernel
-def rk4_step(state, midway, after, time, step, car, stages):
+def rk4_step(state, midway, after, time, step, car, ground, stages):
     """Advance `state` in place by one step (s); stages[K1] must contain its first slope.
 
     midway, after: commands at the middle and the end of the step, which begins at `time` (s). car:
-    vehicle, tires, options, ground and outputs, as for `derivatives`.
+    vehicle, tires, options and outputs, as for `derivatives`, like ground.
     """
-    vehicle, tires, options, ground, outputs = car
-    half, end = (ground, time + step / 2), (ground, time + step)
+    vehicle, tires, options, outputs = car
+    half, end = time + step / 2, time + step
     trial = stages[TRIAL]
     along(state, stages[K1], step / 2, trial)
-    derivatives(trial, midway, vehicle, tires, options, half, outputs, stages[K2])
+    derivatives(trial, midway, vehicle, tires, options, ground, half, outputs, stages[K2])
     along(state, stages[K2], step / 2, trial)
-    derivatives(trial, midway, vehicle, tires, options, half, outputs, stages[K3])
+    derivatives(trial, midway, vehicle, tires, options, ground, half, outputs, stages[K3])
     along(state, stages[K3], step, trial)
-    derivatives(trial, after, vehicle, tires, options, end, outputs, stages[K4])
+    derivatives(trial, after, vehicle, tires, options, ground, end, outputs, stages[K4])
     for i in range(len(state)):
         inner = stages[K2, i] + stages[K3, i]
         state[i] += step / 6 * (stages[K1, i] + 2 * inner + stages[K4, i])

@@ -37,7 +37,6 @@ from vehicle_roll_sim.model.road.contact import (
     normal_friction,
     turn_forces_to_level,
 )
-from vehicle_roll_sim.model.road.layout import USED
 from vehicle_roll_sim.model.road.slope import (
     slope_gravity_on_body_axes,
     tilted_gravity_on_body_axes,
@@ -49,10 +48,12 @@ from vehicle_roll_sim.model.wheel import wheel_rates
 
 
 @kernel
-def kinematic_derivatives(state, command, vehicle, tires, options, road, outputs, rates):
-    """Rates of all states, and all intermediate quantities; see `derivatives`."""
-    ground, time = road
-    is_plane = ground[USED] == 0.0
+def kinematic_derivatives(state, command, vehicle, tires, options, ground, time, outputs, rates):
+    """Rates of all states, and all intermediate quantities; see `derivatives`.
+
+    ground: None for a plane. Older versions of numba prune branches by arguments that are None
+    alone.
+    """
     heading, attitude = heading_of(state[at.YAW]), attitude_of(state[at.ROLL], state[at.PITCH])
     steer(command, outputs)
     if vehicle.details.steering != 0.0:
@@ -65,23 +66,23 @@ def kinematic_derivatives(state, command, vehicle, tires, options, road, outputs
     carriers(vehicle, outputs)
     paths(vehicle, outputs)
     wheel_velocities(state, outputs)
-    if is_plane:
+    if ground is None:
         place_on_road(state, vehicle, attitude, outputs)
         contact_motion(state, attitude, outputs)
     else:
-        tilted_gravity_on_body_axes(time, heading, attitude, vehicle, ground, outputs)
+        tilted_gravity_on_body_axes(time, ground, heading, attitude, vehicle, outputs)
         place_on_uneven_road(state, command, heading, vehicle, attitude, ground, outputs)
         contact_motion(state, attitude, outputs)
         motion_in_plane(state, heading, attitude, ground, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
-    if not is_plane:
+    if ground is not None:
         contact_moments_on_road(attitude, vehicle, outputs)
     elif options.contact_moments:
         contact_moments(attitude, vehicle, outputs)
     wheel_rates(state, command, vehicle, options, outputs, rates)
     if options.wheel_gyroscopics:
         gyroscopic_moments_on_carriers(state, vehicle, outputs, rates)
-    if not is_plane:
+    if ground is not None:
         turn_forces_to_level(outputs)
     forces_on_body_axes(attitude, outputs)
     if vehicle.details.struts != 0.0:

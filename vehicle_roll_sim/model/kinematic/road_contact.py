@@ -15,6 +15,7 @@ from vehicle_roll_sim.model.road.contact import (
     look_under_wheel,
     normal_of,
 )
+from vehicle_roll_sim.model.road.layout import SIDES
 from vehicle_roll_sim.model.road.resistance import place_over_ground, side_force
 
 
@@ -25,7 +26,7 @@ def place_on_uneven_road(state, command, heading, vehicle, attitude, ground, out
     As `place_on_road`, with the normal e and the distance of the wheel centre from the plane of the
     road. The compression of the state remains that against z = 0.
     """
-    terms, road = outputs.suspension_terms, outputs.road_terms
+    terms, plane = outputs.suspension_terms, outputs.road_terms
     for i in range(WHEEL_COUNT):
         radius = vehicle.tire_radius[i]
         outputs.unloaded_radius[i] = radius
@@ -34,13 +35,13 @@ def place_on_uneven_road(state, command, heading, vehicle, attitude, ground, out
         x, y = place_over_ground(ahead, left, heading, state[at.X], state[at.Y])
         up += state[at.Z]
         look_under_wheel(i, (x, y, up), radius, heading, command, ground, outputs)
-        ex, ey, ez = normal_of(i, road)
+        ex, ey, ez = normal_of(i, plane)
         distance = (up - outputs.road_height[i]) * ez
 
         nx, ny, nz = terms.spin_axis[0, i], terms.spin_axis[1, i], terms.spin_axis[2, i]
         sx, sy, sz = body_to_yawed(attitude, nx, ny, nz)
         terms.tire_compression[i] = radius * square_root(sx * sx + sy * sy) - up
-        ahead, left, rise = in_plane(i, sx, sy, sz, road)
+        ahead, left, rise = in_plane(i, sx, sy, sz, plane)
         cosine = max(square_root(ahead * ahead + left * left), NEARLY_FLAT)
         inverse = 1.0 / cosine
         outputs.steering_sine[i], outputs.steering_cosine[i] = -ahead * inverse, left * inverse
@@ -52,15 +53,15 @@ def place_on_uneven_road(state, command, heading, vehicle, attitude, ground, out
         load_on_road(i, radius - distance * inverse, vehicle, outputs)
         outputs.support[i] *= inverse
         outputs.normal_force[i] *= inverse
-        loaded = radius - max(road.deflection[i], 0.0)
+        loaded = radius - max(plane.deflection[i], 0.0)
         outputs.loaded_radius[i] = loaded
         reach = loaded * inverse
         bx, by, bz = yawed_to_body(attitude, ex, ey, ez)
         terms.arm[0, i] = reach * (rise * nx - bx)
         terms.arm[1, i] = reach * (rise * ny - by)
         terms.arm[2, i] = reach * (rise * nz - bz)
-        road.arm_x[i] = road.arm_y[i] = 0.0
-        road.arm_z[i] = -loaded  # the equations of model 2 take the contact point as it is
+        plane.arm_x[i] = plane.arm_y[i] = 0.0
+        plane.arm_z[i] = -loaded  # the equations of model 2 take the contact point as it is
 
 
 @kernel
@@ -69,7 +70,7 @@ def motion_in_plane(state, heading, attitude, ground, outputs):
 
     After `contact_motion`, which leaves out the vertical velocity.
     """
-    terms, road = outputs.suspension_terms, outputs.road_terms
+    terms, plane = outputs.suspension_terms, outputs.road_terms
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
     wu = state[at.UNSPRUNG_VELOCITY]
     for i in range(WHEEL_COUNT):
@@ -81,7 +82,9 @@ def motion_in_plane(state, heading, attitude, ground, outputs):
         left = outputs.unsprung_v[i] + wz * x - wx * z + py * rate
         up = wu[i] + wx * y - wy * x + pz * rate
         ug, vg, wg = body_to_yawed(attitude, ahead, left, up)
-        outputs.contact_u[i], outputs.contact_v[i], _ = in_plane(i, ug, vg, wg, road)
+        outputs.contact_u[i], outputs.contact_v[i], _ = in_plane(i, ug, vg, wg, plane)
+        if ground[SIDES] == 0.0:
+            continue
         wheel = terms.wheel[0, i], terms.wheel[1, i], terms.wheel[2, i]
         ahead, left, _ = body_to_yawed(attitude, wheel[0], wheel[1], wheel[2])
         x, y = place_over_ground(ahead, left, heading, state[at.X], state[at.Y])

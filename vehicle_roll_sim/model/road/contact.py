@@ -10,7 +10,8 @@ from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math, square_root, term
 from vehicle_roll_sim.model.contact import normal_force, small_angle_contact_velocity
 from vehicle_roll_sim.model.frames import body_to_yawed, ground_to_yawed, yawed_to_body
-from vehicle_roll_sim.model.records import WHEEL_COUNT
+from vehicle_roll_sim.model.records import LF, LR, WHEEL_COUNT
+from vehicle_roll_sim.model.road.layout import SIDES
 from vehicle_roll_sim.model.road.plane import plane_under
 from vehicle_roll_sim.model.road.resistance import place_over_ground, side_force
 from vehicle_roll_sim.model.road.surface import softness
@@ -38,15 +39,19 @@ def look_under_wheel(i, place, radius, heading, command, ground, outputs):
     outputs.road_height[i] = height + command.road_height[i]
     outputs.road_friction[i] = friction * (1.0 + command.road_friction_change[i])
     terms.along[i], terms.across[i] = ground_to_yawed(heading, along, across)
-    terms.yielding[i], terms.linear[i], terms.quadratic[i] = softness(x, y, ground)
+    a, b = terms.along[i], terms.across[i]
+    terms.level[i] = 1.0 / square_root(1.0 + a * a)
+    upright = 1.0 / square_root(1.0 + a * a + b * b)
+    terms.normal_x[i], terms.normal_y[i], terms.normal_z[i] = -a * upright, -b * upright, upright
+    terms.yielding[i] = terms.side_x[i] = terms.side_y[i] = terms.side_height[i] = 0.0
+    if ground[SIDES] != 0.0:
+        terms.yielding[i], terms.linear[i], terms.quadratic[i] = softness(x, y, ground)
 
 
 @term
 def normal_of(i, terms):
     """The normal of the road at wheel i in frame 2."""
-    a, b = terms.along[i], terms.across[i]
-    upright = 1.0 / square_root(1.0 + a * a + b * b)
-    return -a * upright, -b * upright, upright
+    return terms.normal_x[i], terms.normal_y[i], terms.normal_z[i]
 
 
 @term
@@ -58,7 +63,7 @@ def in_plane(i, x, y, z, terms):
     """
     a, b = terms.along[i], terms.across[i]
     nx, ny, nz = normal_of(i, terms)
-    level = 1.0 / square_root(1.0 + a * a)
+    level = terms.level[i]
     ahead = level * (x + a * z)
     left = level * nz * ((1.0 + a * a) * y + b * z - a * b * x)
     return ahead, left, nx * x + ny * y + nz * z
@@ -69,7 +74,7 @@ def from_plane(i, ahead, left, up, terms):
     """The vector in frame 2 from its components of `in_plane`."""
     a, b = terms.along[i], terms.across[i]
     nx, ny, nz = normal_of(i, terms)
-    level = 1.0 / square_root(1.0 + a * a)
+    level = terms.level[i]
     aside = left * level * nz
     x = ahead * level - aside * a * b + up * nx
     return x, aside * (1.0 + a * a) + up * ny, a * ahead * level + aside * b + up * nz
@@ -134,13 +139,23 @@ def contact_on_road(state, command, heading, vehicle, options, attitude, ground,
         if options.small_angles:
             ug, vg = small_angle_contact_velocity(i, wx, wy, vehicle, options, outputs)
         outputs.contact_u[i], outputs.contact_v[i], _ = in_plane(i, ug, vg, wg, terms)
-        side_force(i, x, y, ug, vg, heading, ground, outputs)
+        if ground[SIDES] != 0.0:
+            side_force(i, x, y, ug, vg, heading, ground, outputs)
 
 
 @kernel
-def inclinations_on_road(attitude, vehicle, outputs):
-    """Inclination of every wheel to the plane of the road, as `actual_inclinations` to z = 0."""
+def inclinations_on_road(attitude, vehicle, tires, outputs):
+    """Inclination of every wheel to the plane of the road, as `actual_inclinations` to z = 0.
+
+    0 if nothing depends on it, to save time.
+    """
+    is_plain = tires.front.plain != 0.0 and tires.rear.plain != 0.0
+    shifts = vehicle.tire_lateral_compliance[LF] + vehicle.tire_lateral_compliance[LR]
     for i in range(WHEEL_COUNT):
+        if is_plain and shifts == 0.0:
+            outputs.inclination[i] = outputs.inclination_sine[i] = 0.0
+            outputs.inclination_cosine[i] = 1.0
+            continue
         nx, ny, nz = normal_of(i, outputs.road_terms)
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         ahead, left, up = body_to_yawed(attitude, -s, c, 0.0)
@@ -180,6 +195,7 @@ def contact_moments_on_road(attitude, vehicle, outputs):
         x, y = x - arm * terms.side_y[i], y + arm * terms.side_x[i]
         x, y, z = yawed_to_body(attitude, x, y, z)
         force = force_on_road(i, outputs)
+        terms.force_x[i], terms.force_y[i], terms.force_z[i] = force
         fx, fy, fz = yawed_to_body(attitude, force[0], force[1], force[2])
         ax, ay, az = terms.arm_x[i], terms.arm_y[i], terms.arm_z[i] + outputs.loaded_radius[i]
         outputs.contact_moment_x[i] = x + ay * fz - az * fy
@@ -191,8 +207,11 @@ def contact_moments_on_road(attitude, vehicle, outputs):
 
 @kernel
 def turn_forces_to_level(outputs):
-    """Replace the contact forces in the plane of the road by the whole force in frame 2 (N)."""
+    """Replace the contact forces in the plane of the road by the whole force in frame 2 (N).
+
+    After `contact_moments_on_road`, which finds it.
+    """
+    terms = outputs.road_terms
     for i in range(WHEEL_COUNT):
-        x, y, z = force_on_road(i, outputs)
-        outputs.longitudinal_force[i], outputs.lateral_force[i] = x, y
-        outputs.normal_force[i] = z
+        outputs.longitudinal_force[i] = terms.force_x[i]
+        outputs.lateral_force[i], outputs.normal_force[i] = terms.force_y[i], terms.force_z[i]

@@ -7,10 +7,11 @@ has the index at which its table begins.
 
 import numpy as np
 
-HEADER = 4
-USED, COUNT, TILT, TILT_COUNT = range(HEADER)
+HEADER = 5
+USED, COUNT, TILT, TILT_COUNT, SIDES = range(HEADER)
 """Elements of the header: whether the ground is anything but a plane, number of features, index of
-the table of the tilt angle over time, and its number of points, 0 if the ground does not tilt."""
+the table of the tilt angle over time, and its number of points, 0 if the ground does not tilt, and
+whether there are features that push wheels from the side."""
 FEATURE_SIZE = 16
 KIND, ORIGIN_X, ORIGIN_Y, COSINE, SINE, OWN = range(6)
 OWN_COUNT = FEATURE_SIZE - OWN
@@ -43,6 +44,7 @@ def ground_of(
             end += len(table)
         ground[first + 1 : first + 1 + len(numbers)] = numbers
     ground[COUNT] = len(rows)
+    ground[SIDES] = any(kind in (WALL, SOIL) for kind, _, _ in rows)
     if tilt is not None:
         ground[TILT], ground[TILT_COUNT] = end, len(tilt)
         tables.append(tilt.ravel())

@@ -18,7 +18,6 @@ def side_force(i, x, y, ahead, left, heading, ground, outputs):
     contact point in frame 2 (m/s). Reads deflection, load and sinkage of the wheel.
     """
     terms = outputs.road_terms
-    terms.side_x[i] = terms.side_y[i] = terms.side_height[i] = 0.0
     for k in range(int(ground[COUNT])):
         row = row_of(k, ground)
         if ground[row + KIND] == WALL:

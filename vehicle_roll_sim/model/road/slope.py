@@ -5,6 +5,7 @@ Not in the paper.
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math
 from vehicle_roll_sim.model.frames import ground_to_yawed, yawed_to_body
+from vehicle_roll_sim.model.road.layout import TILT_COUNT
 from vehicle_roll_sim.model.road.surface import tilt_angle
 
 
@@ -18,12 +19,14 @@ def slope_gravity_on_body_axes(heading, attitude, vehicle, outputs):
 
 
 @kernel
-def tilted_gravity_on_body_axes(time, heading, attitude, vehicle, ground, outputs):
+def tilted_gravity_on_body_axes(time, ground, heading, attitude, vehicle, outputs):
     """What tilting the ground by an angle a about its x axis adds to gravity, in frame 1 (m/s^2).
 
     It is (0, -g sin a, g (1 - cos a)) in the frame of the ground, which turns so slowly that its
     own acceleration is left out.
     """
+    if ground[TILT_COUNT] == 0.0:
+        return
     angle, g = tilt_angle(time, ground), vehicle.gravity
     along, across = ground_to_yawed(heading, 0.0, -g * math.sin(angle))
     half = math.sin(0.5 * angle)
