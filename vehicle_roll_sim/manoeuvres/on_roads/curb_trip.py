@@ -126,4 +126,5 @@ class CurbTrip(OnOwnRoad, OpenLoop):
         }
 
 
-CURB_TRIP = CurbTrip(speed=0.0, sliding_speed=6.0, duration=8.0)
+CURB_TRIP = CurbTrip(speed=0.0, sliding_speed=6.0, duration=12.0)
+"""Long enough for the slowest one to reach the curb."""
