@@ -4,7 +4,7 @@ import dataclasses
 import math
 from collections.abc import Iterable
 
-from vehicle_roll_sim.manoeuvres.catalogue import PAPER, STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import MANOEUVRES, PAPER
 from vehicle_roll_sim.manoeuvres.nhtsa import METRES_PER_SECOND_OF_A_MPH
 from vehicle_roll_sim.vehicle import combinations as together
 from vehicle_roll_sim.vehicle import plausibility as usual
@@ -33,6 +33,12 @@ DEFINITIONS = {
     "{radius:g} m while the speed rises from {speed:g} m/s at {acceleration:g} m/s²",
     "constant_handwheel_circle": "after ISO 4138, constant handwheel angle: {handwheel_angle:g}°, "
     "while the speed rises from {speed:g} m/s at {acceleration:g} m/s²",
+    "tilt_table": "after SAE J2180, on its own road: parked on a table whose {side} side is raised "
+    "at {rate:g}°/s to at most {steepest:g}°",
+    "curb_trip": "on its own road: slides sideways on ice, at {sliding_speed:g} m/s, against a "
+    "curb {curb_height:g} m high",
+    "split_friction_braking": "on its own road: brakes on a straight road whose {side} side is "
+    "slippery (friction times {low_friction:g}), by a driver who follows it; {km_per_h:g} km/h",
 }
 
 
@@ -40,9 +46,9 @@ def definitions() -> dict[str, str]:
     """Every manoeuvre, those of the paper together, and what it is."""
     paper = "`, `".join(PAPER)
     of_paper = "those of Shim and Ghike (2007), the source of the model; road-wheel angles"
-    assert DEFINITIONS.keys() == STANDARD.keys() - PAPER.keys()
+    assert DEFINITIONS.keys() == MANOEUVRES.keys() - PAPER.keys()
     return {paper: of_paper} | {
-        name: text.format(**_numbers(STANDARD[name])) for name, text in DEFINITIONS.items()
+        name: text.format(**_numbers(MANOEUVRES[name])) for name, text in DEFINITIONS.items()
     }
 
 

@@ -9,7 +9,7 @@ from vehicle_roll_sim.batch.case import Case, Outcome, no_state
 from vehicle_roll_sim.batch.evaluate import outcomes
 from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import MANOEUVRES
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.control_law import ControlLaw
 from vehicle_roll_sim.runs.history import History
@@ -158,6 +158,6 @@ def _named(manoeuvre):
         return [_named(each) for each in manoeuvre]
     if not isinstance(manoeuvre, str):
         return manoeuvre
-    if manoeuvre not in STANDARD:
-        raise unknown_name(manoeuvre, STANDARD, "manoeuvre")
-    return STANDARD[manoeuvre]
+    if manoeuvre not in MANOEUVRES:
+        raise unknown_name(manoeuvre, MANOEUVRES, "manoeuvre")
+    return MANOEUVRES[manoeuvre]

@@ -8,6 +8,7 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.input_errors import given
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.command_file import CommandTable
+from vehicle_roll_sim.manoeuvres.on_roads.own_road import road_for
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import STATE
 from vehicle_roll_sim.model.variants import MODELS
@@ -29,8 +30,8 @@ class Case:
     duration: simulated time (s), by default that of the manoeuvre; that of a command table is
     rounded up to a multiple of the step. controller: a ControlLaw, with which all commands are held
     for periods of 10 ms. options: options of the model, by default those of the vehicle. model:
-    name of the model, in place of that of the options. road: by default level. step: integration
-    step (s). rollover_angle: roll angle at which the run stops (rad).
+    name of the model, in place of that of the options. road: by default that of the manoeuvre, or
+    level. step: integration step (s). rollover_angle: roll angle at which the run stops (rad).
     """
 
     vehicle: Vehicle
@@ -52,7 +53,7 @@ class Case:
             self._options(),
             step=self.step,
             rollover_angle=self.rollover_angle,
-            road=self.road,
+            road=road_for(self._chosen_manoeuvre(), self.road),
         )
 
     def driver(self, manoeuvre: Manoeuvre, simulation: Simulation) -> Programme | Feedback:
@@ -61,6 +62,12 @@ class Case:
         if self.controller is None:
             return driver
         return Controlled(simulation, driver, given("controller", self.controller, ControlLaw))
+
+    def _chosen_manoeuvre(self) -> Manoeuvre:
+        """The manoeuvre with its speed and duration."""
+        values = {"speed": self.speed, "duration": self.duration}
+        chosen = {name: value for name, value in values.items() if value is not None}
+        return dataclasses.replace(given("manoeuvre", self.manoeuvre, Manoeuvre), **chosen)
 
     def _options(self) -> Options:
         options = options_for(self.vehicle) if self.options is None else self.options
@@ -75,9 +82,7 @@ class Case:
 
         Raises InputError.
         """
-        values = {"speed": self.speed, "duration": self.duration}
-        chosen = {name: value for name, value in values.items() if value is not None}
-        manoeuvre = dataclasses.replace(given("manoeuvre", self.manoeuvre, Manoeuvre), **chosen)
+        manoeuvre = self._chosen_manoeuvre()
         if isinstance(manoeuvre, CommandTable) and self.duration is None:
             manoeuvre = manoeuvre.to_whole_steps(simulation.step_ns)
         return manoeuvre.for_vehicle(simulation.vehicle, simulation.options)

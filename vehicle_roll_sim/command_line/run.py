@@ -31,7 +31,7 @@ from vehicle_roll_sim.files.output_file import (
     check_writable,
 )
 from vehicle_roll_sim.manoeuvres.base import OpenLoop
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.manoeuvres.catalogue import MANOEUVRES, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.manoeuvres.command_file import load_commands
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.offline.manoeuvre_argument import manoeuvre_of
@@ -78,7 +78,7 @@ def run_command(words: list[str], program: str) -> int:
     manoeuvre = _manoeuvre(chosen)
     arguments = _parser(program, manoeuvre).parse_args(words)
     if manoeuvre is None:
-        raise InputError("MANOEUVRE", None, "one of " + ", ".join(STANDARD) + ", or --commands")
+        raise InputError("MANOEUVRE", None, "one of " + ", ".join(MANOEUVRES) + ", or --commands")
     sampling = Sampling(**declared_values(arguments, Sampling))
     csv, plot, bag = _results(arguments)
     view = _page(arguments, csv, plot, bag)
@@ -89,8 +89,8 @@ def run_command(words: list[str], program: str) -> int:
     if bag:
         signals.import_interruptibly("bags.run_bag")
     warn_or_refuse(manoeuvre.doubts, arguments)
-    simulation = chosen_simulation(arguments)
     values = declared_values(arguments, manoeuvre)
+    simulation = chosen_simulation(arguments, _with_values(manoeuvre, values))
     try:
         manoeuvre = manoeuvre_of(manoeuvre, values, simulation.step_ns)
         result = _run_with_progress(manoeuvre, simulation, sampling, bag, arguments.stamped)
@@ -119,12 +119,12 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
         "manoeuvre",
         metavar="MANOEUVRE",
         nargs="?",
-        help=", ".join(STANDARD) + "; `run NAME --help` shows the options of one",
+        help=", ".join(MANOEUVRES) + "; `run NAME --help` shows the options of one",
     )
     parser.add_argument(
         "--commands", metavar="FILE.csv", help="drive by a command file instead of a manoeuvre"
     )
-    for declaring in [manoeuvre] if manoeuvre else map(type, STANDARD.values()):
+    for declaring in [manoeuvre] if manoeuvre else map(type, MANOEUVRES.values()):
         add_declared(parser, declaring, "manoeuvre")
     add_simulation_options(parser)
     add_declared(parser, Sampling, "sampling")
@@ -187,7 +187,14 @@ def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:
         raise InputError("--commands", chosen.commands, "not together with a manoeuvre")
     if command_file := named_file(chosen.commands, "--commands"):
         return load_commands(command_file)
-    return manoeuvre_named(chosen.manoeuvre) if chosen.manoeuvre else None
+    return manoeuvre_named(chosen.manoeuvre, MANOEUVRES) if chosen.manoeuvre else None
+
+
+def _with_values(manoeuvre: Manoeuvre, values: dict) -> Manoeuvre:
+    try:
+        return dataclasses.replace(manoeuvre, **values)
+    except InputError as error:
+        raise as_option(error) from None
 
 
 def _run_with_progress(

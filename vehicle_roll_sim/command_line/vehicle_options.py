@@ -9,6 +9,8 @@ from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.command_line.plausibility_option import add_strict, warn_or_refuse
 from vehicle_roll_sim.declaration import InputError, Table, parameters_of, unknown_name
+from vehicle_roll_sim.manoeuvres.base import Manoeuvre
+from vehicle_roll_sim.manoeuvres.on_roads.own_road import road_for
 from vehicle_roll_sim.simulation.integration import Integration
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
@@ -27,12 +29,23 @@ def add_simulation_options(parser: argparse.ArgumentParser) -> None:
     add_declared(parser, Integration, "integration")
 
 
-def chosen_simulation(arguments: argparse.Namespace) -> Simulation:
-    """The simulation that the options of `add_simulation_options` describe."""
+def chosen_simulation(
+    arguments: argparse.Namespace, manoeuvre: Manoeuvre | None = None
+) -> Simulation:
+    """The simulation that the options of `add_simulation_options` describe.
+
+    manoeuvre: to be driven; if it brings a road, the simulation has this road. Raises InputError if
+    the options then describe a road too.
+    """
     integration = Integration(**declared_values(arguments, Integration))
     vehicle = chosen_vehicle(arguments)
     options = chosen_options(arguments, vehicle)
     road = chosen_road(arguments)
+    if manoeuvre:
+        try:
+            road = road_for(manoeuvre, road)
+        except InputError as error:
+            raise as_option(error) from None
     with signals.exit_on_signal():
         compile_model()
     return Simulation(

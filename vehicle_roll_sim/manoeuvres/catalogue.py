@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -13,6 +14,9 @@ from vehicle_roll_sim.manoeuvres.double_lane_change import (
 )
 from vehicle_roll_sim.manoeuvres.iso_step_steer import ISO_STEP_STEER
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
+from vehicle_roll_sim.manoeuvres.on_roads.curb_trip import CURB_TRIP
+from vehicle_roll_sim.manoeuvres.on_roads.split_friction import SPLIT_FRICTION_BRAKING
+from vehicle_roll_sim.manoeuvres.on_roads.tilt_table import TILT_TABLE
 from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import SLOWLY_INCREASING_STEER
 from vehicle_roll_sim.manoeuvres.steady_state_circle import (
@@ -58,9 +62,24 @@ STANDARD = {
 }
 """All manoeuvres, under the conditions of the paper or the standard (docs/manoeuvres.md)."""
 
+ON_ROADS = {
+    "tilt_table": TILT_TABLE,
+    "curb_trip": CURB_TRIP,
+    "split_friction_braking": SPLIT_FRICTION_BRAKING,
+}
+"""Manoeuvres that bring their own road, which a running simulator cannot be given."""
+MANOEUVRES = STANDARD | ON_ROADS
 
-def manoeuvre_named(name: str) -> Manoeuvre:
-    """The manoeuvre of that name; raises InputError listing the available names."""
-    if name not in STANDARD:
-        raise InputError("MANOEUVRE", name, "one of " + ", ".join(STANDARD))
-    return STANDARD[name]
+
+def manoeuvre_named(name: str, known: Mapping[str, Manoeuvre] = STANDARD) -> Manoeuvre:
+    """The manoeuvre of that name; raises InputError listing the available names.
+
+    known: MANOEUVRES, or STANDARD where a manoeuvre cannot bring its own road.
+    """
+    if name in known:
+        return known[name]
+    allowed = "one of " + ", ".join(known)
+    if name in ON_ROADS:
+        problem = f"{name} brings its own road; drive it with `vehicle_roll_sim run`"
+        raise InputError("MANOEUVRE", "", allowed, problem)
+    raise InputError("MANOEUVRE", name, allowed)

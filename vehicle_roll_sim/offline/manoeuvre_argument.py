@@ -9,7 +9,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, unknown_name, validated
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import MANOEUVRES
 from vehicle_roll_sim.manoeuvres.command_file import CommandTable, command_table, load_commands
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme
 
@@ -74,9 +74,9 @@ def _named(asked) -> Manoeuvre:
     if isinstance(asked, Manoeuvre):
         return asked
     if isinstance(asked, str) and Path(asked).suffix.lower() != ".csv":
-        if asked not in STANDARD:
-            raise unknown_name(asked, STANDARD, FIELD)
-        return STANDARD[asked]
+        if asked not in MANOEUVRES:
+            raise unknown_name(asked, MANOEUVRES, FIELD)
+        return MANOEUVRES[asked]
     if isinstance(asked, str | os.PathLike):
         return load_commands(asked)
     if hasattr(asked, "columns"):  # a DataFrame

@@ -8,6 +8,7 @@ from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.output_file import check_new_folder
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
+from vehicle_roll_sim.manoeuvres.on_roads.own_road import check_road, road_for
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.offline.manoeuvre_argument import manoeuvre_of
 from vehicle_roll_sim.offline.run_result import RunResult
@@ -48,15 +49,19 @@ def run(
     table of its columns (a mapping of arrays, or a DataFrame), a constant Command, a Programme or a
     Feedback. values: parameters of the manoeuvre, with the names and units of the command's options
     (deg, m/s, s); for a user-defined driver `duration` (required) and `speed` (default 50 km/h).
-    vehicle: by default the reference vehicle. step, sample, command_period (s), rollover_angle
-    (rad): as in Simulation and simulation.run. bag: folder of a bag to write, with the messages
-    that the node would publish; commands are then held for `command_period`, by default 10 ms.
-    stamped: also write the messages without a header to the bag in stamped form. progress: called
-    with each increment of simulated time (s). Returns a RunResult. Raises InputError.
+    vehicle: by default the reference vehicle. road: by default level, or that of the manoeuvre.
+    step, sample, command_period (s), rollover_angle (rad): as in Simulation and simulation.run.
+    bag: folder of a bag to write, with the messages that the node would publish; commands are then
+    held for `command_period`, by default 10 ms. stamped: also write the messages without a header
+    to the bag in stamped form. progress: called with each increment of simulated time (s). Returns
+    a RunResult. Raises InputError.
     """
     vehicle = preset() if vehicle is None else vehicle
-    simulation = Simulation(vehicle, options, step=step, rollover_angle=rollover_angle, road=road)
+    settings = {"step": step, "rollover_angle": rollover_angle}
+    simulation = Simulation(vehicle, options, road=road, **settings)
     manoeuvre = manoeuvre_of(manoeuvre, values, simulation.step_ns)
+    if (own := road_for(manoeuvre, road)) != road:
+        simulation = Simulation(vehicle, options, road=own, **settings)
     return drive(
         manoeuvre,
         simulation,
@@ -79,6 +84,7 @@ def drive(
     progress: Callable[[float], None] = lambda seconds: None,
 ) -> RunResult:
     """Reset a simulation and drive a manoeuvre; arguments and result as for `run`."""
+    check_road(manoeuvre, simulation.road)
     _check_multiples(manoeuvre, sample, command_period, simulation.step_ns)
     if stamped and bag is None:
         raise InputError("stamped", "", "together with bag", "there is no bag")

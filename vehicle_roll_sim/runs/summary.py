@@ -71,7 +71,7 @@ def _choice(name: str, vehicle: Vehicle, options: Options) -> str:
 
 def line(label: str, value) -> str:
     """A line of the summary: label, colon and value."""
-    return f"{label + ':':{LABEL_WIDTH}}{value}"
+    return f"{label + ': ':{LABEL_WIDTH}}{value}"
 
 
 def _time(value: float) -> str:

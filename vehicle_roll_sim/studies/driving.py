@@ -5,13 +5,13 @@ from collections.abc import Mapping
 from vehicle_roll_sim.control_laws.catalogue import LAWS
 from vehicle_roll_sim.declaration import unknown_name
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import MANOEUVRES
 from vehicle_roll_sim.runs.control_law import COMMANDED, ControlLaw
 from vehicle_roll_sim.studies import own_code
 from vehicle_roll_sim.studies.source import Source
 
 KINDS = {"manoeuvre": Manoeuvre, "controller": ControlLaw}
-NAMED = {"manoeuvre": STANDARD, "controller": LAWS}
+NAMED = {"manoeuvre": MANOEUVRES, "controller": LAWS}
 FILE = "FILE.py:NAME"
 Driving = tuple[dict[str, Manoeuvre | ControlLaw | None], dict[str, dict]]
 """The manoeuvre and the controller by section, and the user's own code of each."""

@@ -1,0 +1,1 @@
+"""Manoeuvres that bring the road on which they are driven."""
