@@ -79,8 +79,8 @@ FAULTS = (
     Fault(
         "a weighting function of combined slip is left out",
         "model/tire/magic_formula.py",
-        "fx = gx * (x_peak *",
-        "fx = (x_peak *",
+        "fx = gx * (fx + terms.longitudinal_shift[i])",
+        "fx = fx + terms.longitudinal_shift[i]",
         "test/model/tire/test_tire.py::test_slip_in_one_direction_takes_force_from_the_other",
     ),
     Fault(

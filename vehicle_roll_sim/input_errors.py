@@ -82,6 +82,18 @@ def number_in(text: str) -> float:
     return float(text)
 
 
+def number_within(text: str, field: str, least: float, most: float, unit: str) -> float:
+    """Parse a decimal number from `least` to `most`; raises InputError naming `field`."""
+    allowed = f"a number from {least:g} to {most:g} {unit}"
+    try:
+        number = number_in(text)
+    except ValueError:
+        raise InputError(field, text, allowed) from None
+    if not least <= number <= most:
+        raise InputError(field, number, allowed)
+    return number
+
+
 def unknown_name(name, known: Iterable[str], field: str) -> InputError:
     """The error for a name not among the `known` ones; it suggests the closest match."""
     known = {each.casefold(): each for each in known}

@@ -24,6 +24,9 @@ MAY_READ = {
     "vehicle_roll_sim/ros/controller_scripts.py": "a script that is run",
     "vehicle_roll_sim/ros/orchestration/comparison.py": "what its own processes said",
     "vehicle_roll_sim/ros/orchestration/controller_processes.py": "what its own processes said",
+    "vehicle_roll_sim/ros/orchestration/score.py": "scripts that are run",
+    "vehicle_roll_sim/scoring/store.py": "the runs of a score that goes on",
+    "vehicle_roll_sim/scoring/blocks.py": "the figures of the report that has just been written",
     "vehicle_roll_sim/ros/signals.py": "one byte of a pipe",
 }
 

@@ -6,8 +6,10 @@ import tempfile
 
 import launch_files
 import pytest
+import rclpy
 from forked import SERVER, open_process
 from peers import Peer, Process
+from rclpy.context import Context
 
 from vehicle_roll_sim.ros.orchestration.domains import own_domain
 
@@ -33,6 +35,15 @@ def domain():
     """The ROS domain of a test, which nobody else on this machine has meanwhile."""
     with own_domain() as number:
         yield number
+
+
+@pytest.fixture
+def context(domain):
+    """A context of rclpy in the test's domain, for nodes in the test process."""
+    made = Context()
+    rclpy.init(context=made, domain_id=domain)
+    yield made
+    rclpy.shutdown(context=made)
 
 
 @pytest.fixture

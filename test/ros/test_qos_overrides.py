@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pytest
 import rclpy
-from rclpy.context import Context
 from rclpy.duration import Duration
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
@@ -40,14 +39,6 @@ LOSING = {
     "/state.publisher.reliability:=best_available": "reliable",
     "/state.publisher.lifespan:=1000": "0",
 }
-
-
-@pytest.fixture
-def context(domain):
-    context = Context()
-    rclpy.init(context=context, domain_id=domain)
-    yield context
-    rclpy.shutdown(context=context)
 
 
 @pytest.fixture

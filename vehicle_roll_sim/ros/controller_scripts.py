@@ -1,12 +1,14 @@
 """Controller scripts: where they are, and the topics and parameters that they name."""
 
 import ast
+import importlib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from vehicle_roll_sim.declaration import InputError
+from vehicle_roll_sim.declaration import InputError, parameters_of
 from vehicle_roll_sim.ros.simulator.settings import COMMANDED
 
+PACKAGE = "vehicle_roll_sim"
 EXAMPLES = Path(__file__).parents[1] / "examples"
 NO_CONTROLLERS = ("__init__", "executables")
 NEEDED = {"roll_braking": ("rollover_warning",)}
@@ -82,6 +84,21 @@ def _said_in(tree: ast.AST) -> set:
     return _constants(tree)
 
 
+def _declared_in(tree: ast.AST) -> set[str]:
+    """The parameters of the classes of this package that a script gives to `parameters_for`."""
+    imported, names = {}, set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            imported |= {a.asname or a.name: f"{node.module}.{a.name}" for a in node.names}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and ast.unparse(node.func).endswith(".parameters_for"):
+            head, dot, inside = ast.unparse(node.args[0]).partition(".")
+            module, _, kind = f"{imported.get(head, '')}{dot}{inside}".rpartition(".")
+            if module.startswith(f"{PACKAGE}."):
+                names |= parameters_of(getattr(importlib.import_module(module), kind)).keys()
+    return names
+
+
 def _is_written_out(value: ast.AST | None) -> bool:
     """Whether topics are literal: a string or `Topic(...)`, alone or in a tuple or list."""
     if isinstance(value, ast.Tuple | ast.List):
@@ -98,7 +115,8 @@ def assigned(
 
     Controllers refuse unknown parameters, so one that is meant for another must not reach them.
     """
-    texts = {script: texts_of(script, field) for script in scripts}
+    trees = {script: _tree(script, field) for script in scripts}
+    texts = {script: _constants(tree) | _declared_in(tree) for script, tree in trees.items()}
     words = {script: [] for script in texts}
     for parameter in parameters:
         name = parameter.partition(":=")[0]

@@ -3,8 +3,7 @@
 import argparse
 
 from vehicle_roll_sim.arguments import OneLineParser
-from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.input_errors import number_in
+from vehicle_roll_sim.input_errors import number_within
 from vehicle_roll_sim.scoring.catalogue import TESTS
 from vehicle_roll_sim.scoring.spread import SPREAD
 
@@ -78,11 +77,4 @@ def parser_of(program: str) -> argparse.ArgumentParser:
 
 def patience_of(text: str) -> float:
     """The wall time (s) to wait for a controller; raises InputError."""
-    allowed = f"a number from {LEAST_PATIENCE:g} to {MOST_PATIENCE:g} s"
-    try:
-        seconds = number_in(text)
-    except ValueError:
-        raise InputError("--patience", text, allowed) from None
-    if not LEAST_PATIENCE <= seconds <= MOST_PATIENCE:
-        raise InputError("--patience", seconds, allowed)
-    return seconds
+    return number_within(text, "--patience", LEAST_PATIENCE, MOST_PATIENCE, "s")

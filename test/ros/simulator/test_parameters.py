@@ -5,9 +5,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
-import rclpy
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
-from rclpy.context import Context
 from rclpy.parameter import Parameter
 from std_srvs.srv import Trigger
 
@@ -52,14 +50,6 @@ WRONG = {
     "lockstep_wait:=[state_stamped]": ("lockstep_wait", "only with publish_stamped"),
     "lockstep_wait:=odom": ("lockstep_wait", "a list of one or more of state"),
 }
-
-
-@pytest.fixture
-def context(domain):
-    context = Context()
-    rclpy.init(context=context, domain_id=domain)
-    yield context
-    rclpy.shutdown(context=context)
 
 
 @pytest.mark.parametrize("assignment", WRONG)

@@ -3,7 +3,6 @@
 import signal
 
 import pytest
-import rclpy
 from lockstep_partner import answered, begin
 from rcl_interfaces.srv import SetParameters
 from rclpy.parameter import Parameter
@@ -14,14 +13,6 @@ from vehicle_roll_sim.ros.simulator import snapshot_store
 from vehicle_roll_sim.ros.simulator.node import Simulator
 
 ACTUATED = ("vehicle.steering_actuator_frequency", 5.0)
-
-
-@pytest.fixture
-def context(domain):
-    made = rclpy.Context()
-    rclpy.init(context=made, domain_id=domain)
-    yield made
-    rclpy.shutdown(context=made)
 
 
 @pytest.fixture

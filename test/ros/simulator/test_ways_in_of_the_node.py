@@ -1,7 +1,6 @@
 """The node takes commands of other packages' types; what it cannot use is told of and dropped."""
 
 import pytest
-import rclpy
 from geometry_msgs.msg import TwistStamped
 from rclpy.parameter import Parameter
 from sensor_msgs.msg import JointState
@@ -13,14 +12,6 @@ from vehicle_roll_sim.ros.simulator.node import Simulator
 from vehicle_roll_sim.ros.topics import is_installed
 
 ACKERMANN = WAYS_IN[0]
-
-
-@pytest.fixture
-def context(domain):
-    made = rclpy.Context()
-    rclpy.init(context=made, domain_id=domain)
-    yield made
-    rclpy.shutdown(context=made)
 
 
 @pytest.fixture

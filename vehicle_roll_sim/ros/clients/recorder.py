@@ -17,7 +17,7 @@ from rclpy.subscription import Subscription
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
-from vehicle_roll_sim.input_errors import InputError, number_in
+from vehicle_roll_sim.input_errors import number_within
 from vehicle_roll_sim.messages.topics import (
     PUBLISHED,
     SIMULATION_DESCRIPTION,
@@ -192,14 +192,7 @@ def main() -> int:
 def _duration(text: str | None) -> float | None:
     if text is None:
         return None
-    allowed = f"a number from {SHORTEST_RECORDING:g} to {LONGEST_RECORDING:g} s"
-    try:
-        seconds = number_in(text)
-    except ValueError:
-        raise InputError("--duration", text, allowed) from None
-    if not SHORTEST_RECORDING <= seconds <= LONGEST_RECORDING:
-        raise InputError("--duration", seconds, allowed)
-    return seconds
+    return number_within(text, "--duration", SHORTEST_RECORDING, LONGEST_RECORDING, "s")
 
 
 if __name__ == "__main__":
