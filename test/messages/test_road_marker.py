@@ -1,6 +1,9 @@
 """The marker of a road is its mesh, as another library reads it."""
 
 import dataclasses
+import importlib
+import sys
+import types
 
 import numpy as np
 import pytest
@@ -20,6 +23,18 @@ from vehicle_roll_sim.simulation.road import Road
 LARGEST = 1_200_000
 """Bytes of a message: MOST_CELLS of about five triangles, each of 3 (24 + 16) bytes, and some."""
 CORNERS = 3
+KINDS = {
+    "header": "std_msgs/Header",
+    "ns": "string",
+    "type": "int32",
+    "pose": "geometry_msgs/Pose",
+    "scale": "geometry_msgs/Vector3",
+    "color": "std_msgs/ColorRGBA",
+    "frame_locked": "boolean",
+    "points": "sequence<geometry_msgs/Point>",
+    "colors": "sequence<std_msgs/ColorRGBA>",
+}
+"""Kinds of the fields of a Marker that are filled, as rclpy names them."""
 
 
 @pytest.fixture
@@ -57,6 +72,40 @@ def test_a_marker_is_read_as_it_was_written(encoding):
     read = [[point.x, point.y, point.z] for point in marker.points]
     assert np.reshape(read, (-1, CORNERS, 3)).tolist() == points_of(given).tolist()
     assert len(marker.colors) == len(marker.points)
+
+
+def test_the_node_fills_the_class_of_a_marker_with_the_same(encoding, monkeypatch):
+    """Of a stand-in, since visualization_msgs is not among the wheels; what is in it is of ROS."""
+    pytest.importorskip("rclpy", reason="the node's messages need ROS 2")
+    from vehicle_roll_sim.ros.encoding import _message
+
+    package = types.ModuleType("visualization_msgs.msg")
+    package.Marker = Marker
+    _, members = encoding.TYPES.fielddefs[ROAD.type]
+    assert KINDS.keys() <= {name for name, _ in members}
+    monkeypatch.setitem(sys.modules, "visualization_msgs", types.ModuleType("visualization_msgs"))
+    monkeypatch.setitem(sys.modules, package.__name__, package)
+    given = road_marker(ROADS["dip"], "car/")
+    filled = _message(ROAD.type, given)
+    assert (filled.header.frame_id, filled.type, filled.ns) == ("car/odom", TRIANGLE_LIST, "road")
+    assert (filled.pose.orientation.w, filled.scale.z, filled.frame_locked) == (1.0, 1.0, True)
+    found = [[point.x, point.y, point.z] for point in filled.points]
+    assert np.reshape(found, (-1, CORNERS, 3)).tolist() == points_of(given).tolist()
+    assert [each.b for each in filled.colors] == [each["b"] for each in given["colors"]]
+
+
+class Marker:
+    """Has the fields that are filled; messages in them are real ones."""
+
+    @staticmethod
+    def get_fields_and_field_types() -> dict[str, str]:
+        return KINDS
+
+    def __init__(self):
+        for name, kind in KINDS.items():
+            package, _, message = kind.partition("/")
+            if message and not kind.startswith("sequence"):
+                setattr(self, name, getattr(importlib.import_module(f"{package}.msg"), message)())
 
 
 def test_its_triangles_are_on_the_road_and_cover_the_feature():

@@ -12,6 +12,7 @@ from vehicle_roll_sim.simulation.mesh_cells import DEVIATION, UNIT
 from vehicle_roll_sim.simulation.road_mesh import (
     MOST_PLACES,
     RoadMesh,
+    has_heights,
     has_mesh,
     road_mesh,
     sampled,
@@ -138,6 +139,7 @@ def test_a_plane_has_no_mesh_whether_it_tilts_or_is_commanded():
         assert not has_mesh(plane)
         assert road_mesh(plane, PATH) is None
     assert not has_mesh(None)
+    assert not has_heights(None)
     assert road_mesh(road(TILT, FEATURES["dip"]), PATH, most_cells=10) is not None
 
 
@@ -149,6 +151,11 @@ def test_places_that_are_unknown_are_left_out_and_of_many_as_many_are_kept_as_ma
     assert len(kept) <= MOST_PLACES
     # a place is kept in each piece of a power of two that is as short as the number allows
     assert np.diff(kept[:, 0]).max() <= 2 * 5e4 / MOST_PLACES + 1
+
+
+def test_features_with_heights_are_those_whose_meshes_have_some():
+    for name, each in ROADS.items():
+        assert has_heights(each) == MESHES[name].vertices[:, 2].any(), name
 
 
 @pytest.mark.parametrize("name", ROADS)

@@ -4,7 +4,16 @@ import dataclasses
 
 import numpy as np
 
-from vehicle_roll_sim.model.road.layout import COUNT
+from vehicle_roll_sim.model.road.layout import (
+    BANKED_CURVE,
+    COUNT,
+    FEATURE_SIZE,
+    GRID,
+    HEADER,
+    PROFILE,
+    RAMP,
+    WAVE,
+)
 from vehicle_roll_sim.model.road.surface import sample
 from vehicle_roll_sim.simulation.mesh_cells import UNIT, cells_of
 from vehicle_roll_sim.simulation.road import Road
@@ -14,6 +23,8 @@ MOST_CELLS = 4000
 REACH = 160.0
 """m around the places of interest that a mesh covers."""
 MOST_PLACES = 400
+HEIGHTS = (RAMP, WAVE, PROFILE, BANKED_CURVE, GRID)
+"""Kinds of features with heights."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -33,6 +44,15 @@ class RoadMesh:
 def has_mesh(road: Road | None) -> bool:
     """Whether a road is anything else to see than a plane; it may still tilt or be commanded."""
     return road is not None and road.ground()[COUNT] > 0
+
+
+def has_heights(road: Road | None) -> bool:
+    """Whether there are features that change heights, or could."""
+    if not has_mesh(road):
+        return False
+    ground = road.ground()
+    kinds = ground[HEADER : HEADER + FEATURE_SIZE * int(ground[COUNT]) : FEATURE_SIZE]
+    return bool(np.isin(kinds, HEIGHTS).any())
 
 
 def road_mesh(

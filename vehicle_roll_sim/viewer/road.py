@@ -10,6 +10,7 @@ from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.road_mesh import (
     MOST_CELLS,
     RoadMesh,
+    has_heights,
     has_mesh,
     road_mesh,
     sampled,
@@ -18,8 +19,8 @@ from vehicle_roll_sim.viewer.packing import packed
 
 LEAST_CELLS = 250
 """Of each mesh of a page with runs on many roads."""
-PER_FRICTION, MOST_FRICTION = 100, 2.55
-"""Friction is told in bytes, as hundredths."""
+PER_FRICTION, MOST_FRICTION = 100, 655.0
+"""Friction is told in whole hundredths of 16 bits."""
 
 
 def roads_of(runs: Sequence) -> list[Road]:
@@ -60,7 +61,7 @@ def told_mesh(mesh: RoadMesh | None) -> dict | None:
     return {
         "vertices": packed(mesh.vertices, "<f4"),
         "triangles": packed(mesh.triangles, "<u2"),
-        "friction": packed(np.round(friction), "u1"),
+        "friction": packed(np.round(friction), "<u2"),
         "soft": packed(mesh.is_soft, "u1"),
     }
 
@@ -68,13 +69,13 @@ def told_mesh(mesh: RoadMesh | None) -> dict | None:
 def under(history: History, road: Road | None, scene: dict) -> dict[str, np.ndarray]:
     """Columns of the road at each row: what it has under the c.g. and the wheels, and its tilt.
 
-    ground, ground_lf ...: heights (m), only if it has a mesh. tilt: angle (rad), only of a tilt
+    ground, ground_lf ...: heights (m), only if it has any. tilt: angle (rad), only of a tilt
     table.
     """
     columns = {}
     if road is not None and road.tilt:
         columns["tilt"] = np.array([road.tilt.angle(time) for time in history["time"]])
-    if has_mesh(road):
+    if has_heights(road):
         middle, yaw = path_of(history), history["yaw"]
         ahead = np.column_stack((np.cos(yaw), np.sin(yaw)))
         aside = np.column_stack((-np.sin(yaw), np.cos(yaw)))

@@ -1,7 +1,9 @@
 /** The road of a run that is more than a plane: a mesh with the grid of the ground on it. */
 
-/** Friction is told in bytes, as hundredths. */
+/** Friction is told in hundredths. */
 const HUNDREDTH = 0.01;
+/** Share of the colour of a road without friction, or with twice as much. */
+const MOST_COLOUR = 0.8;
 /** Kinds of surface that the legend names one by one. */
 const MOST_KINDS = 5;
 /** The lines of the grid, fainter where they are narrower than a pixel; slopes stronger than by light alone. */
@@ -48,7 +50,7 @@ class RoadSurface {
     this.mesh.geometry.dispose();
     this.mesh.geometry = new THREE.BufferGeometry();
     this.mesh.visible = Boolean(told);
-    this.friction = told ? new Uint8Array(bytesOf(told.friction)) : [];
+    this.friction = told ? new Uint16Array(bytesOf(told.friction)) : [];
     this.soft = told ? new Uint8Array(bytesOf(told.soft)) : [];
     if (!told) return;
     const shared = new THREE.BufferGeometry();
@@ -74,10 +76,10 @@ class RoadSurface {
     this.mesh.geometry.setAttribute("color", new THREE.Float32BufferAttribute(colours, 3));
   }
 
-  /** The ground's colour, the more of another the more or less friction there is. */
+  /** The ground's colour, with the more of another the further its friction is from 1. */
   colour(friction, isSoft, colour) {
     const found = new THREE.Color(colour(isSoft ? "--soil" : "--ground"));
-    const share = friction < 1 ? 1 - friction : Math.min(friction - 1, 1);
+    const share = MOST_COLOUR * Math.min(Math.abs(friction - 1), 1);
     return found.lerp(new THREE.Color(colour(friction < 1 ? "--slippery" : "--rough")), share);
   }
 
