@@ -144,7 +144,8 @@ def test_a_plane_has_no_mesh_whether_it_tilts_or_is_commanded():
 
 
 def test_places_that_are_unknown_are_left_out_and_of_many_as_many_are_kept_as_may_be():
-    assert road_mesh(ROADS["curb"], np.full((3, 2), np.nan)) is None
+    for unknown in (np.nan, np.inf, 1e300):
+        assert road_mesh(ROADS["curb"], np.full((3, 2), unknown)) is None
     long = np.column_stack((np.arange(0.0, 5e4, 0.2), np.zeros(250_000)))
     long[7] = np.nan
     kept = thinned(long)
@@ -165,7 +166,18 @@ def test_the_course_of_a_feature_is_along_its_middle(name):
     assert np.isfinite(course).all()
     length = np.hypot(*np.diff(course, axis=0).T).sum()
     assert 0.0 < length <= 200.0 + 1e-9
-    if name == "corkscrew ramp":
-        assert course[[0, -1]].tolist() == [[6.0, 0.5], [pytest.approx(14.1), 0.5]]
+    ends = {
+        "corkscrew ramp": [[6.0, 0.5], [14.1, 0.5]],  # with its rounding
+        "grid": [[5.0, 0.0], [44.0, 0.0]],
+        "profile": [[5.0, 0.0], [14.0, 0.0]],
+    }
+    if name in ends:
+        np.testing.assert_allclose(course[[0, -1]], ends[name], atol=1e-12)
     if name == "banked curve":  # two clothoids and an arc, told by chords of 1 m
         assert length == pytest.approx(60.0, abs=0.01)
+
+
+def test_the_course_of_a_profile_begins_where_its_table_does():
+    later = {"kind": "profile", "start": 5.0, "heading": 90.0, "points": [[3, 0], [8, 0.1]]}
+    (feature,) = road(later).features
+    np.testing.assert_allclose(feature.course()[[0, -1]], [[5.0, 3.0], [5.0, 8.0]], atol=1e-12)

@@ -68,7 +68,7 @@ class Feature:
 
     def placed(self, points: np.ndarray) -> np.ndarray:
         """Points s, n of the feature in the ground frame, shape (n, 2) (m)."""
-        _, (x, y, c, s), _ = self.row(0)
+        _, (x, y, c, s), _ = Feature.row(self, 0)  # some rows begin elsewhere
         return points @ np.array([[c, s], [-s, c]]) + (x, y)
 
     def course(self) -> np.ndarray:

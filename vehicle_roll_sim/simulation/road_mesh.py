@@ -23,6 +23,8 @@ MOST_CELLS = 4000
 REACH = 160.0
 """m around the places of interest that a mesh covers."""
 MOST_PLACES = 400
+FURTHEST = 1e6
+"""m: further away there is no feature."""
 HEIGHTS = (RAMP, WAVE, PROFILE, BANKED_CURVE, GRID)
 """Kinds of features with heights."""
 
@@ -60,7 +62,7 @@ def road_mesh(
 ) -> RoadMesh | None:
     """The mesh of a road around some places, such as the path of a vehicle.
 
-    None for a plane, and if no place is finite. places: (n, 2) (m). The mesh covers everything up
+    None for a plane, and if no place is known. places: (n, 2) (m). The mesh covers everything up
     to `reach` (m) beyond them. Close to them it deviates from the road by a few mm, further away by
     more, and also if the road would need more than `most_cells`. The same arguments give the same
     mesh.
@@ -87,8 +89,8 @@ def sampled(road: Road, points: np.ndarray) -> np.ndarray:
 
 
 def thinned(places: np.ndarray) -> np.ndarray:
-    """Those of some places that are finite and apart from each other, at most MOST_PLACES."""
-    known, spacing = places[np.isfinite(places).all(axis=1)], 1.0
+    """Those of some places that are known and apart from each other, at most MOST_PLACES."""
+    known, spacing = places[(np.abs(places) < FURTHEST).all(axis=1)], 1.0
     while True:
         _, first = np.unique(np.floor(known / spacing), axis=0, return_index=True)
         if len(first) <= MOST_PLACES:

@@ -36,16 +36,11 @@ def told_roads(runs: Sequence) -> list[dict | None]:
     """The meshes of `roads_of` these runs, each around all their paths on it."""
     roads = roads_of(runs)
     most = max(MOST_CELLS // max(len(roads), 1), LEAST_CELLS)
-    return [
-        told_mesh(
-            road_mesh(
-                road,
-                np.concatenate([path_of(run.history) for run in runs if run.road == road]),
-                most,
-            )
-        )
-        for road in roads
-    ]
+    found = []
+    for road in roads:
+        paths = [path_of(run.history) for run in runs if run.road == road]
+        found.append(told_mesh(road_mesh(road, np.concatenate(paths), most)))
+    return found
 
 
 def path_of(history: History) -> np.ndarray:
