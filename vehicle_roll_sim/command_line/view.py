@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.arguments import OneLineParser, add_declared
+from vehicle_roll_sim.arguments import OneLineParser, add_declared, named_file
 from vehicle_roll_sim.command_line import view_live
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.recorded_runs import (
@@ -62,10 +62,9 @@ def view_command(words: list[str], program: str) -> int:
     labels = labels_of(arguments.label, files)
     read = [run_from(file, arguments.namespace, "RUN", with_forces=True) for file in files]
     chosen = _chosen(arguments, [told is None for _, told in read])
-    road = Road.from_file(arguments.road) if arguments.road is not None else None
     runs, notes, cones = [], [], []
     for file, label, (history, told) in zip(files, labels, read, strict=True):
-        vehicle, options = (told.vehicle, told.options) if told else chosen
+        vehicle, options, road = (told.vehicle, told.options, told.road) if told else chosen
         angle = told.rollover_angle if told else math.radians(DEFAULT_ROLLOVER_DEGREES)
         if "stop_roll" in settings:
             angle = math.radians(settings["stop_roll"])
@@ -73,8 +72,7 @@ def view_command(words: list[str], program: str) -> int:
             notes.append(_note(label, arguments.vehicle))
             _warn_of_another_vehicle(file, history, vehicle)
         part, scene = part_of(history, settings, file), scene_of(vehicle, options)
-        driven_on = told.road if told else road
-        runs.append(ViewedRun(part, events_of(history, angle), label, scene, driven_on))
+        runs.append(ViewedRun(part, events_of(history, angle), label, scene, road))
         if arguments.manoeuvre and not len(cones):
             cones = _cones(arguments.manoeuvre, vehicle, options)
     begin = min(float(run.history["time"][0]) for run in runs)
@@ -129,11 +127,11 @@ def _output(arguments: argparse.Namespace, files: list[Path]) -> Path:
 
 def _chosen(
     arguments: argparse.Namespace, are_of_options: list[bool]
-) -> tuple[Vehicle, Options] | None:
-    """The vehicle that the options describe, if a run needs it; raises InputError."""
+) -> tuple[Vehicle, Options, Road | None] | None:
+    """The vehicle and road that the options describe, if a run needs them; raises InputError."""
     if any(are_of_options):
-        vehicle = chosen_vehicle(arguments)
-        return vehicle, chosen_options(arguments, vehicle)
+        vehicle, file = chosen_vehicle(arguments), named_file(arguments.road, "--road")
+        return vehicle, chosen_options(arguments, vehicle), Road.from_file(file) if file else None
     for name in OF_CSV:
         if value := getattr(arguments, name):
             option = "--" + name.replace("_", "-")
