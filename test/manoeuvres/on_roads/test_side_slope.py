@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from vehicle_roll_sim import InputError, Options, RollPlane, preset, run
+from vehicle_roll_sim import Condition, InputError, Options, RollPlane, preset, run
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 
 GRAVITY = 9.81
@@ -74,5 +74,8 @@ def test_the_driver_holds_the_course_by_steering_uphill_and_without_one_it_drift
 def test_all_models_drive_along_a_plane_and_what_is_not_allowed_is_said():
     flat = run("side_slope", options=Options("8dof"), slope=10.0, duration=2.0)
     assert flat["x"][-1] > 15.0
+    steep = run("side_slope", slope=44.0, duration=5.0)
+    assert steep.condition is not Condition.RUNNING
+    assert steep.report == {"steady driving": "none: the run ended early"}
     with pytest.raises(InputError, match=r"^steered_by: 'nobody' .*driver, fixed"):
         run("side_slope", steered_by="nobody")

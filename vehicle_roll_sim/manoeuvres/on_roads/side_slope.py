@@ -15,6 +15,8 @@ from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.steering_gear import to_handwheel
 
 DRIVER, FIXED = "driver", "fixed"
+ROUNDING = 1e-9
+"""s"""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -40,6 +42,8 @@ class SideSlopeDrive(StraightCourse):
 
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         time = history["time"]
+        if time[-1] < self.duration - ROUNDING:
+            return {"steady driving": "none: the run ended early"}
         steering = math.degrees(steady(time, history["steering"]))
         ratio = steady(time, load_transfer_ratio(history.wheels("normal_force")))
         sideslip = math.degrees(steady(time, np.arctan2(history["v"], history["u"])))
