@@ -122,8 +122,8 @@ class Profile(Tracks):
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class RandomProfile(Tracks):
-    """A random road after ISO 8608, the same for the same seed; see `roads.iso8608`."""
+class Roughness:
+    """What a random road is like."""
 
     roughness: str = parameter("class of roughness", choices=tuple(ROUGHNESS), default="B")
     seed: float = parameter("number of the road", "", 0.0, 2.0**53, default=1.0)
@@ -139,6 +139,15 @@ class RandomProfile(Tracks):
     run_in: float = size(
         "length over which the roughness grows at the start and fades at the end", default=10.0
     )
+
+    def roughness_values(self) -> dict[str, float | str]:
+        """Its values by name."""
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(Roughness)}
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class RandomProfile(Roughness, Tracks):
+    """A random road after ISO 8608, the same for the same seed; see `roads.iso8608`."""
 
     def __post_init__(self):
         super().__post_init__()
