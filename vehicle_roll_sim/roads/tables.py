@@ -161,7 +161,7 @@ class RandomProfile(Tracks):
 class Grid(Feature):
     """Heights, and factors of friction, at the points of a grid.
 
-    heights: rows along the heading, from the start on; each row has the heights across, from right
+    heights: rows along the heading, from `ahead` on; each row has the heights across, from right
     to left (m). frictions: likewise, or empty. Between the points heights follow cubic curves,
     friction changes linearly; beyond the grid both stay as at its edge.
     """
@@ -169,6 +169,7 @@ class Grid(Feature):
     spacing: float = size("distance of two rows along the heading", least=0.01)
     side_spacing: float = size("distance of two points of a row", least=0.01)
     right: float = place("where the rows begin, to the left of the start")
+    ahead: float = place("where the first row is, along the heading from the start", default=0.0)
     heights: tuple[tuple[float, ...], ...] = ()
     frictions: tuple[tuple[float, ...], ...] = ()
 
@@ -194,7 +195,8 @@ class Grid(Feature):
 
     def row(self, kind: int, *numbers: float, table: np.ndarray | None = None) -> Row:
         kind, (x, y, c, s, *own), table = super().row(kind, *numbers, table=table)
-        return kind, [x - s * self.right, y + c * self.right, c, s, *own], table
+        x, y = x - s * self.right + c * self.ahead, y + c * self.right + s * self.ahead
+        return kind, [x, y, c, s, *own], table
 
 
 def _matrix(field: str, values, least: float) -> tuple[tuple[float, ...], ...]:
