@@ -1,6 +1,7 @@
 """Grids from OpenCRG files: heights that are known in closed form, in files written by hand."""
 
 import json
+import os
 import sys
 
 import numpy as np
@@ -147,6 +148,15 @@ def test_a_road_that_turns_back_has_rows_behind_its_start(tmp_path):
         assert height(road, 10.0, angle, 0.6) == pytest.approx(0.6 * BANK, abs=4e-4)
 
 
+def test_the_border_modes_of_a_file_do_not_apply(tmp_path):
+    """A grid that reaches beyond the data has the heights of the edge there."""
+    options = ["$", "$ROAD_CRG_OPTS", "BORDER_MODE_U = 0", "BORDER_MODE_V = 0"]
+    heights = np.zeros_like(WAVES) + 0.1 * (np.arange(ROWS) == ROWS - 1)[:, None]
+    write_crg(tmp_path / "a.crg", heights, 0.5, ACROSS, header=options)
+    (grid,) = road_of(tmp_path, "file: a.crg", "spacing: 0.45", "side_spacing: 0.4").features
+    assert grid.heights[-1] == pytest.approx([0.1] * 9, abs=EXACT)
+
+
 def test_friction_comes_from_a_file_with_the_same_reference_line(tmp_path):
     frictions = 0.6 + 0.2 * np.cos(U)[:, None] + 0.1 * ACROSS
     write_crg(tmp_path / "a.crg", WAVES, 0.5, ACROSS)
@@ -234,6 +244,9 @@ def test_too_many_points_are_refused_with_a_spacing_that_fits(tmp_path):
     with refused("a.crg: 2001 x 301 points: at most 200000, as with spacing and side_spacing of"):
         road_of(tmp_path, *keys)
     assert road_of(tmp_path, "file: a.crg", "spacing: 0.019", "side_spacing: 0.019")
+    os.truncate(tmp_path / "a.crg", 2_000_000_000)  # without blocks on the disk
+    with refused("a.crg: it has 2000000000 bytes: at most 1000000000 bytes"):
+        road_of(tmp_path, "file: a.crg")
 
 
 def test_without_the_library_it_is_named(tmp_path, monkeypatch):

@@ -19,6 +19,8 @@ from vehicle_roll_sim.roads.iso8608 import PRECISION
 from vehicle_roll_sim.roads.tables import MOST_POINTS, Grid
 from vehicle_roll_sim.vehicle.plausibility import warn
 
+LARGEST_FILE = 1_000_000_000
+"""Bytes: a hundred million heights in text."""
 SPACINGS = ("spacing", "side_spacing")
 MOST_MEANS = 5
 """Points in each direction of which the mean is taken where a grid is coarser than its file."""
@@ -59,6 +61,9 @@ def _read(path: Path):
         allowed = "pip install 'vehicle_roll_sim[crg]'"
         raise InputError(f"file {path}", "", allowed, "no Python package pyopencrg") from None
     try:
+        if (size := path.stat().st_size) > LARGEST_FILE:
+            problem = f"it has {size} bytes"
+            raise InputError(f"file {path}", "", f"at most {LARGEST_FILE} bytes", problem)
         with path.open("rb"), warnings.catch_warnings(record=True) as doubts:
             warnings.simplefilter("always")
             stored = pyopencrg.read(path)
@@ -69,6 +74,8 @@ def _read(path: Path):
         raise InputError(f"file {path}", "", wanted, problem) from None
     except pyopencrg.CrgCheckError as error:
         raise _refused(path, [*error.report.errors, *error.report.warnings][0]) from None
+    except InputError:
+        raise
     except Exception as error:  # of the library, for a damaged file
         raise _refused(path, str(error)) from None
     _check_gaps(stored, road, path)
