@@ -203,6 +203,8 @@ def test_what_is_wrong_in_a_file_is_refused_in_one_line(tmp_path):
     check(good.replace("e-02 ", "e-0x "), "unreadable value(s)")
     check(good.replace("-1.500,m", "-1.500,km"), "unit of 'long section at v = -1.500'")
     check(good.replace("INCREMENT = 0.5", "INCREMENT = -0.5"), "illegal increment along u: -0.5")
+    narrow = write_crg(tmp_path / "a.crg", WAVES, 0.5, ACROSS, modifiers=["SCALE_WIDTH = 1e-30"])
+    check(narrow.read_text(), "no finite size")
     referring = good[: good.index("$KD_DEF")] + "$ROAD_CRG_FILE\nnone.crg\n$\n"
     check(referring, "does not exist", "none.crg: give the name of an existing file")
     write_crg(tmp_path / "gap.crg", GAP, 0.5, ACROSS)

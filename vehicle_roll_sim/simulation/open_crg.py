@@ -78,6 +78,8 @@ def _read(path: Path):
         raise
     except Exception as error:  # of the library, for a damaged file
         raise _refused(path, str(error)) from None
+    if not (np.isfinite([*road.x, *road.y, *road.v]).all() and min(_steps(road)) > 0.0):
+        raise _refused(path, "a reference line or cross-sections of no finite size")
     _check_gaps(stored, road, path)
     warn(f"{path}: {line}" for doubt in doubts for line in _doubts(str(doubt.message), path))
     for option in ("border_mode_u", "border_mode_v"):
