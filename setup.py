@@ -59,6 +59,7 @@ setup(
         "gym": ["gymnasium>=1.1"],
         "logs": ["pint>=0.24"],
         "mdf": ["asammdf>=8"],
+        "crg": ["pyopencrg>=0.2.2,<0.3"],
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
         "cluster": ["distributed>=2026.8"],
