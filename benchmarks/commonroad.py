@@ -6,6 +6,7 @@ It prints the numbers of data/althoff_2020.yaml that are not in the document its
 """
 
 import importlib
+import importlib.util
 import math
 
 import numpy as np
@@ -59,6 +60,8 @@ def state(parameters, steered: float, until: float) -> np.ndarray:
 
 
 def main() -> None:
+    if importlib.util.find_spec("vehiclemodels") is None:
+        raise SystemExit("not installed: pip install commonroad-vehicle-models==3.0.2")
     for name, number in VEHICLES.items():
         bend = state(parameters(number, is_plain=False), 1.0, 1.0)
         turn = state(parameters(number, is_plain=True), GENTLE / STEERING_RATE, SETTLED)

@@ -115,7 +115,7 @@ def _about(number: Number, common: str) -> str:
 def _reason(number: Number) -> str:
     if number.tolerance is None:
         return number.because
-    return f"± {number.tolerance:g}: {number.because}"
+    return f"within {number.tolerance:g}: {number.because}"
 
 
 def _marked(verdict: str) -> str:

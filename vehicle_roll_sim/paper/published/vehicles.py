@@ -9,8 +9,8 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.tire_file import Tire
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
-UNITS = {"in": 0.0254, "lb": 0.45359237}
-"""SI units per unit of a column."""
+UNITS = {None: 1.0, "in": 0.0254, "lb": 0.45359237}
+"""SI units per unit of a column; None: values without a unit are in SI units."""
 BASE, RATIO, WHEELBASE = "base", "ratio", "wheelbase"
 COMPLIANCES = ("front_cornering_compliance", "rear_cornering_compliance")
 """Slip angle of an axle over lateral acceleration (deg/g)."""
@@ -28,7 +28,7 @@ def vehicle_of(row: Mapping, columns: Mapping[str, str], text: Mapping) -> Vehic
     text: of the file, with `base`, the shipped vehicle that has what is not published, and `tire`,
     coefficients that all tires have. Raises InputError for values that no vehicle has.
     """
-    values = {name: value * UNITS.get(columns.get(name), 1.0) for name, value in _numbers(row)}
+    values = {name: value * UNITS[columns.get(name)] for name, value in _numbers(row)}
     if WHEELBASE in values:
         ahead = values["total_cg_to_front_axle"]
         values["total_cg_to_rear_axle"] = values.pop(WHEELBASE) - ahead
