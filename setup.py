@@ -28,6 +28,7 @@ setup(
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
     package_data={
         f"{NAME}.control_laws": ["*.yaml"],
+        f"{NAME}.paper": ["published/data/*.yaml"],
         f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir", "presets/*.csv"],
         f"{NAME}.viewer": ["web/*.*", "web/three/*"],
     },
