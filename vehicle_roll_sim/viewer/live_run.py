@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vehicle_roll_sim.analysis.panels import COMMANDS, Signal, signals_of
-from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.history import FURTHER, History
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.viewer.page import Feed, page
 from vehicle_roll_sim.viewer.recording import ViewedRun, events_in, recording
@@ -122,4 +122,4 @@ def _joined(first: History, second: History) -> History:
         unknown = [np.full((len(each.rows), *widths), np.nan) for each in (first, second)]
         return np.vstack([u if p is None else p for u, p in zip(unknown, parts, strict=True)])
 
-    return History(*(joined(name) for name in ("rows", "commands", "roll_centres", "wind")))
+    return History(joined("rows"), **{name: joined(name) for name in FURTHER.values()})
