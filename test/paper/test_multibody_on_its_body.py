@@ -45,7 +45,7 @@ class OnItsBody(Multibody):
 
 
 def tumbling(simulation: Simulation) -> Simulation:
-    """Sliding to the right at 9 m/s, the left side over the right one, about to fall on the roof."""
+    """Sliding sideways at 9 m/s, the left side over the right one, about to fall on the roof."""
     simulation.reset(10.0)
     state = simulation.state
     state["roll"], state["pitch"], state["yaw"], state["z"] = 1.9, 0.06, 0.4, 1.5

@@ -21,7 +21,9 @@ SPEED = 25.0
 @pytest.fixture(scope="module")
 def rolled():
     """The same run without and with the option."""
-    return tuple(run("j_turn", options=options, speed=SPEED, duration=5.0) for options in (None, ON))
+    return tuple(
+        run("j_turn", options=options, speed=SPEED, duration=5.0) for options in (None, ON)
+    )
 
 
 def test_a_run_goes_on_after_the_rollover_which_remains_an_event(rolled):
@@ -35,8 +37,8 @@ def test_a_run_goes_on_after_the_rollover_which_remains_an_event(rolled):
     assert on.history["time"][over.argmax() - 1] <= time <= on.history["time"][over.argmax()]
     assert time == pytest.approx(off.events.rollover_time[0], abs=0.2)  # s: leaning tires, sills
     assert on.metrics["rollover_time"] == time
-    assert f"{time:.3f} s" in on.summary()
-    assert on.summary().endswith("complete")
+    assert f"{time:.3f} s" in on.summary
+    assert on.summary.endswith("complete")
 
 
 def test_until_tires_lean_and_the_floor_touches_it_is_the_same_run_to_the_bit(rolled):
@@ -72,11 +74,15 @@ def test_a_description_says_the_option_only_if_it_is_on():
 
 def test_models_for_wheels_on_the_road_refuse_it():
     for model in set(MODELS) - {"1", "2"}:
-        refusal = rf"^body_contact: True is not allowed: an option of models 1 and 2; model {model} "
+        refusal = (
+            rf"^body_contact: True is not allowed: an option of models 1 and 2; model {model} "
+        )
         with pytest.raises(InputError, match=refusal):
             Options(model=model, body_contact=True)
     for name in ("tire_normal_to_ground", "steady_state_slip"):
-        with pytest.raises(InputError, match=rf"^{name}: True is not allowed: off with body_contact"):
+        with pytest.raises(
+            InputError, match=rf"^{name}: True is not allowed: off with body_contact"
+        ):
             Options(body_contact=True, **{name: True})
 
 
@@ -120,7 +126,9 @@ def test_a_step_that_is_too_long_for_the_corners_is_refused():
     on_roof = simulation.largest_stable_step()
     assert largest <= 1.001 * on_roof  # it is the least of all ways to lie
     assert largest > 0.3 * on_roof
-    with pytest.raises(InputError, match=r"^step: 0.001 is not allowed: at most 0.0\d+ s with body_"):
+    with pytest.raises(
+        InputError, match=r"^step: 0.001 is not allowed: at most 0.0\d+ s with body_"
+    ):
         Simulation(stiff, ON).reset(10.0)
     rough = preset().with_values({"body_friction": 10.0})
     with pytest.raises(InputError, match=r"^step: 0.001 .* s with .*, body_friction 10 \(-\)$"):
@@ -129,7 +137,8 @@ def test_a_step_that_is_too_long_for_the_corners_is_refused():
 
 
 def test_the_roll_angle_may_exceed_half_a_turn_and_the_pitch_angle_ends_a_run():
-    for name, angle, expected in (("roll", 9.0, Condition.RUNNING), ("pitch", 1.56, Condition.DIVERGED)):
+    ends = {"roll": (9.0, Condition.RUNNING), "pitch": (1.56, Condition.DIVERGED)}
+    for name, (angle, expected) in ends.items():
         simulation = Simulation(preset(), ON)
         simulation.reset(10.0)
         simulation.state["z"], simulation.state[name] = 5.0, angle

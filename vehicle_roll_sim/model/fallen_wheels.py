@@ -22,10 +22,10 @@ from vehicle_roll_sim.model.tire.transient_slip import RELEASE_TIME
 
 RISING, DISC = 0.7, 0.4
 """Cosines (46 and 66 degrees) between which the tire of model 1 becomes a disc."""
-LEANING, FLAT = 0.3, 0.1
-"""Cosines (73 and 84 degrees) between which the load of a wheel fades from all to nothing."""
+LEANING, FLAT = 0.5, 0.1
+"""Cosines (60 and 84 degrees) between which the load of a wheel fades from all to nothing."""
 SMALLEST = 0.5
-"""Lower limit of the loaded radius of model 1 over the unloaded one."""
+"""Lower limit of the loaded radius over the unloaded one: there a tire has reached its rim."""
 
 
 @term
@@ -88,18 +88,30 @@ def contact_of_fallen_wheels(state, vehicle, attitude, outputs):
 
 
 @kernel
-def release_lying_wheels(ground, outputs):
-    """Model 2: wheels that lie on their sides carry no load.
+def release_lying_wheels(vehicle, ground, outputs):
+    """Model 2: wheels that lie on their sides carry no load; after the contact is known.
 
-    Upside down the disc meets the road as well, and may carry the vehicle.
+    The load F(r0 - zc / c) / c of a disc at the cosine c has no limit when it falls flat: from
+    LEANING on it is that of the same depth r0 c - zc with LEANING in place of c, and fades. Upside
+    down the disc meets the road as well, and may carry the vehicle.
     """
     for i in range(WHEEL_COUNT):
-        share = share_of_load(outputs.inclination_cosine[i])
-        if share < 1.0:
-            lighten(i, share, outputs)
-            if ground is not None:
-                outputs.road_terms.side_x[i] *= share
-                outputs.road_terms.side_y[i] *= share
+        cosine, radius = outputs.inclination_cosine[i], vehicle.tire_radius[i]
+        outputs.loaded_radius[i] = max(outputs.loaded_radius[i], SMALLEST * radius)
+        if cosine >= LEANING:
+            continue
+        if ground is None:
+            depth = outputs.suspension_terms.tire_compression[i]
+        else:
+            depth = cosine * outputs.road_terms.deflection[i]
+        stiffness, progression = vehicle.tire_stiffness[i], vehicle.tire_progression[i]
+        outputs.support[i] = spring_force(depth / LEANING, stiffness, progression) / LEANING
+        outputs.normal_force[i] = normal_force(outputs.support[i])
+        share = share_of_load(cosine)
+        lighten(i, share, outputs)
+        if ground is not None:
+            outputs.road_terms.side_x[i] *= share
+            outputs.road_terms.side_y[i] *= share
 
 
 @kernel

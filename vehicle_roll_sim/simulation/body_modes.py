@@ -43,8 +43,8 @@ def largest_mobility(vehicle: np.record) -> float:
 def largest_step_on_body(vehicle: np.record, most: float) -> float:
     """Largest step (s), up to `most` (s), at which the body on the ground is stable.
 
-    Each mode of mobility a is s^2 + c a s + k a = 0; that of friction with the coefficient mu, which
-    is viscous up to the speed V, under the weight W is s + mu W a / V = 0. vehicle: a VEHICLE
+    Each mode of mobility a is s^2 + c a s + k a = 0; that of friction with the coefficient mu under
+    the weight W, which is viscous up to the speed V, is s + mu W a / V = 0. vehicle: a VEHICLE
     record.
     """
     body, mobility = vehicle["body"], largest_mobility(vehicle)

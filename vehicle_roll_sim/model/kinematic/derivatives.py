@@ -77,7 +77,7 @@ def kinematic_derivatives(state, command, vehicle, tires, options, ground, time,
         contact_motion(state, attitude, outputs)
         motion_in_plane(state, heading, attitude, ground, outputs)
     if options.body_contact:
-        release_lying_wheels(ground, outputs)
+        release_lying_wheels(vehicle, ground, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
     if options.body_contact:
         release_wound_tires(tires, outputs)
