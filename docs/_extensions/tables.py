@@ -26,6 +26,7 @@ from vehicle_roll_sim.messages import topics
 from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, MOTION_LABELS, ROAD_LABELS
 from vehicle_roll_sim.messages.topics import Topic
+from vehicle_roll_sim.model.layout import CORNERS
 from vehicle_roll_sim.model.records import WHEELS, element_names
 from vehicle_roll_sim.roads.feature import Feature
 from vehicle_roll_sim.roads.kinds import KINDS
@@ -111,6 +112,7 @@ def label_table() -> str:
     }
     labels["`tire_normal_forces`, `lift_off`"] = WHEELS
     labels["`roll_centre`"] = ROLL_CENTRES
+    labels["`body_loads`"] = CORNERS
     labels["`measurements`, of the devices that there are"] = ("time", *labels_of(MEASURED))
     return table(
         ("topic", "values", "names"),

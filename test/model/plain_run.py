@@ -43,6 +43,8 @@ VARIANTS = (
     Options(steady_state_slip=True, euler_terms=True),
     Options(wheel_gyroscopics=True),
     Options(model="2", wheel_gyroscopics=True),
+    Options(body_contact=True),
+    Options(model="2", body_contact=True),
 )
 DETAILS = {
     "front_spring_force": ((0.0, 0.0), (0.1, 3000.0), (0.15, 6000.0), (0.2, 10000.0)),
@@ -75,6 +77,7 @@ ROUGH = road(
 ON_ROADS = (
     *((options, SLOPE) for options in VARIANTS),
     *((Options(name), ROUGH) for name in ("1", "1b", "2")),
+    (Options(body_contact=True), ROUGH),
 )
 
 
@@ -87,6 +90,8 @@ def vehicle_for(options: Options) -> Vehicle:
     """The reference vehicle; model 2 on swing axles, so that it looks up tables."""
     if options.wheel_gyroscopics:
         return preset().with_values(DETAILS)
+    if options.body_contact:
+        return preset().with_values({"body_floor_height": 0.0})  # it scrapes along the road
     return on_swing_axles(preset()) if options.is_kinematic else preset()
 
 

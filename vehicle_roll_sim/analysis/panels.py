@@ -12,6 +12,7 @@ from vehicle_roll_sim.runs.metrics import load_transfer_ratio, sideslip_angle
 FARTHEST_ROLL_CENTRE = 2.0
 """m: distances above it are not drawn; that of lines which are nearly parallel has no limit."""
 DEGREES = math.degrees(1)
+KILO = 1e3
 PANELS = (
     ("steering", "steering, front\nroad wheels (deg)", DEGREES),
     ("roll", "roll angle\n(deg)", DEGREES),
@@ -72,6 +73,14 @@ def _roll_centre(measure: str, label: str) -> Signal:
     return Signal(label, shown, is_of_axles=True)
 
 
+def _body_load(history: History) -> np.ndarray:
+    if history.body_loads is None:
+        return np.full(len(history.rows), np.nan)
+    return history.body_loads.sum(axis=1) / KILO
+
+
+BODY_LOAD = Signal("load on the\nbody (kN)", _body_load)
+"""Sum of the normal loads on the corners of the body; shown only if it may touch the ground."""
 ROLL_CENTRES = (
     _roll_centre("height", "roll centre\nheight (m)"),
     _roll_centre("place", "roll centre\nto the left (m)"),
@@ -99,5 +108,6 @@ def signals_of(histories: Iterable[History], anyway: Iterable[Signal] = ()) -> l
         if signal in anyway or any(np.nan_to_num(signal.of(history)).any() for history in histories)
     ]
     moving = any(history.roll_centres is not None for history in histories)
-    below = (LOAD_TRANSFER, *(ROLL_CENTRES if moving else ()))
+    touching = any(history.body_loads is not None for history in histories)
+    below = (LOAD_TRANSFER, *((BODY_LOAD,) if touching else ()), *(ROLL_CENTRES if moving else ()))
     return [STEERING, *given, *RESPONSES, SIDESLIP, SPEED, *below]

@@ -27,7 +27,6 @@ from vehicle_roll_sim.messages.topics import (
     set_of,
 )
 from vehicle_roll_sim.messages.urdf import robot_description
-from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.description import describe
 from vehicle_roll_sim.simulation.road_mesh import has_mesh
@@ -109,7 +108,7 @@ class RunBag:
         self._messages.set_time(self._simulation.time_ns)
         for name, build in self._set:
             self._bag.write(self._connections[name], self._simulation.time_ns, build())
-        rolled_over = self._simulation.condition is Condition.ROLLED_OVER
+        rolled_over = self._simulation.has_rolled_over
         if rolled_over != self._rolled_over:
             self._rolled_over = rolled_over
             self._write(ROLLOVER.name, {"data": rolled_over})

@@ -135,4 +135,4 @@ class Session:
 
     @property
     def rolled_over(self) -> bool:
-        return self.simulation.condition is Condition.ROLLED_OVER
+        return self.simulation.has_rolled_over

@@ -6,10 +6,8 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.vehicle.body_parameters import FRONT_OVERHANG, REAR_OVERHANG, TIRE_WIDTH
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-
-TIRE_WIDTH = 0.205
-"""m: width of the reference tire, 205/60R15; vehicle files do not specify it."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -24,10 +22,10 @@ class BodySettings:
         default=0.0,
     )
     front_overhang: float = parameter(
-        "length of the body ahead of the front axle", "m", 0.0, 10.0, default=0.8
+        "length of the body ahead of the front axle", "m", 0.0, 10.0, default=FRONT_OVERHANG
     )
     rear_overhang: float = parameter(
-        "length of the body behind the rear axle", "m", 0.0, 10.0, default=0.9
+        "length of the body behind the rear axle", "m", 0.0, 10.0, default=REAR_OVERHANG
     )
 
     def outline_of(self, vehicle: Vehicle) -> "Outline":

@@ -11,6 +11,7 @@ import numpy as np
 
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, ROAD_LABELS
 from vehicle_roll_sim.messages.topics import (
+    BODY_LOADS,
     GROUND_TRUTH,
     MEASUREMENTS,
     ROLL_CENTRE,
@@ -18,7 +19,7 @@ from vehicle_roll_sim.messages.topics import (
     TRUTH,
 )
 from vehicle_roll_sim.model.frames import body_to_yawed
-from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.model.layout import CORNERS, WHEELS
 from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, ROLL_CENTRES, WIND, History
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
@@ -27,7 +28,7 @@ STATE, COMMAND, IMU, LOADS = "state", "applied_command", "imu", "tire_normal_for
 COLLECTED = tuple(t for t in STATE_SET if t.name in (STATE, COMMAND, IMU, LOADS))
 """The topics from which a history is built."""
 (TRUE_IMU,) = (topic for topic in GROUND_TRUTH if topic.name == TRUTH + IMU)
-NOT_OF_EVERY_MODEL = (ROLL_CENTRE, TRUE_IMU)
+NOT_OF_EVERY_MODEL = (ROLL_CENTRE, BODY_LOADS, TRUE_IMU)
 """Topics from which columns are added to it, if there are any messages on them, or which then take
 the place of another."""
 TIRE_FORCES = tuple(topic for topic in STATE_SET if topic.name.startswith("tire_forces/"))
@@ -80,7 +81,9 @@ class RunMessages:
         wind = np.array(winds) if all(map(len, winds)) else None
         rows = [_row(road, *parts) for parts in sets.values()]
         self._add_forces(rows, sets)
-        return History(rows, commands, self._roll_centres(sets), wind)
+        centres = self._added_values(ROLL_CENTRE.name, len(ROLL_CENTRES), sets)
+        loads = self._added_values(BODY_LOADS.name, len(CORNERS), sets)
+        return History(rows, commands, centres, wind, body_loads=loads)
 
     def _add_forces(self, rows: list[np.ndarray], places: Iterable[int]) -> None:
         """Fill the horizontal tire forces of the rows, which belong to the states at some places.
@@ -95,16 +98,16 @@ class RunMessages:
                 if place in found:
                     row[ahead], row[left] = found[place]
 
-    def _roll_centres(self, places: Iterable[int]) -> np.ndarray | None:
-        """The values of ROLL_CENTRES for the states at some places, shape (n, 4); None if unknown.
+    def _added_values(self, topic: str, size: int, places: Iterable[int]) -> np.ndarray | None:
+        """The values of a topic for the states at some places, shape (n, size); None if unknown.
 
         nan where there is no message.
         """
-        kept = self._added[ROLL_CENTRE.name]
+        kept = self._added[topic]
         if not kept:
             return None
         found = _shared_out(kept, np.array([sent for sent, _ in self.states]))
-        unknown = np.full(len(ROLL_CENTRES), np.nan)
+        unknown = np.full(size, np.nan)
         return np.array([found.get(k, unknown) for k in places])
 
     def _complete_sets(self) -> dict[int, tuple]:
@@ -193,6 +196,7 @@ def is_ours(name: str, message) -> bool:
     if name == MEASUREMENTS.name:
         return len(message.data) > 0 and math.isfinite(message.data[0])
     sizes = {LOADS: len(WHEELS), ROLL_CENTRE.name: len(ROLL_CENTRES)}
+    sizes[BODY_LOADS.name] = len(CORNERS)
     return name not in sizes or len(message.data) == sizes[name]
 
 

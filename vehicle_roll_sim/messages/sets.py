@@ -11,6 +11,7 @@ from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, O
 from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
 from vehicle_roll_sim.messages.topics import (
+    BODY_LOADS,
     CLOCK,
     FLOAT,
     MEASUREMENTS,
@@ -22,7 +23,7 @@ from vehicle_roll_sim.messages.topics import (
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
-from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.model.layout import CORNERS, WHEELS
 from vehicle_roll_sim.runs.history import ROLL_CENTRES, WIND, roll_centres_of
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.command import Command
@@ -63,7 +64,7 @@ EMPTY_LIST = 4
 """Bytes of an empty list: its length field."""
 FLAGS_MARK = (250, 251, 252, 253)
 """A placeholder that no lift-off flags contain otherwise."""
-TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS)}
+TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE, BODY_LOADS, MEASUREMENTS)}
 
 
 class Messages:
@@ -96,6 +97,7 @@ class Messages:
         self._loads = self._labelled("tire_normal_forces", WHEELS)
         self._motion = self._labelled("motion", MOTION_LABELS)
         self._roll_centre = self._labelled("roll_centre", ROLL_CENTRES)
+        self._body_loads = self._labelled("body_loads", CORNERS)
         self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
         self._single = {
             topic.name: MessageTemplate(encode(topic.type, {"data": MARK}), 1)
@@ -254,6 +256,10 @@ class Messages:
     def roll_centre(self) -> bytes:
         self._roll_centre.numbers[:] = roll_centres_of(self.simulation)
         return bytes(self._roll_centre)
+
+    def body_loads(self) -> bytes:
+        self._body_loads.numbers[:] = self.simulation.outputs["body_load"]
+        return bytes(self._body_loads)
 
     def _attitude(self) -> tuple[float, ...]:
         roll, pitch, yaw = self.simulation.state_vector[ANGLES].tolist()

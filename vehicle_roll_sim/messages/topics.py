@@ -151,6 +151,13 @@ ROLL_CENTRE = Topic(
     "left of the c.g.; nan where there is none",
 )
 """Also part of the set in models whose roll centres move with the suspension."""
+BODY_LOADS = Topic(
+    "body_loads",
+    ARRAY,
+    unit="N",
+    meaning="with `body_contact`: normal load on each corner of the body",
+)
+"""Also part of the set if the body may touch the ground."""
 MEASUREMENTS = Topic(
     "measurements",
     ARRAY,
@@ -170,7 +177,7 @@ GROUND_TRUTH = tuple(
     if topic.name in MEASURED_BY
 )
 """Also part of the set if devices measure what these topics have."""
-OF_SOME_SETS = (ROLL_CENTRE, MEASUREMENTS, *GROUND_TRUTH)
+OF_SOME_SETS = (ROLL_CENTRE, BODY_LOADS, MEASUREMENTS, *GROUND_TRUTH)
 """The topics of a set that depend on model and vehicle, besides the stamped ones."""
 STAMPED_ENDING = "_stamped"
 STAMPED = tuple(
@@ -180,7 +187,7 @@ STAMPED = tuple(
         unit=topic.unit,
         meaning=f"`{topic.name}` with a header: values in `position`, their names in `name`",
     )
-    for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS)
+    for topic in (*STATE_SET, ROLL_CENTRE, BODY_LOADS, MEASUREMENTS)
     if topic.type in (FLOAT, ARRAY, FLAGS)
 )
 """Also part of the set with `publish_stamped`: topics without a header, with a header and names.
@@ -236,6 +243,7 @@ def set_of(options: Options, stamped: bool, devices: Collection[str] = ()) -> tu
     topics = (
         *STATE_SET,
         *((ROLL_CENTRE,) if options.is_kinematic else ()),
+        *((BODY_LOADS,) if options.body_contact else ()),
         *((MEASUREMENTS,) if devices else ()),
         *(topic for topic in GROUND_TRUTH if topic.name in measured),
     )

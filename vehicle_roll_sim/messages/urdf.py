@@ -51,11 +51,11 @@ def urdf(vehicle: Vehicle, options: Options | None = None) -> str:
     for name, colour in COLOURS.items():
         material = ElementTree.SubElement(robot, "material", name=name)
         ElementTree.SubElement(material, "color", rgba=_numbers(colour))
-    _body(robot, vehicle)
+    record = vehicle.record()[0]
+    _body(robot, vehicle, record, options)
     if has_device(vehicle, IMU):
         place, turn = place_of_imu(vehicle)
         _joint(robot, IMU, "fixed", "base_link", Z, place, turn)
-    record = vehicle.record()[0]
     centres = wheel_centres_at_rest(record, options)
     strut = "fixed" if options.has_eight_dof else "prismatic"
     for i, wheel in enumerate(WHEELS):
@@ -69,12 +69,15 @@ def urdf(vehicle: Vehicle, options: Options | None = None) -> str:
     return ElementTree.tostring(robot, encoding="unicode", xml_declaration=True)
 
 
-def _body(robot: ElementTree.Element, vehicle: Vehicle) -> None:
+def _body(robot: ElementTree.Element, vehicle: Vehicle, record, options: Options) -> None:
     """A box as long as the wheelbase and as wide as the track, centred vertically on the c.g.
 
-    A windscreen marks the front.
+    With `body_contact` it is the box that touches the ground. A windscreen marks the front.
     """
     link = ElementTree.SubElement(robot, "link", name="base_link")
+    if options.body_contact:
+        _touching_body(link, record.body)
+        return
     front, rear = vehicle.cg_to_front_axle, vehicle.cg_to_rear_axle
     length = front + rear
     width = max(vehicle.front_track, vehicle.rear_track) - WHEEL_WIDTH
@@ -82,6 +85,15 @@ def _body(robot: ElementTree.Element, vehicle: Vehicle) -> None:
     middle = 0.0 - (vehicle.cg_offset or 0.0)
     _box(link, "paint", (length, width, height), ((front - rear) / 2, middle, 0.0))
     _box(link, "glass", (PROUD, 0.9 * width, 0.4 * height), (front, middle, 0.25 * height))
+
+
+def _touching_body(link: ElementTree.Element, body) -> None:
+    """The box of a BODY record, with windscreen."""
+    size = (body.ahead + body.behind, body.left + body.right, body.top + body.bottom)
+    middle, up = (body.left - body.right) / 2, (body.top - body.bottom) / 2
+    _box(link, "paint", size, ((body.ahead - body.behind) / 2, middle, up))
+    height = 0.35 * size[2]
+    _box(link, "glass", (PROUD, 0.9 * size[1], height), (body.ahead, middle, body.top - height))
 
 
 def _wheel(link: ElementTree.Element, radius: float) -> None:

@@ -5,6 +5,7 @@ The simplified models share these stages; the options select other forms of some
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.air import move_through_air
+from vehicle_roll_sim.model.body_contact import add_body_contact
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.contact import (
     contact_forces,
@@ -12,6 +13,7 @@ from vehicle_roll_sim.model.contact import (
     contact_kinematics,
 )
 from vehicle_roll_sim.model.contact_moments import contact_moments
+from vehicle_roll_sim.model.fallen_wheels import contact_of_fallen_wheels, release_wound_tires
 from vehicle_roll_sim.model.frames import (
     attitude_of,
     body_to_yawed,
@@ -66,12 +68,16 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, ground, ti
     strut_kinematics(state, vehicle, options, outputs)
     if ground is None:
         contact_kinematics(state, vehicle, options, attitude, outputs)
+        if options.body_contact:
+            contact_of_fallen_wheels(state, vehicle, attitude, outputs)
         inclinations(attitude, vehicle, tires, options, outputs)
     else:
         tilted_gravity_on_body_axes(time, ground, heading, attitude, vehicle, outputs)
         contact_on_road(state, command, heading, vehicle, options, attitude, ground, outputs)
         inclinations_on_road(attitude, vehicle, tires, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
+    if options.body_contact:
+        release_wound_tires(tires, outputs)
     if ground is not None:
         contact_moments_on_road(attitude, vehicle, outputs)
     elif options.contact_moments:
@@ -90,6 +96,8 @@ def fourteen_dof_derivatives(state, command, vehicle, tires, options, ground, ti
 
     mass_matrix(vehicle, options, outputs)
     applied_forces(state, vehicle, options, attitude, outputs)
+    if options.body_contact:
+        add_body_contact(state, heading, attitude, vehicle, ground, outputs)
     solve_in_place(outputs.mass_matrix, outputs.body_acceleration)
     link_forces(vehicle, options, outputs)
     link_load_transfer(vehicle, options, outputs)

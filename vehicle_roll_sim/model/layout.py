@@ -7,6 +7,9 @@ import numpy as np
 
 WHEELS = ("lf", "rf", "lr", "rr")
 WHEEL_COUNT = len(WHEELS)
+CORNERS = tuple(f"{end}_{wheel}" for end in ("floor", "roof") for wheel in WHEELS)
+"""Corners of the body: those of its floor, then of its roof, named after the wheels."""
+CORNER_COUNT = len(CORNERS)
 AXLE_COUNT = 2
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from vehicle_roll_sim.model.compiled.jit import constants
 from vehicle_roll_sim.model.layout import (
     AXLE_COUNT,
+    CORNER_COUNT,
     WHEEL_COUNT,
     WHEELS,
     per_wheel,
@@ -129,6 +130,13 @@ spring_travel, damper_travel: compression of spring and damper since rest (m) ov
 one wheel of each axle, as polynomials between knots like the curves over wheel travel.
 """
 
+BODY = record_dtype(
+    *("ahead", "behind", "left", "right", "top", "bottom"),
+    *("stiffness", "damping", "friction"),
+)
+"""The body as a box that touches the ground: distances of its faces from the c.g. (m), and the
+stiffness (N/m), damping (N s/m) and coefficient of friction (-) of each of its corners."""
+
 VEHICLE = record_dtype(
     *("sprung_mass", "roll_inertia", "pitch_inertia", "yaw_inertia", "cg_height"),
     *("wheel_inertia", "gravity", "gravity_along", "gravity_across"),
@@ -150,6 +158,7 @@ VEHICLE = record_dtype(
     *per_wheel("differential_damping", "differential_preload", "differential_locking"),
     *("roll_pitch_product", "roll_yaw_product", "pitch_yaw_product"),
     ("details", DETAILS),
+    ("body", BODY),
 )
 """The vehicle as input to the equations: front and rear values are laid out per wheel.
 
@@ -188,6 +197,7 @@ OPTION_NAMES = (
     "contact_moments",
     "kinematic",
     "wheel_gyroscopics",
+    "body_contact",
 )
 OPTIONS = record_dtype(*((name, np.bool_) for name in OPTION_NAMES))
 """Forms of terms in the equations; all off is model 1. Each is explained where it is used."""
@@ -223,6 +233,7 @@ OUTPUTS = record_dtype(
     ("air_velocity", 2),
     *per_wheel("road_height", "road_friction"),
     ("road_terms", ROAD_TERMS),
+    ("body_load", CORNER_COUNT),
 )
 """Everything that is computed between a state and its derivative.
 
@@ -233,5 +244,6 @@ commanded_steering: front and rear (rad). air_velocity: of the sprung c.g. throu
 and y of frame 1 (m/s).
 body_acceleration: derivatives of u, v, w and the body rates. The others are terms of the equations,
 described where they are computed. road_height: of the road under each wheel above the plane z = 0
-(m). road_friction: factor of the friction of its tire. Outputs that a model does not have are nan.
+(m). road_friction: factor of the friction of its tire. body_load: normal load on each corner of the
+body (N), with the option `body_contact`. Outputs that a model does not have are nan.
 """

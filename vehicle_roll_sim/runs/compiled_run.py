@@ -26,11 +26,10 @@ from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.runs.history import (
     COLUMNS,
+    FURTHER_PLACES,
     OUTPUT_PLACES,
-    ROLL_CENTRE_PLACES,
-    ROLL_CENTRES,
     History,
-    roll_centres_of,
+    further_of,
     row_of,
 )
 from vehicle_roll_sim.runs.run import (
@@ -51,8 +50,8 @@ LONGEST_BLOCK = 20_000
 """Steps whose commands are in memory at once: 5 MB."""
 WRITABLE = ("C_CONTIGUOUS", "WRITEABLE")
 """The one form of an array that is compiled."""
-PLACES = np.concatenate((OUTPUT_PLACES, ROLL_CENTRE_PLACES))
-"""Indices of the outputs in a row, roll centres last."""
+PLACES = np.concatenate((OUTPUT_PLACES, FURTHER_PLACES))
+"""Indices of the outputs in a row, those that not every model has last."""
 
 
 def compiled_run(
@@ -102,8 +101,8 @@ class _Loop:
         self.end = self.now + whole_steps(duration, step, "duration") * step
         self.steps_at = in_whole_steps(getattr(driver, "steps_at", ()), step)
         most = (self.end - self.now) // self.sample + 3
-        self.rows = np.empty((most, len(COLUMNS) + len(ROLL_CENTRES)))
-        self.rows[0] = np.concatenate((row_of(simulation), roll_centres_of(simulation)))
+        self.rows = np.empty((most, len(COLUMNS) + len(FURTHER_PLACES)))
+        self.rows[0] = np.concatenate((row_of(simulation), further_of(simulation)))
         self.driven, self.held = np.zeros(most, COMMAND), np.zeros(1, COMMAND)
         if simulation.has_actuators:
             self.driven[0] = simulation.actuation.records()[0]
@@ -167,6 +166,7 @@ class _Loop:
 
     def history(self) -> History:
         """The rows so far, without commands."""
-        rows, centres = np.split(self.rows[: self.count], [len(COLUMNS)], axis=1)
-        is_kinematic = self.simulation.options.is_kinematic
-        return History(rows, roll_centres=centres.copy() if is_kinematic else None)
+        rows, further = np.split(self.rows[: self.count], [len(COLUMNS)], axis=1)
+        history = History(rows)
+        history.add_further(further, self.simulation.options)
+        return history

@@ -10,6 +10,7 @@ import numpy as np
 from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.table_file import read_table
 from vehicle_roll_sim.input_errors import InputError, number_in
+from vehicle_roll_sim.model.layout import CORNERS
 from vehicle_roll_sim.model.records import (
     AXLE_COUNT,
     MODEL_STATE_SIZE,
@@ -17,6 +18,7 @@ from vehicle_roll_sim.model.records import (
     STATE_NAMES,
     WHEELS,
 )
+from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, field_of
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -64,8 +66,17 @@ ROLL_CENTRES = tuple(
 )
 """Names of further columns of model 2: height above the road, and place to the left of the c.g., of
 the roll centre of each axle (m); nan where there is none."""
+BODY_LOADS = tuple(f"body_load_{corner}" for corner in CORNERS)
+"""Names of further columns with `body_contact`: normal load on each corner of the body (N)."""
 WIND = ("wind_x", "wind_y")
 """Names of further commands of vehicles with air forces (m/s), in the same sense."""
+FURTHER = {
+    COMMANDS: "commands",
+    ROLL_CENTRES: "roll_centres",
+    WIND: "wind",
+    BODY_LOADS: "body_loads",
+}
+"""Groups of columns that a file may lack, and the attributes of a History with their values."""
 MEASURED = "measured_"
 """Begins the names of further columns of vehicles with sensors: the last reading of each."""
 WITH_COMMANDS = "add all commands to the CSV, not only the steering; `plot` then draws them"
@@ -79,16 +90,16 @@ def check_with_commands(wanted: bool, csv: Path | None) -> None:
 
 
 def _places_of_outputs() -> tuple[np.ndarray, np.ndarray]:
-    """Where the outputs among COLUMNS, and ROLL_CENTRES, are in the flat vector of OUTPUTS."""
+    """Where the outputs among COLUMNS, and ROLL_CENTRES and BODY_LOADS, are in that of OUTPUTS."""
     places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
     quantities = (places[quantity] for quantity in OUTPUT_QUANTITIES)
     steering, accelerations = places["commanded_steering"][:1], places["acceleration"]
     of_rows = np.concatenate((*quantities, steering, accelerations[: len(ACCELERATIONS)]))
-    centres = np.concatenate((places["roll_centre_height"], places["roll_centre_place"]))
-    return of_rows.astype(int), centres.astype(int)
+    centres = (places["roll_centre_height"], places["roll_centre_place"])
+    return of_rows.astype(int), np.concatenate((*centres, places["body_load"])).astype(int)
 
 
-OUTPUT_PLACES, ROLL_CENTRE_PLACES = _places_of_outputs()
+OUTPUT_PLACES, FURTHER_PLACES = _places_of_outputs()
 
 
 def row_of(simulation: Simulation) -> np.ndarray:
@@ -102,7 +113,12 @@ def row_of(simulation: Simulation) -> np.ndarray:
 
 def roll_centres_of(simulation: Simulation) -> np.ndarray:
     """The values of ROLL_CENTRES at the present simulated time; nan in models without them."""
-    return simulation.output_vector[ROLL_CENTRE_PLACES]
+    return further_of(simulation)[: len(ROLL_CENTRES)]
+
+
+def further_of(simulation: Simulation) -> np.ndarray:
+    """The values of ROLL_CENTRES and BODY_LOADS at the present simulated time; nan if absent."""
+    return simulation.output_vector[FURTHER_PLACES]
 
 
 def measured_names(simulation: Simulation) -> tuple[str, ...]:
@@ -118,7 +134,7 @@ class History:
     ROLL_CENTRES, shape (rows, 4), or None if the model has none or they are unknown. wind: values
     of WIND, shape (rows, 2), or None if the vehicle does not feel it or it is unknown. measured:
     the last readings of sensors, shape (rows, k), and `measured_names`, the k names of further
-    columns; none without sensors.
+    columns; none without sensors. body_loads: values of BODY_LOADS, shape (rows, 8), or None.
     """
 
     def __init__(
@@ -129,21 +145,22 @@ class History:
         wind: np.ndarray | None = None,
         measured: np.ndarray | None = None,
         measured_names: tuple[str, ...] = (),
+        body_loads: np.ndarray | None = None,
     ):
         self.rows, self.commands, self.roll_centres = np.asarray(rows), commands, roll_centres
-        self.wind, self.measured_names = wind, measured_names
+        self.wind, self.measured_names, self.body_loads = wind, measured_names, body_loads
         self.measured = np.zeros((len(self.rows), 0)) if measured is None else measured
 
     @classmethod
     def read_csv(cls, path: Path) -> "History":
         """Read a file written by `write_csv`; raises InputError naming line and column.
 
-        Columns may be in any order, and further columns are ignored. COMMANDS are read if all of
-        them are present, likewise WIND and ROLL_CENTRES. All values except the time may be nan.
-        Times must not decrease; a time may occur twice, like the last one of a run that diverged.
+        Columns may be in any order, and further columns are ignored. Each of the groups of FURTHER
+        is read if all of its columns are present. All values except the time may be nan. Times must
+        not decrease; a time may occur twice, like the last one of a run that diverged.
         """
         header, lines = read_table(path, LARGEST_FILE)
-        further = [names for names in (COMMANDS, ROLL_CENTRES, WIND) if set(names) <= set(header)]
+        further = [names for names in FURTHER if set(names) <= set(header)]
         places = _places(path, header, tuple(itertools.chain(COLUMNS, *further)))
         rows, time = [], -math.inf
         for line, texts in lines:
@@ -158,7 +175,7 @@ class History:
         ends = np.cumsum([len(names) for names in (COLUMNS, *further)])[:-1]
         own, *others = np.split(np.array(rows), ends, axis=1)
         found = dict(zip(further, others, strict=True))
-        return cls(own, *(found.get(names) for names in (COMMANDS, ROLL_CENTRES, WIND)))
+        return cls(own, **{name: found.get(names) for names, name in FURTHER.items()})
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.rows[:, COLUMNS.index(name)]
@@ -190,23 +207,30 @@ class History:
             found = self.commands[:, [COMMANDS.index(each) for each in wanted]]
         return found[:, 0] if name in COMMANDS else found
 
+    def add_further(self, values: np.ndarray, options: Options) -> None:
+        """Add what a model with these options has of `further_of`, one row for each row."""
+        centres, loads = np.split(values, [len(ROLL_CENTRES)], axis=1)
+        self.roll_centres = centres.copy() if options.is_kinematic else None
+        self.body_loads = loads.copy() if options.body_contact else None
+
     def part(self, chosen: np.ndarray) -> "History":
         """The selected rows; chosen: a boolean for each row, shape (rows,)."""
-        commands = None if self.commands is None else self.commands[chosen]
-        centres = None if self.roll_centres is None else self.roll_centres[chosen]
-        wind = None if self.wind is None else self.wind[chosen]
-        measured = (self.measured[chosen], self.measured_names)
-        return History(self.rows[chosen], commands, centres, wind, *measured)
+        found = {name: getattr(self, name) for name in FURTHER.values()}
+        found = {name: None if v is None else v[chosen] for name, v in found.items()}
+        measured = {"measured": self.measured[chosen], "measured_names": self.measured_names}
+        return History(self.rows[chosen], **found, **measured)
 
     def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
         """Write all rows in full precision; the file is written completely or not at all.
 
-        Columns of ROLL_CENTRES follow if they are known. with_commands: append COMMANDS to the
-        columns, nan if they are unknown, and WIND if it is known. What sensors measured comes last.
+        Columns of ROLL_CENTRES and BODY_LOADS follow if they are known. with_commands: append
+        COMMANDS, nan if they are unknown, and WIND if it is known. What sensors measured is last.
         """
         names, rows = COLUMNS, self.rows
         if self.roll_centres is not None:
             names, rows = (*names, *ROLL_CENTRES), np.hstack((rows, self.roll_centres))
+        if self.body_loads is not None:
+            names, rows = (*names, *BODY_LOADS), np.hstack((rows, self.body_loads))
         if with_commands:
             names, rows = (*names, *COMMANDS), np.hstack((rows, self._known_commands()))
             if self.wind is not None:

@@ -9,7 +9,7 @@ import numpy as np
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import LR
-from vehicle_roll_sim.runs.history import History, measured_names, roll_centres_of, row_of
+from vehicle_roll_sim.runs.history import History, further_of, measured_names, row_of
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
 
@@ -58,7 +58,7 @@ def run(
     end = simulation.time_ns + whole_steps(duration, step_ns, "duration") * step_ns
     steps_at = [] if period else in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
     rows, held = [row_of(simulation)], None
-    centres = [roll_centres_of(simulation)]
+    further = [further_of(simulation)]
     readings = [simulation.sensors.readings()]
     driven = [_driven(simulation, Command() if period else None)]
     if observer:
@@ -77,15 +77,14 @@ def run(
         has_moved = simulation.time_ns > now  # unless its first step diverged
         if has_moved and (ended or simulation.time_ns % every == 0):
             rows.append(row_of(simulation))
-            centres.append(roll_centres_of(simulation))
+            further.append(further_of(simulation))
             readings.append(simulation.sensors.readings())
             driven.append(_driven(simulation, held))
         if observer and (ended or simulation.time_ns % period == 0):
             observer.on_set()
         progress((simulation.time_ns - now) / NANOSECONDS)
     history = History(rows)
-    if simulation.options.is_kinematic:
-        history.roll_centres = np.array(centres)
+    history.add_further(np.array(further), simulation.options)
     history.measured, history.measured_names = np.array(readings), measured_names(simulation)
     if driven[0] is None:
         records = records_by_time(history, driver)

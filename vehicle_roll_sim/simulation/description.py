@@ -31,7 +31,9 @@ from vehicle_roll_sim.version import __version__
 
 PACKAGE = "vehicle_roll_sim"
 FIELD = "simulation description"
-OFF_UNLESS_DESCRIBED = dict.fromkeys(SWITCHES, OFF) | {"wheel_gyroscopics": False}
+OFF_UNLESS_DESCRIBED = dict.fromkeys(SWITCHES, OFF) | dict.fromkeys(
+    ("wheel_gyroscopics", "body_contact"), False
+)
 OF_OLD_TIRES = {"version": "5.2", "combined": True}
 ALWAYS = (*SCALING, *OPTIONAL, *RANGES, *REQUIRED)
 """Coefficients that are described even if they are neutral."""

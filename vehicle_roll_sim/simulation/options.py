@@ -21,6 +21,8 @@ OF_FOURTEEN_DOF = ("cg_offset", "roll_pitch_product", "pitch_yaw_product", "roll
 """Parameters of a vehicle that only the equations of the 14 DOF models have."""
 SWITCHES = ("tire_moments", "contact_patch_shift")
 """Options that a vehicle file decides unless they are given."""
+UPRIGHT_ONLY = ("tire_normal_to_ground", "steady_state_slip")
+"""Options that make no sense once a vehicle has fallen on its side and slides to a stop."""
 SYMMETRIC, ASYMMETRIC = "symmetric", "asymmetric"
 
 
@@ -63,6 +65,11 @@ class Options:
         "include the gyroscopic moments of the spinning wheels and the reactions to their spin-up",
         default=False,
     )
+    body_contact: bool = parameter(
+        "let the body touch the ground, a box with springs, dampers and friction at its corners; a "
+        "run then goes on after a rollover (models 1 and 2)",
+        default=False,
+    )
     tire_moments: str = parameter(
         "apply the overturning, rolling resistance and aligning moments of the tires; auto: as in "
         "the vehicle file, where on is the default",
@@ -82,7 +89,7 @@ class Options:
         if self.model != "1":
             self._refuse("of model 1", "tire_normal_to_ground", "link_load_transfer", "euler_terms")
         if not self.has_tire_moments:
-            self._refuse("of models 1 and 2", *SWITCHES, "wheel_gyroscopics")
+            self._refuse("of models 1 and 2", *SWITCHES, "wheel_gyroscopics", "body_contact")
         if self.is_kinematic:
             self._refuse("of models with a fixed roll centre", "no_roll_centre")
         if self.has_eight_dof:
@@ -90,6 +97,9 @@ class Options:
         if self.no_roll_centre and self.link_load_transfer == ASYMMETRIC:
             allowed = "symmetric, since there is no roll centre"
             raise InputError("link_load_transfer", ASYMMETRIC, allowed)
+        for name in UPRIGHT_ONLY if self.body_contact else ():
+            if getattr(self, name):
+                raise InputError(name, True, "off with body_contact: it is for wheels on the road")
 
     def _refuse(self, of_which: str, *names: str) -> None:
         """Raise InputError for the first of these options that is not at its default."""

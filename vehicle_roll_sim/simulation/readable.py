@@ -1,5 +1,7 @@
 """What can be read of a simulation: time, state, and the parts that compiled code takes."""
 
+import math
+
 import numpy as np
 
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
@@ -49,6 +51,11 @@ class Readable(Restorable):
     def cg_motion_at(self, state) -> tuple[float, ...]:
         """`cg_motion` at another STATE record of the same vehicle and model."""
         return cg_motion(state, self._axis_depth)
+
+    @property
+    def has_rolled_over(self) -> bool:
+        """Whether the roll angle has reached that of a rollover since the last reset."""
+        return not math.isnan(self.events["rollover_time"][0])
 
     @property
     def static_suspension_compression(self) -> np.ndarray:

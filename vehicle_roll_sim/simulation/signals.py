@@ -120,6 +120,7 @@ OUTPUT_SIGNALS = {
     "road_height": Signal("m", GROUND, "height of the road under the wheel; nan on a plane"),
     "road_friction": Signal("", WHEEL, "factor of the road on the friction of the tire"),
     "road_terms": Signal("", ROAD, "the road under the wheels (work space)"),
+    "body_load": Signal("N", ROAD, "with body_contact: normal load on each corner of the body"),
 }
 """Every field of an OUTPUTS record, in its order; fields of four values are lf, rf, lr, rr."""
 

@@ -34,6 +34,7 @@ from vehicle_roll_sim.model.records import (
 from vehicle_roll_sim.model.roll_axis import roll_axis_depth
 from vehicle_roll_sim.simulation.actuators import Actuation
 from vehicle_roll_sim.simulation.advance_address import address_of_advance
+from vehicle_roll_sim.simulation.body_modes import check_step_on_body
 from vehicle_roll_sim.simulation.command import IDLE, Command, Programme, records_of
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
@@ -80,9 +81,10 @@ class Simulation(Readable):
     """A simulation of one vehicle, by default with the 14-degree-of-freedom model.
 
     vehicle: the vehicle to simulate. options: model and variants of the equations. step:
-    integration step (s), rounded to whole nanoseconds. rollover_angle: roll angle at which a run
-    stops (rad). road: slope of the road. check_step: whether `reset`, or a first `step` without
-    `reset`, refuses an unstable step. Raises InputError for invalid arguments.
+    integration step (s), rounded to whole nanoseconds. rollover_angle: roll angle that counts as a
+    rollover (rad), at which a run stops without `body_contact`. road: slope and features of the
+    road. check_step: whether `reset`, or a first `step` without `reset`, refuses an unstable step.
+    Raises InputError for invalid arguments.
 
     It starts in static equilibrium at 50 km/h. Attributes, all at the present simulated time:
 
@@ -129,7 +131,9 @@ class Simulation(Readable):
         plant = Plant.of(vehicle, self.options, self.road)
         self._vehicle, self._tires = plant.vehicle, plant.tires
         self._limits = np.zeros(1, LIMITS)
+        goes_on = self.options.body_contact
         self._limits["rollover_angle"] = self.rollover_angle
+        self._limits["stop_angle"] = math.inf if goes_on else self.rollover_angle
         self._slowest = MINIMUM_SPEED if self.options.steady_state_slip else 0.0
         self._limits["minimum_speed"] = self._slowest or -math.inf
         self.state_names = element_names(self.options.states)
@@ -139,7 +143,10 @@ class Simulation(Readable):
         self._absent = [
             name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
         ]
-        self._limits["largest"] = self._without_absent(plausible_magnitudes()).view(np.float64)
+        largest = self._without_absent(plausible_magnitudes())
+        if goes_on:
+            largest["roll"] = largest["yaw"]
+        self._limits["largest"] = largest.view(np.float64)
         self._records = (*plant[:-1], self._limits)
         self.ground = plant.ground
         self._plant = plant.arguments(self._limits, IDLE.records())
@@ -195,6 +202,8 @@ class Simulation(Readable):
         start: a STATE record, shape (1,), the equilibrium at this speed (m/s).
         """
         if self._checks_step and speed != self._checked_speed:
+            if self.options.body_contact:
+                check_step_on_body(self._vehicle[0], self.step_ns / NANOSECONDS)
             self._modes.check_start(start.view(np.float64), self.step_ns / NANOSECONDS)
         self._checked_speed = speed
 

@@ -46,7 +46,8 @@ class Modes:
     def __init__(self, plant: Plant, places: np.ndarray):
         vehicle, limits = plant.vehicle.copy(), np.full(1, -math.inf, LIMITS)
         vehicle["rolling_resistance_coefficient"] = 0.0
-        limits["rollover_angle"], limits["largest"] = math.inf, math.nan
+        limits["rollover_angle"] = limits["stop_angle"] = math.inf
+        limits["largest"] = math.nan
         limits["largest"][0, places] = math.inf
         self._plant, self._limits, self._places = plant._replace(vehicle=vehicle), limits, places
         self._outputs, self._events = np.full(1, np.nan, OUTPUTS), no_events()
@@ -100,7 +101,7 @@ class Modes:
             return
         largest = largest_stable_step(np.linalg.eigvals(slopes), step)
         if largest < step:
-            allowed = f"at most {_rounded_down(largest):g} s at {speed:.4g} m/s with this vehicle"
+            allowed = f"at most {rounded_down(largest):g} s at {speed:.4g} m/s with this vehicle"
             raise InputError("step", step, allowed)
 
 
@@ -133,7 +134,7 @@ def largest_stable_step(poles: np.ndarray, most: float) -> float:
     return stable
 
 
-def _rounded_down(value: float) -> float:
+def rounded_down(value: float) -> float:
     """`value` rounded down to two significant digits."""
     unit = 10.0 ** (math.floor(math.log10(value)) - 1)
     return math.floor(value / unit) * unit

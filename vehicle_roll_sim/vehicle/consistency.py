@@ -10,6 +10,7 @@ from vehicle_roll_sim.model.variants import MODELS
 from vehicle_roll_sim.vehicle.actuator_parameters import check_actuators
 from vehicle_roll_sim.vehicle.air_parameters import check_air
 from vehicle_roll_sim.vehicle.axle_tires import of_file
+from vehicle_roll_sim.vehicle.body_parameters import check_body
 from vehicle_roll_sim.vehicle.chassis_parameters import ROLL_CENTRES
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
 from vehicle_roll_sim.vehicle.differential_parameters import check_differentials
@@ -47,6 +48,7 @@ def check_consistency(vehicle: DerivedValues) -> None:
     _check_carriers(vehicle)
     check_suspension(vehicle)
     check_air(vehicle)
+    check_body(vehicle)
     check_differentials(vehicle)
     check_actuators(vehicle)
     check_sensors(vehicle)

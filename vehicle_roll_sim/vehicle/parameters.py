@@ -16,6 +16,7 @@ from vehicle_roll_sim.declaration import (
 )
 from vehicle_roll_sim.model.variants import PAPER
 from vehicle_roll_sim.vehicle.actuator_parameters import Actuators
+from vehicle_roll_sim.vehicle.body_parameters import BodyBox
 from vehicle_roll_sim.vehicle.chassis_parameters import Chassis
 from vehicle_roll_sim.vehicle.consistency import check_consistency, check_given
 from vehicle_roll_sim.vehicle.derived_values import AXLES, BAR_SPELLINGS, DerivedValues
@@ -45,6 +46,7 @@ PER_AXLE = {
 class Vehicle(
     Sensors,
     Actuators,
+    BodyBox,
     DriveAndAir,
     SuspensionDetails,
     WheelTravel,

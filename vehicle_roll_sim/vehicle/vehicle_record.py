@@ -4,6 +4,7 @@ import numpy as np
 
 from vehicle_roll_sim.model.records import VEHICLE
 from vehicle_roll_sim.vehicle.air_parameters import air_of
+from vehicle_roll_sim.vehicle.body_parameters import body_of
 from vehicle_roll_sim.vehicle.differential_parameters import differentials_of
 from vehicle_roll_sim.vehicle.masses import PRODUCTS
 from vehicle_roll_sim.vehicle.suspension_details import details_of
@@ -55,6 +56,7 @@ def _placement(vehicle, gravity: float) -> dict:
         "travel_origins": origins,
         "travel_curves": curves,
         "details": details_of(vehicle, gravity),
+        "body": body_of(vehicle, gravity),
         **air_of(vehicle),
         "gravity": gravity,
         "gravity_along": 0.0,

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vehicle_roll_sim.analysis.panels import COMMANDS, Signal, signals_of
-from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.history import FURTHER, History
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.road_mesh import has_mesh, road_mesh
@@ -151,4 +151,4 @@ def _joined(first: History, second: History) -> History:
         unknown = [np.full((len(each.rows), *widths), np.nan) for each in (first, second)]
         return np.vstack([u if p is None else p for u, p in zip(unknown, parts, strict=True)])
 
-    return History(*(joined(name) for name in ("rows", "commands", "roll_centres", "wind")))
+    return History(joined("rows"), **{name: joined(name) for name in FURTHER.values()})

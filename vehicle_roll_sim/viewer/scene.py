@@ -2,10 +2,8 @@
 
 import numpy as np
 
-from vehicle_roll_sim.manoeuvres.body_outline import BodySettings
 from vehicle_roll_sim.model.records import LR, WHEEL_COUNT
 from vehicle_roll_sim.simulation.drawn_vehicle import (
-    BODY_CLEARANCE,
     WHEEL_WIDTH,
     wheel_centres_at_rest,
 )
@@ -14,8 +12,6 @@ from vehicle_roll_sim.vehicle.derived_values import AXLES, SIDES
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.travel_parameters import TRAVEL_SIGNS
 
-ROOF = 2.5
-"""Ratio of the roof height to the height of the sprung c.g., for display only."""
 TRAVELS = np.linspace(-0.25, 0.25, 51)
 """Wheel travels at which the curves of model 2 are tabulated (m); linear in between."""
 
@@ -27,15 +23,16 @@ def scene_of(vehicle: Vehicle, options: Options) -> dict:
     the left of the c.g. A wheel has the suspension compression at rest, and the camber (top to the
     right) and toe (to the left) at rest; with model 2 also `guide`, what changes with its travel.
     """
-    outline, record = BodySettings().outline_of(vehicle), vehicle.record()[0]
+    record = vehicle.record()[0]
     places = wheel_centres_at_rest(record, options)
+    box = record.body
     body = {
-        "ahead": outline.ahead,
-        "behind": outline.behind,
-        "bottom": min(BODY_CLEARANCE, vehicle.cg_height / 2) - vehicle.cg_height,
-        "top": (ROOF - 1.0) * vehicle.cg_height,
-        "width": outline.width,
-        "aside": -outline.aside,
+        "ahead": float(box.ahead),
+        "behind": float(box.behind),
+        "bottom": float(-box.bottom),
+        "top": float(box.top),
+        "width": float(box.left + box.right),
+        "aside": float(box.left - box.right) / 2,
     }
     wheels = [
         {

@@ -12,18 +12,25 @@ pytestmark = pytest.mark.unmeasured
 
 
 @pytest.mark.parametrize(
-    ("model", "steady"),
-    [("1", False), ("1", True), ("1c-iii", True), ("2", False), ("8dof", False)],
+    ("model", "given"),
+    [
+        ("1", {}),
+        ("1", {"steady_state_slip": True}),
+        ("1c-iii", {"steady_state_slip": True}),
+        ("2", {"body_contact": True}),
+        ("8dof", {}),
+    ],
 )
-def test_the_chosen_model_publishes_every_topic_and_its_own_states(start, peer, model, steady):
-    words = (f"model:={model}", f"steady_state_slip:={steady}", "command_timeout:=0.0")
+def test_the_chosen_model_publishes_every_topic_and_its_own_states(start, peer, model, given):
+    options = Options(model=model, **given)
+    words = (f"model:={model}", "command_timeout:=0.0", *(f"{name}:=true" for name in given))
     start("simulator", "--ros-args", *(word for each in words for word in ("-p", each)))
-    names = [topic.name for topic in set_of(Options(model=model), stamped=False)]
+    names = [topic.name for topic in set_of(options, stamped=False)]
     peer.listen(*names)
     for name in names:
         peer.newest(name)
     peer.call(Trigger, "simulator/reset")
-    rest = Simulation(preset(), Options(model=model, steady_state_slip=steady))
+    rest = Simulation(preset(), options)
     states = peer.received["state"]
     peer.wait(
         lambda: any(list(m.data) == [0.0, *rest.model_state] for _, m in states),

@@ -21,7 +21,6 @@ KMH = 3.6
 SIGNED = ("amplitude", "scalar", "handwheel_angle", "lateral_acceleration", "wind_speed")
 """Manoeuvre parameters whose sign determines the direction of the first input."""
 UNKNOWN = "unknown"
-ROLLED_OVER = Condition.ROLLED_OVER.name.lower()
 DIVERGED = Condition.DIVERGED.name.lower()
 SPEED, END = 1, -1
 """Indices in a row that begins with the direction."""
@@ -94,7 +93,7 @@ class SpeedSearch(Series):
         for speed in self.speeds:
             rows[speed] = _row(ready, speed, vehicle, options)
             yield rows[speed]
-            if rows[speed][END] == ROLLED_OVER:
+            if not math.isnan(rows[speed][EVENTS["rollover"]]):
                 break
         for event in EVENTS.values():
             while self._is_wide(gap := gap_of(rows, event)):

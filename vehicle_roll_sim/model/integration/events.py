@@ -37,17 +37,18 @@ EVENTS = record_dtype(
 )
 """Events and peaks of a run; times (s) are nan until the event.
 
-lift_off_time: first time at which the normal load of each wheel reaches 0. rollover_time: time at
-which the roll angle reaches its limit. Both are interpolated linearly between steps. support: of
-each wheel at the last step (N). peak_roll, peak_lateral_acceleration: signed value (rad, m/s^2) and
-time of the largest magnitude at the steps. out_of_range_time: first time at which the slip ratio,
-slip angle, load or inclination of any loaded tire leaves the range of the tire file; inclination
-counts for tires that depend on it only.
+lift_off_time: first time at which the normal load of each wheel reaches 0. rollover_time: first
+time at which the roll angle reaches its limit. Both are interpolated linearly between steps.
+support: of each wheel at the last step (N). peak_roll, peak_lateral_acceleration: signed value
+(rad, m/s^2) and time of the largest magnitude at the steps. out_of_range_time: first time at which
+the slip ratio, slip angle, load or inclination of any loaded tire leaves the range of the tire
+file; inclination counts for tires that depend on it only.
 """
 
-LIMITS = record_dtype("rollover_angle", "minimum_speed", ("largest", STATE_SIZE))
-"""Limits at which a run stops: roll angle (rad), forward speed (m/s), and the largest plausible
-magnitude of every state (SI units)."""
+LIMITS = record_dtype("rollover_angle", "stop_angle", "minimum_speed", ("largest", STATE_SIZE))
+"""Roll angle that counts as a rollover (rad), and limits at which a run stops: roll angle (rad, inf
+if it goes on after a rollover), forward speed (m/s), and the largest plausible magnitude of every
+state (SI units)."""
 
 
 def plausible_magnitudes() -> np.ndarray:
@@ -143,9 +144,9 @@ def note_lift_offs(time, step, support, events):
 
 @kernel
 def note_rollover(time, step, roll_before, roll, rollover_angle, events):
-    """Record a rollover during a step (s) from `time` (s) on; angles in rad."""
+    """Record the first rollover during a step (s) from `time` (s) on; angles in rad."""
     left, gone = rollover_angle - abs(roll_before), rollover_angle - abs(roll)
-    if gone <= 0.0 < left:
+    if gone <= 0.0 < left and math.isnan(events.rollover_time[0]):
         events.rollover_time[0] = crossing_time(time, step, left, gone)
 
 
@@ -179,7 +180,7 @@ def without_rate(rates, largest):
 @kernel
 def condition_of(state, limits):
     """The condition of a run at a flat state vector, divergence aside."""
-    if abs(state[at.ROLL]) >= limits.rollover_angle:
+    if abs(state[at.ROLL]) >= limits.stop_angle:
         return Condition.ROLLED_OVER
     if state[at.U] < limits.minimum_speed * (1 - SPEED_ROUNDING):
         return Condition.TOO_SLOW

@@ -7,9 +7,11 @@ Stages that it shares with model 1 are those of `fourteen_dof`.
 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.air import move_through_air
+from vehicle_roll_sim.model.body_contact import add_body_contact
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.contact import contact_forces
 from vehicle_roll_sim.model.contact_moments import contact_moments
+from vehicle_roll_sim.model.fallen_wheels import release_lying_wheels, release_wound_tires
 from vehicle_roll_sim.model.fourteen_dof import accelerations, body_rates
 from vehicle_roll_sim.model.frames import attitude_of, heading_of
 from vehicle_roll_sim.model.gyroscopic import gyroscopic_moments_on_carriers
@@ -74,7 +76,11 @@ def kinematic_derivatives(state, command, vehicle, tires, options, ground, time,
         place_on_uneven_road(state, command, heading, vehicle, attitude, ground, outputs)
         contact_motion(state, attitude, outputs)
         motion_in_plane(state, heading, attitude, ground, outputs)
+    if options.body_contact:
+        release_lying_wheels(vehicle, ground, outputs)
     contact_forces(state, vehicle, tires, options, outputs)
+    if options.body_contact:
+        release_wound_tires(tires, outputs)
     if ground is not None:
         contact_moments_on_road(attitude, vehicle, outputs)
     elif options.contact_moments:
@@ -92,6 +98,8 @@ def kinematic_derivatives(state, command, vehicle, tires, options, ground, time,
     travel_forces(state, command, vehicle, options, outputs)
 
     system(state, vehicle, options, outputs)
+    if options.body_contact:
+        add_body_contact(state, heading, attitude, vehicle, ground, outputs)
     solve_symmetric(outputs.mass_matrix, outputs.body_acceleration)
     wheel_accelerations(state, vehicle, outputs, rates)
     body_derivatives(state, vehicle, attitude, outputs, rates)

@@ -9,6 +9,7 @@ alone, and wg, the rate of h, acts without being integrated: a step of the road 
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.compiled.jit import kernel, math, square_root, term
 from vehicle_roll_sim.model.contact import normal_force, small_angle_contact_velocity
+from vehicle_roll_sim.model.fallen_wheels import as_disc, held_radius, lighten, share_of_load
 from vehicle_roll_sim.model.frames import body_to_yawed, ground_to_yawed, yawed_to_body
 from vehicle_roll_sim.model.records import LF, LR, WHEEL_COUNT
 from vehicle_roll_sim.model.road.layout import SIDES
@@ -121,14 +122,19 @@ def contact_on_road(state, command, heading, vehicle, options, attitude, ground,
         look_under_wheel(i, place, radius, heading, command, ground, outputs)
         nx, ny, nz = normal_of(i, terms)
         compression = (xt[i] + outputs.road_height[i]) * nz + radius * (1.0 - nz)
+        bx, by, bz = yawed_to_body(attitude, nx, ny, nz)
+        if options.body_contact:
+            compression = as_disc(compression, radius, bz)
         load_on_road(i, compression, vehicle, outputs)
 
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         rise = -(nx * c + ny * s)  # sine of the slope along the wheel
         level = square_root(max(1.0 - rise * rise, 0.0))
-        bx, by, bz = yawed_to_body(attitude, nx, ny, nz)
         cosine = max(level * bz - rise * (c * bx + s * by), MOST_INCLINED)
         r = radius - max(terms.deflection[i], 0.0) / cosine  # (15)
+        if options.body_contact:
+            r = held_radius(terms.deflection[i], radius, cosine)
+            lighten(i, share_of_load(bz), outputs)
         outputs.loaded_radius[i] = r
         ax, ay, az = r * rise * c, r * rise * s, -r * level
         terms.arm_x[i], terms.arm_y[i], terms.arm_z[i] = ax, ay, az
@@ -141,6 +147,9 @@ def contact_on_road(state, command, heading, vehicle, options, attitude, ground,
         outputs.contact_u[i], outputs.contact_v[i], _ = in_plane(i, ug, vg, wg, terms)
         if ground[SIDES] != 0.0:
             side_force(i, x, y, ug, vg, heading, ground, outputs)
+            if options.body_contact:
+                terms.side_x[i] *= share_of_load(bz)
+                terms.side_y[i] *= share_of_load(bz)
 
 
 @kernel

@@ -81,12 +81,12 @@ class ManoeuvrePlayer(Node):
         Raises NoAnswerError, or InputError if the manoeuvre cannot be driven on this simulator.
         """
         self._simulator = simulator
-        names = ["rollover_angle", "steady_state_slip", "mode", "lockstep_topics"]
+        names = ["rollover_angle", "body_contact", "steady_state_slip", "mode", "lockstep_topics"]
         values = simulator.get(names)
         if not values:
             problem = f"it has no parameter {names[0]}"
             raise NoAnswerError(f"`{simulator.name}` is not a simulator: {problem}")
-        self.rollover_angle, steady, mode, awaited = values
+        self.rollover_angle, self._goes_on, steady, mode, awaited = values
         self.road = _road(*simulator.get(["road_file", *parameters_of(Road)]))
         self._slowest = MINIMUM_SPEED if steady else -math.inf
         self._awaited = awaited if mode == LOCKSTEP else []
@@ -251,7 +251,7 @@ class ManoeuvrePlayer(Node):
     @property
     def condition(self) -> Condition:
         """How the run ended, as far as the last state shows."""
-        if abs(self.state["roll"]) >= self.rollover_angle:
+        if abs(self.state["roll"]) >= self.rollover_angle and not self._goes_on:
             return Condition.ROLLED_OVER
         if self._time >= self.manoeuvre.duration - ROUNDING:
             return Condition.RUNNING

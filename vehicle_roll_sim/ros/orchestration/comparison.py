@@ -111,8 +111,8 @@ class Outcome:
     @property
     def rollover(self) -> float:
         """Time (s) of the rollover, nan if there is none."""
-        over = np.abs(self.history["roll"][-1]) >= self.rollover_angle
-        return float(self.history["time"][-1]) if over else math.nan
+        over = np.abs(self.history["roll"]) >= self.rollover_angle
+        return float(self.history["time"][over.argmax()]) if over.any() else math.nan
 
     @property
     def end(self) -> float:

@@ -13,6 +13,7 @@ from vehicle_roll_sim.live.pacing import (
     SLOWEST_FACTOR,
 )
 from vehicle_roll_sim.messages.topics import (
+    BODY_LOADS,
     COMMANDS,
     OF_SOME_SETS,
     ROLL_CENTRE,
@@ -197,7 +198,8 @@ class Settings:
         published = {topic.name for topic in set_of(options, self.publish_stamped, devices)}
         if not published.issuperset(self.lockstep_wait):
             allowed = f"topics that end in _stamped only with publish_stamped, {ROLL_CENTRE.name} "
-            allowed += "only with model 2, those of sensors only with these"
+            allowed += f"only with model 2, {BODY_LOADS.name} only with body_contact, those of "
+            allowed += "sensors only with these"
             raise InputError("lockstep_wait", self.lockstep_wait, allowed)
 
     def steps_in_a_period(self, step_ns: int) -> int:
