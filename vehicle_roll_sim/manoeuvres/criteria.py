@@ -17,7 +17,8 @@ def two_wheel_lift(history: History) -> float:
     nan if there is none, or if the model has no tire compression. Off the ground the tire
     compression is negative: minus the height of the tire above the ground.
     """
-    return two_wheel_lift_time(history["time"], history.wheels("tire_compression"))
+    wheels = (history.wheels("tire_compression"), history.wheels("normal_force"))
+    return two_wheel_lift_time(history["time"], *wheels)
 
 
 def has_wheel_heights(history: History) -> bool:

@@ -50,7 +50,7 @@ def metrics_of_series(
     """
     roll, acceleration = events.peak_roll, events.peak_lateral_acceleration
     ratio, ratio_time = peak(times, load_transfer_ratio(loads))
-    lift = two_wheel_lift_time(times, compressions)
+    lift = two_wheel_lift_time(times, compressions, loads)
     lift_offs = zip(WHEELS, events.lift_off_time.tolist(), strict=True)
     return {
         "peak_roll": float(roll[VALUE]),
