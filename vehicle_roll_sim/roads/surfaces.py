@@ -2,12 +2,17 @@
 
 import dataclasses
 import math
+from collections.abc import Sequence
+
+import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.model.road.layout import CHESSBOARD, PATCH, SOIL
 from vehicle_roll_sim.roads.feature import Rectangle, Row, edge, size
 
 LARGEST_FRICTION = 10.0
+MOST_SQUARES = 1000
+"""In either direction of a chessboard with edges of its squares in pictures."""
 
 
 def factor(description: str):
@@ -56,6 +61,12 @@ class Chessboard(Rectangle):
         squares = (self.square_length, self.square_width)
         frictions = (self.friction, self.other_friction)
         return [self.row(CHESSBOARD, *self.bounds, *frictions, *squares)]
+
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        length, right, left = self.bounds
+        along = self.square_length * np.arange(MOST_SQUARES)
+        across = right + self.square_width * np.arange(MOST_SQUARES)
+        return (*along[along < length], length), (*across[across < left], left)
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)

@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -51,6 +52,13 @@ class Tracks(Feature):
         own = (heights.shape[1], self.spacing, *sides)
         table = np.pad(heights, ((0, 0), (1, 1)), mode="edge")
         return [self.row(PROFILE, *own, table=table.T.ravel())]
+
+    def ends(self) -> tuple[float, float]:
+        """Where it begins and ends along its heading, from its start (m)."""
+        raise NotImplementedError
+
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        return self.ends(), (-self.track / 2, self.track / 2)
 
 
 def averaged(places: np.ndarray, heights: np.ndarray, width: float) -> np.ndarray:
@@ -118,6 +126,9 @@ class Profile(Tracks):
         first = self.points[0][0]
         return kind, [x + c * first, y + s * first, c, s, *own], table
 
+    def ends(self) -> tuple[float, float]:
+        return self.points[0][0], self.points[-1][0]
+
     def tracks(self) -> np.ndarray:
         return np.array([[point[side] for point in self.points] for side in (1, -1)])
 
@@ -161,6 +172,9 @@ class RandomProfile(Roughness, Tracks):
         if self.length / self.spacing > MOST_POINTS:
             allowed = f"at most {MOST_POINTS} times the spacing, {self.spacing:g} m"
             raise InputError("length", self.length, allowed)
+
+    def ends(self) -> tuple[float, float]:
+        return 0.0, self.length
 
     def tracks(self) -> np.ndarray:
         count = round(self.length / self.spacing) + 1
@@ -206,6 +220,10 @@ class Grid(Feature):
         parts = [heights.ravel(), np.array(self.frictions).ravel()]
         own = (*heights.shape, self.spacing, self.side_spacing, float(bool(self.frictions)))
         return [self.row(GRID, *own, table=np.concatenate(parts))]
+
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        width = self.side_spacing * (len(self.heights[0]) - 1)
+        return (0.0, self.spacing * (len(self.heights) - 1)), (self.right, self.right + width)
 
     def row(self, kind: int, *numbers: float, table: np.ndarray | None = None) -> Row:
         kind, (x, y, c, s, *own), table = super().row(kind, *numbers, table=table)
