@@ -4,7 +4,7 @@ import time
 
 import numpy as np
 
-from vehicle_roll_sim import Options, Simulation, Vehicle, preset
+from vehicle_roll_sim import Options, Road, Simulation, Vehicle, preset
 from vehicle_roll_sim.model.compiled.jit import kernel
 from vehicle_roll_sim.model.integration.derivatives import derivatives
 from vehicle_roll_sim.model.records import COMMAND
@@ -30,13 +30,16 @@ def slalom(times: np.ndarray, torque: float = 0.0) -> np.ndarray:
 
 
 def slalom_start(
-    options: Options, step: float = 1e-3, vehicle: Vehicle | None = None
+    options: Options,
+    step: float = 1e-3,
+    vehicle: Vehicle | None = None,
+    road: Road | None = None,
 ) -> Simulation:
-    """At the entry of the slalom, by default in the reference vehicle.
+    """At the entry of the slalom, by default in the reference vehicle on a level road.
 
     The step may be too large, to show the effect.
     """
-    simulation = Simulation(vehicle or preset(), options, step=step, check_step=False)
+    simulation = Simulation(vehicle or preset(), options, step=step, road=road, check_step=False)
     simulation.reset(SPEED)
     return simulation
 

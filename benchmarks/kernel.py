@@ -9,7 +9,7 @@ import numpy as np
 
 from benchmarks.drive import SLIPS, evaluate, repeated, slalom, slalom_start
 from benchmarks.report import MICRO, NANO, median
-from vehicle_roll_sim import Command, Options, Vehicle, load_tire, preset
+from vehicle_roll_sim import Command, Options, Road, Vehicle, load_tire, preset
 from vehicle_roll_sim.declaration import OFF, ON
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
@@ -21,7 +21,8 @@ ABOUT = (
     "400 N m at each wheel, so that all four tires are in combined slip); a sample is the mean "
     "over its 2000 states. The variants are measured in turn; ratio: median of the ratios to the "
     "first one. Version 6.1: a tire file in which every coefficient counts, with and without "
-    "tire moments. Step: `Simulation.step` of 1 ms, called from Python with a constant "
+    "tire moments. Roads: class B of ISO 8608, and a patch of friction under all wheels. "
+    "Step: `Simulation.step` of 1 ms, called from Python with a constant "
     "command; a sample is the mean of 100 steps."
 )
 COLUMNS = {
@@ -41,8 +42,10 @@ STEP = 0.005
 REPETITIONS, QUICK = 300, 30
 STEPS = 100
 """Calls of `Simulation.step` per repetition."""
+MODEL_1, MODEL_2 = Options(), Options(model="2")
 MODELS = {
     **{f"model 1, {slip} slip": options for slip, options in SLIPS.items()},
+    "model 2": MODEL_2,
     "8 DOF": Options(model="8dof"),
 }
 TIRE_6_1 = Path(__file__).parents[1] / "test/model/tire/data/mf61.tir"
@@ -51,6 +54,13 @@ WITH_TIRE_6_1 = {
     for moments, switch in {"without moments": OFF, "with moments": ON}.items()
 }
 
+ON_ROADS = {
+    "model 1, random road": (MODEL_1, {"kind": "random_profile", "start": 0.0}),
+    "model 1, patch": (MODEL_1, {"kind": "patch", "start": 0.0, "friction": 0.8}),
+    "model 2, random road": (MODEL_2, {"kind": "random_profile", "start": 0.0}),
+}
+"""Model and the only feature of the road."""
+
 
 def measure(quick: bool) -> list[dict]:
     """Rows of the table."""
@@ -58,6 +68,9 @@ def measure(quick: bool) -> list[dict]:
     other = dataclasses.replace(preset(), tire=load_tire(TIRE_6_1))
     calls = {name: derivatives_of(preset(), options) for name, options in MODELS.items()}
     calls |= {name: derivatives_of(other, options) for name, options in WITH_TIRE_6_1.items()}
+    for name, (options, feature) in ON_ROADS.items():
+        road = Road.from_values({"features": [feature]})
+        calls[name] = derivatives_of(preset(), options, road)
     took = np.array([[repeated(call, 1)[0] for call in calls.values()] for _ in range(repetitions)])
     took /= STATES
     rows = [
@@ -85,9 +98,11 @@ def driven_slalom(times: np.ndarray) -> np.ndarray:
     return slalom(times, TORQUE)
 
 
-def derivatives_of(vehicle: Vehicle, options: Options) -> Callable[[], None]:
+def derivatives_of(
+    vehicle: Vehicle, options: Options, road: Road | None = None
+) -> Callable[[], None]:
     """A function that evaluates the derivatives at all recorded states."""
-    simulation = slalom_start(options, vehicle=vehicle)
+    simulation = slalom_start(options, vehicle=vehicle, road=road)
     states, outputs = np.empty((STATES, STATE_SIZE)), np.empty(1, OUTPUTS)
     for row in states:
         simulation.step(driven_slalom, STEP)
@@ -97,7 +112,7 @@ def derivatives_of(vehicle: Vehicle, options: Options) -> Callable[[], None]:
     arguments = (
         states,
         commands,
-        Plant.of(vehicle, options).arguments(),
+        Plant.of(vehicle, options, road).arguments(),
         kernel_argument(outputs),
         np.empty(STATE_SIZE),
     )

@@ -37,7 +37,7 @@ def test_the_model_is_measured_and_the_numbers_are_written_and_shown(benchmarks,
     assert written["quick"] is True
     assert list(written["results"]) == ["kernel"]
     rows = written["results"]["kernel"]
-    assert len(rows) == 8
+    assert len(rows) == 13
     for row in rows:
         assert f"| {row['what']} | {row['unit']} |" in result.stdout
         for key in ("median", "minimum", "calls"):

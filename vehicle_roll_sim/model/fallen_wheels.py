@@ -55,11 +55,9 @@ def held_radius(compression, radius, cosine):
 
 
 @term
-def lighten(i, share, outputs):
-    """Leave a share of the load of wheel i; off the road its support stays as it is."""
-    if outputs.support[i] > 0.0:
-        outputs.support[i] *= share
-    outputs.normal_force[i] *= share
+def lightened(support, share):
+    """A share of the load of a wheel (N); off the road its support stays as it is."""
+    return support * share if support > 0.0 else support
 
 
 @kernel
@@ -78,9 +76,9 @@ def contact_of_fallen_wheels(state, vehicle, attitude, outputs):
             continue
         compression = as_disc(xt[i], radius, cosine)
         stiffness, progression = vehicle.tire_stiffness[i], vehicle.tire_progression[i]
-        outputs.support[i] = spring_force(compression, stiffness, progression)
+        support = spring_force(compression, stiffness, progression)
+        outputs.support[i] = lightened(support, share_of_load(cosine))
         outputs.normal_force[i] = normal_force(outputs.support[i])
-        lighten(i, share_of_load(cosine), outputs)
         r = outputs.loaded_radius[i] = held_radius(compression, radius, cosine)
         uu, vu = outputs.unsprung_u[i], outputs.unsprung_v[i]
         ug, vg = contact_velocity(uu, vu, wu[i], wx, wy, r, attitude)
@@ -105,10 +103,10 @@ def release_lying_wheels(vehicle, ground, outputs):
         else:
             depth = cosine * outputs.road_terms.deflection[i]
         stiffness, progression = vehicle.tire_stiffness[i], vehicle.tire_progression[i]
-        outputs.support[i] = spring_force(depth / LEANING, stiffness, progression) / LEANING
-        outputs.normal_force[i] = normal_force(outputs.support[i])
         share = share_of_load(cosine)
-        lighten(i, share, outputs)
+        support = spring_force(depth / LEANING, stiffness, progression) / LEANING
+        outputs.support[i] = lightened(support, share)
+        outputs.normal_force[i] = normal_force(outputs.support[i])
         if ground is not None:
             outputs.road_terms.side_x[i] *= share
             outputs.road_terms.side_y[i] *= share

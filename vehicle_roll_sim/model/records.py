@@ -206,9 +206,6 @@ OUTPUTS = record_dtype(
     *per_wheel("normal_force", "longitudinal_force", "lateral_force", "support"),
     *per_wheel("slip_ratio", "slip_angle", "steering", "suspension_rate"),
     *per_wheel("longitudinal_slip_rate", "lateral_slip_rate", "turning"),
-    ("acceleration", 3),
-    ("specific_force", 3),
-    ("slope_gravity", 3),
     *per_wheel("strut_length", "loaded_radius", "unsprung_u", "unsprung_v"),
     *per_wheel("corner_u", "corner_v", "tire_tilt", "rolling_force"),
     *per_wheel("contact_u", "contact_v", "tire_longitudinal", "tire_lateral"),
@@ -226,16 +223,22 @@ OUTPUTS = record_dtype(
     ("roll_centre_height", 2),
     ("roll_centre_place", 2),
     ("suspension_terms", SUSPENSION_TERMS),
-    ("body_acceleration", DEGREES_OF_ACCELERATION),
-    ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
     ("compliance_terms", COMPLIANCE_TERMS),
     ("commanded_steering", AXLE_COUNT),
     ("air_velocity", 2),
     *per_wheel("road_height", "road_friction"),
     ("road_terms", ROAD_TERMS),
     ("body_load", CORNER_COUNT),
+    ("acceleration", 3),
+    ("specific_force", 3),
+    ("slope_gravity", 3),
+    ("body_acceleration", DEGREES_OF_ACCELERATION),
+    ("mass_matrix", (DEGREES_OF_ACCELERATION, DEGREES_OF_ACCELERATION)),
 )
 """Everything that is computed between a state and its derivative.
+
+Fields per wheel come first, at distances of a multiple of four numbers, on which vectorized loops
+over the wheels depend.
 
 normal_force, longitudinal_force, lateral_force: contact forces in frame 2 (N). support: normal load
 before clipping at 0 (N), negative off the ground. acceleration: of the sprung c.g. along the axes

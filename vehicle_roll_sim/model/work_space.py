@@ -49,19 +49,28 @@ TIRE_TERMS = record_dtype(
 )
 """Work space of model/tire; explained where it is written."""
 
+TRACKS, NEIGHBOURS = 2, 4
+POINTS_OF_PROFILE = TRACKS * NEIGHBOURS
+"""Heights from which a profile takes that of a place: four neighbours of each track."""
 ROAD_TERMS = record_dtype(
-    *per_wheel("along", "across", "yielding", "linear", "quadratic", "deflection", "sinkage"),
+    *per_wheel("place_x", "place_y", "place_z", "height", "slope_x", "slope_y", "friction"),
+    *per_wheel("distance", "aside", "part"),
+    ("points", (POINTS_OF_PROFILE, WHEEL_COUNT)),
+    *per_wheel("along", "across", "linear", "quadratic", "deflection", "sinkage"),
     *per_wheel("arm_x", "arm_y", "arm_z", "side_x", "side_y", "side_height"),
     *per_wheel("level", "normal_x", "normal_y", "normal_z", "force_x", "force_y", "force_z"),
+    *per_wheel("speed_ahead", "speed_left", "speed_up"),
 )
 """Work space of model/road.
 
-along, across: slope under a wheel along the axes of frame 2 (m/m). level, normal: cosine of the
-first, and the normal of the road in frame 2. yielding, linear, quadratic: see
-`road.surface.softness`. deflection: of the tire, normal to the road, negative off it (m). sinkage:
-of the wheel into the ground (m). arm: from wheel centre to contact point in frame 1 (m). side:
+place: of the wheel centre in the ground frame (m). height, slope_x, slope_y, friction: of the road
+below it, slopes along x and y of the ground frame (m/m). distance, aside, part, points: see
+`road.profile`. along, across: slope along the axes of frame 2 (m/m). level, normal: cosine of the
+first, and the normal of the road in frame 2. linear, quadratic: see `road.surface.softness`.
+deflection: of the tire, normal to the road, negative off it (m). sinkage: of the wheel into the
+ground (m). arm: from wheel centre to contact point in frame 1 (m). side:
 force on the side of the wheel in frame 2 (N), and its height above the contact point (m). force:
-the whole force of the road in frame 2 (N).
+the whole force of the road in frame 2 (N). speed: velocity of the contact point in frame 2 (m/s).
 """
 
 PARTS = 27

@@ -145,7 +145,7 @@ class Multibody(Simulation):
         (events,), limit = kernel_argument(self._events), self._limits[0]["rollover_angle"]
         note_lift_offs(start, step, self.outputs["support"], events)
         note_rollover(start, step, roll_before, self.state["roll"], limit, events)
-        note_peaks(self.time, self.state_vector, self._seen_tires, self.outputs, events)
+        note_peaks(self.time, self.state_vector, self._seen_tires[0], self.outputs, events)
         return slope
 
     def coordinates(self) -> np.ndarray:

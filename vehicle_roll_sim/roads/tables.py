@@ -50,7 +50,8 @@ class Tracks(Feature):
         heights = np.array([averaged(places, each, width) for each in tracks])
         sides = (self.track / 2, -self.track / 2)
         own = (heights.shape[1], self.spacing, *sides)
-        return [self.row(PROFILE, *own, table=heights.ravel())]
+        table = np.pad(heights, ((0, 0), (1, 1)), mode="edge")
+        return [self.row(PROFILE, *own, table=table.T.ravel())]
 
     def ends(self) -> tuple[float, float]:
         """Where it begins and ends along its heading, from its start (m)."""

@@ -58,10 +58,15 @@ if COMPILED:
 
 
 def kernel(function, **options):
-    """Compile `function` if numba is available; division by zero then gives inf or nan."""
+    """Compile `function` if numba is available; division by zero then gives inf or nan.
+
+    A kernel makes no arrays, and its caller holds those that it gets. Their references are
+    therefore not counted: atomic operations at every call would take a quarter of the time.
+    """
     if not COMPILED:
         return function
-    compiled = functools.partial(numba.njit, error_model="numpy", no_cfunc_wrapper=True, **options)
+    options |= {"error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
+    compiled = functools.partial(numba.njit, **options)
     if CACHE is None:
         return compiled(function)
     dispatcher, users_choice = compiled(function), numba.config.CACHE_DIR

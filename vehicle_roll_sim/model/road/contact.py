@@ -7,15 +7,21 @@ alone, and wg, the rate of h, acts without being integrated: a step of the road 
 """
 
 from vehicle_roll_sim.model import records as at
-from vehicle_roll_sim.model.compiled.jit import kernel, math, square_root, term
+from vehicle_roll_sim.model.compiled.elementary import arctan_of_ratio
+from vehicle_roll_sim.model.compiled.jit import kernel, not_unrolled, square_root, term
 from vehicle_roll_sim.model.contact import normal_force, small_angle_contact_velocity
-from vehicle_roll_sim.model.fallen_wheels import as_disc, held_radius, lighten, share_of_load
-from vehicle_roll_sim.model.frames import body_to_yawed, ground_to_yawed, yawed_to_body
+from vehicle_roll_sim.model.fallen_wheels import as_disc, held_radius, lightened, share_of_load
+from vehicle_roll_sim.model.frames import (
+    body_to_yawed,
+    ground_to_yawed,
+    yawed_to_body,
+    yawed_to_ground,
+)
 from vehicle_roll_sim.model.records import LF, LR, WHEEL_COUNT
 from vehicle_roll_sim.model.road.layout import SIDES
-from vehicle_roll_sim.model.road.plane import plane_under
-from vehicle_roll_sim.model.road.resistance import place_over_ground, side_force
-from vehicle_roll_sim.model.road.surface import softness
+from vehicle_roll_sim.model.road.plane import planes_under_wheels
+from vehicle_roll_sim.model.road.resistance import side_forces
+from vehicle_roll_sim.model.road.surface import place_wheel, softness
 from vehicle_roll_sim.model.tire.spring import spring_force
 
 MOST_INCLINED = 0.1
@@ -30,23 +36,28 @@ def normal_friction(outputs):
 
 
 @kernel
-def look_under_wheel(i, place, radius, heading, command, ground, outputs):
-    """Height (m) and slope of the plane under wheel i, friction and softness.
+def look_under_wheels(heading, command, vehicle, ground, outputs):
+    """Height (m) and slope of the plane under every wheel, its normal, and the friction there.
 
-    place: of the wheel centre in the ground frame (m). The slope is along the axes of frame 2.
+    The slope is along the axes of frame 2. Also how far tire and soil would be compressed by an
+    upright wheel.
     """
-    terms, x, y = outputs.road_terms, place[0], place[1]
-    height, along, across, friction = plane_under(place, radius, ground)
-    outputs.road_height[i] = height + command.road_height[i]
-    outputs.road_friction[i] = friction * (1.0 + command.road_friction_change[i])
-    terms.along[i], terms.across[i] = ground_to_yawed(heading, along, across)
-    a, b = terms.along[i], terms.across[i]
-    terms.level[i] = 1.0 / square_root(1.0 + a * a)
-    upright = 1.0 / square_root(1.0 + a * a + b * b)
-    terms.normal_x[i], terms.normal_y[i], terms.normal_z[i] = -a * upright, -b * upright, upright
-    terms.yielding[i] = terms.side_x[i] = terms.side_y[i] = terms.side_height[i] = 0.0
-    if ground[SIDES] != 0.0:
-        terms.yielding[i], terms.linear[i], terms.quadratic[i] = softness(x, y, ground)
+    terms = outputs.road_terms
+    planes_under_wheels(vehicle, ground, terms)
+    for i in range(not_unrolled(WHEEL_COUNT)):
+        height = terms.height[i] + command.road_height[i]
+        friction = terms.friction[i] * (1.0 + command.road_friction_change[i])
+        a, b = ground_to_yawed(heading, terms.slope_x[i], terms.slope_y[i])
+        z, radius = terms.place_z[i], vehicle.tire_radius[i]
+        along, whole = square_root(1.0 + a * a), square_root(1.0 + a * a + b * b)
+        inverse = 1.0 / (along * whole)  # one division for both
+        level, upright = inverse * whole, inverse * along
+        outputs.road_height[i], outputs.road_friction[i] = height, friction
+        terms.along[i], terms.across[i], terms.level[i] = a, b, level
+        terms.normal_x[i], terms.normal_y[i] = -a * upright, -b * upright
+        terms.normal_z[i] = upright
+        terms.deflection[i] = radius - (z - height) * upright
+        terms.sinkage[i] = terms.side_x[i] = terms.side_y[i] = terms.side_height[i] = 0.0
 
 
 @term
@@ -82,9 +93,11 @@ def from_plane(i, ahead, left, up, terms):
 
 
 @term
-def deflection_on_soil(i, compression, stiffness, progression, terms):
-    """Part of a compression (m) that the tire has; the soil yields by the rest."""
-    soft = stiffness * terms.yielding[i]
+def deflection_on_soil(compression, soft, progression):
+    """Part of a compression (m) that the tire has; the soil yields by the rest.
+
+    soft: stiffness of the tire over that of the soil.
+    """
     if compression <= 0.0 or soft == 0.0:
         return compression
     root = square_root((1.0 + soft) ** 2 + 4.0 * soft * progression * compression)
@@ -92,15 +105,47 @@ def deflection_on_soil(i, compression, stiffness, progression, terms):
 
 
 @kernel
-def load_on_road(i, compression, vehicle, outputs):
-    """Load (N) at a compression of tire and soil normal to the road (m), and both parts of it."""
+def lean(attitude, vehicle, terms):
+    """Replace the compression of every wheel, `deflection`, by that of a tire that leans."""
+    for i in range(WHEEL_COUNT):
+        nx, ny, nz = normal_of(i, terms)
+        _, _, bz = yawed_to_body(attitude, nx, ny, nz)
+        terms.deflection[i] = as_disc(terms.deflection[i], vehicle.tire_radius[i], bz)
+
+
+@kernel
+def lighten_sides(attitude, terms):
+    """Leave the forces on the sides of wheels the share that their loads have."""
+    for i in range(WHEEL_COUNT):
+        nx, ny, nz = normal_of(i, terms)
+        _, _, bz = yawed_to_body(attitude, nx, ny, nz)
+        terms.side_x[i] *= share_of_load(bz)
+        terms.side_y[i] *= share_of_load(bz)
+
+
+@kernel
+def sink(vehicle, ground, terms):
+    """Divide the compression of every wheel, `deflection`, between tire and soft soil."""
+    for i in range(WHEEL_COUNT):
+        yielding, linear, quadratic = softness(terms.place_x[i], terms.place_y[i], ground)
+        terms.linear[i], terms.quadratic[i] = linear, quadratic
+        stiffness, progression = vehicle.tire_stiffness[i], vehicle.tire_progression[i]
+        compression = terms.deflection[i]
+        deflection = deflection_on_soil(compression, stiffness * yielding, progression)
+        terms.deflection[i] = deflection
+        terms.sinkage[i] = max(compression - deflection, 0.0)
+
+
+@kernel
+def places_over_ground(state, heading, vehicle, attitude, outputs):
+    """Where every wheel centre is in the ground frame (m); its height is that of the strut."""
     terms = outputs.road_terms
-    stiffness, progression = vehicle.tire_stiffness[i], vehicle.tire_progression[i]
-    deflection = deflection_on_soil(i, compression, stiffness, progression, terms)
-    terms.deflection[i] = deflection
-    terms.sinkage[i] = max(compression - deflection, 0.0)
-    outputs.support[i] = spring_force(deflection, stiffness, progression)
-    outputs.normal_force[i] = normal_force(outputs.support[i])
+    x0, y0, xt = state[at.X], state[at.Y], state[at.TIRE_COMPRESSION]
+    for i in range(not_unrolled(WHEEL_COUNT)):
+        x, y, below = vehicle.x[i], vehicle.y[i], -outputs.strut_length[i]
+        ahead, left, _ = body_to_yawed(attitude, x, y, below)
+        along, across = yawed_to_ground(heading, ahead, left)
+        place_wheel(i, x0 + along, y0 + across, vehicle.tire_radius[i] - xt[i], terms)
 
 
 @kernel
@@ -111,45 +156,54 @@ def contact_on_road(state, command, heading, vehicle, options, attitude, ground,
     paper, but turned about the axis of the wheel by the slope of the road along it: a normal force
     turns neither the wheel nor, through it, the body.
     """
-    terms = outputs.road_terms
+    terms, wu = outputs.road_terms, state[at.UNSPRUNG_VELOCITY]
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
-    xt, wu = state[at.TIRE_COMPRESSION], state[at.UNSPRUNG_VELOCITY]
-    for i in range(WHEEL_COUNT):
-        ls, radius = outputs.strut_length[i], vehicle.tire_radius[i]
-        ahead, left, _ = body_to_yawed(attitude, vehicle.x[i], vehicle.y[i], -ls)
-        x, y = place_over_ground(ahead, left, heading, state[at.X], state[at.Y])
-        place = (x, y, radius - xt[i])
-        look_under_wheel(i, place, radius, heading, command, ground, outputs)
+    places_over_ground(state, heading, vehicle, attitude, outputs)
+    look_under_wheels(heading, command, vehicle, ground, outputs)
+    if options.body_contact:
+        lean(attitude, vehicle, terms)
+    if ground[SIDES] != 0.0:
+        sink(vehicle, ground, terms)
+    for i in range(not_unrolled(WHEEL_COUNT)):
         nx, ny, nz = normal_of(i, terms)
-        compression = (xt[i] + outputs.road_height[i]) * nz + radius * (1.0 - nz)
-        bx, by, bz = yawed_to_body(attitude, nx, ny, nz)
-        if options.body_contact:
-            compression = as_disc(compression, radius, bz)
-        load_on_road(i, compression, vehicle, outputs)
-
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
+        radius, deflection = vehicle.tire_radius[i], terms.deflection[i]
+        stiffness, progression = vehicle.tire_stiffness[i], vehicle.tire_progression[i]
+        uu, vu, up = outputs.unsprung_u[i], outputs.unsprung_v[i], wu[i]
+        support = spring_force(deflection, stiffness, progression)  # (13)
         rise = -(nx * c + ny * s)  # sine of the slope along the wheel
         level = square_root(max(1.0 - rise * rise, 0.0))
+        bx, by, bz = yawed_to_body(attitude, nx, ny, nz)
         cosine = max(level * bz - rise * (c * bx + s * by), MOST_INCLINED)
-        r = radius - max(terms.deflection[i], 0.0) / cosine  # (15)
+        r = radius - max(deflection, 0.0) / cosine  # (15)
         if options.body_contact:
-            r = held_radius(terms.deflection[i], radius, cosine)
-            lighten(i, share_of_load(bz), outputs)
-        outputs.loaded_radius[i] = r
+            r = held_radius(deflection, radius, cosine)
+            support = lightened(support, share_of_load(bz))
         ax, ay, az = r * rise * c, r * rise * s, -r * level
-        terms.arm_x[i], terms.arm_y[i], terms.arm_z[i] = ax, ay, az
-
-        uu, vu = outputs.unsprung_u[i] + wy * az - wz * ay, outputs.unsprung_v[i] + wz * ax
-        vu, up = vu - wx * az, wu[i] + wx * ay - wy * ax
+        uu, vu, up = uu + wy * az - wz * ay, vu + wz * ax - wx * az, up + wx * ay - wy * ax
         ug, vg, wg = body_to_yawed(attitude, uu, vu, up)
-        if options.small_angles:
-            ug, vg = small_angle_contact_velocity(i, wx, wy, vehicle, options, outputs)
-        outputs.contact_u[i], outputs.contact_v[i], _ = in_plane(i, ug, vg, wg, terms)
-        if ground[SIDES] != 0.0:
-            side_force(i, x, y, ug, vg, heading, ground, outputs)
-            if options.body_contact:
-                terms.side_x[i] *= share_of_load(bz)
-                terms.side_y[i] *= share_of_load(bz)
+        ahead, left, _ = in_plane(i, ug, vg, wg, terms)
+        outputs.support[i], outputs.normal_force[i] = support, normal_force(support)
+        outputs.loaded_radius[i], outputs.contact_u[i], outputs.contact_v[i] = r, ahead, left
+        terms.arm_x[i], terms.arm_y[i], terms.arm_z[i] = ax, ay, az
+        terms.speed_ahead[i], terms.speed_left[i], terms.speed_up[i] = ug, vg, wg
+    if options.small_angles:
+        small_angle_velocities(wx, wy, vehicle, options, outputs)
+    if ground[SIDES] != 0.0:
+        side_forces(heading, ground, outputs)
+        if options.body_contact:
+            lighten_sides(attitude, terms)
+
+
+@kernel
+def small_angle_velocities(wx, wy, vehicle, options, outputs):
+    """Contact velocities of the models for small angles (m/s)."""
+    terms = outputs.road_terms
+    for i in range(WHEEL_COUNT):
+        ug, vg = small_angle_contact_velocity(i, wx, wy, vehicle, options, outputs)
+        terms.speed_ahead[i], terms.speed_left[i] = ug, vg
+        ahead, left, _ = in_plane(i, ug, vg, terms.speed_up[i], terms)
+        outputs.contact_u[i], outputs.contact_v[i] = ahead, left
 
 
 @kernel
@@ -160,29 +214,21 @@ def inclinations_on_road(attitude, vehicle, tires, outputs):
     """
     is_plain = tires.front.plain != 0.0 and tires.rear.plain != 0.0
     shifts = vehicle.tire_lateral_compliance[LF] + vehicle.tire_lateral_compliance[LR]
-    for i in range(WHEEL_COUNT):
-        if is_plain and shifts == 0.0:
+    if is_plain and shifts == 0.0:
+        for i in range(WHEEL_COUNT):
             outputs.inclination[i] = outputs.inclination_sine[i] = 0.0
             outputs.inclination_cosine[i] = 1.0
-            continue
+        return
+    for i in range(not_unrolled(WHEEL_COUNT)):
         nx, ny, nz = normal_of(i, outputs.road_terms)
         s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         ahead, left, up = body_to_yawed(attitude, -s, c, 0.0)
         rise = max(-1.0, min(1.0, nx * ahead + ny * left + nz * up))
         level = square_root((1.0 - rise) * (1.0 + rise))
         s, c = vehicle.camber_sine[i], vehicle.camber_cosine[i]
-        outputs.inclination[i] = math.atan2(rise, level) + vehicle.camber[i]
+        outputs.inclination[i] = arctan_of_ratio(rise, level) + vehicle.camber[i]
         outputs.inclination_sine[i] = rise * c + level * s
         outputs.inclination_cosine[i] = level * c - rise * s
-
-
-@kernel
-def force_on_road(i, outputs):
-    """The whole force of the road on wheel i in frame 2 (N)."""
-    terms = outputs.road_terms
-    fx, fy = outputs.longitudinal_force[i], outputs.lateral_force[i]
-    x, y, z = from_plane(i, fx, fy, outputs.normal_force[i], terms)
-    return x + terms.side_x[i], y + terms.side_y[i], z
 
 
 @kernel
@@ -193,24 +239,26 @@ def contact_moments_on_road(attitude, vehicle, outputs):
     which the equations of motion count them, on the body's z axis.
     """
     terms = outputs.road_terms
-    for i in range(WHEEL_COUNT):
+    for i in range(not_unrolled(WHEEL_COUNT)):
         shift = vehicle.tire_lateral_compliance[i] * outputs.tire_lateral[i]
-        outputs.overturning_moment[i] += shift * outputs.normal_force[i]
-        outputs.aligning_moment[i] -= shift * outputs.tire_longitudinal[i]
-        mx, my = outputs.overturning_moment[i], outputs.rolling_resistance_moment[i]
-        mz, s, c = outputs.aligning_moment[i], outputs.steering_sine[i], outputs.steering_cosine[i]
-        x, y, z = from_plane(i, mx * c - my * s, my * c + mx * s, mz, terms)
-        arm = terms.side_height[i]
-        x, y = x - arm * terms.side_y[i], y + arm * terms.side_x[i]
-        x, y, z = yawed_to_body(attitude, x, y, z)
-        force = force_on_road(i, outputs)
-        terms.force_x[i], terms.force_y[i], terms.force_z[i] = force
-        fx, fy, fz = yawed_to_body(attitude, force[0], force[1], force[2])
-        ax, ay, az = terms.arm_x[i], terms.arm_y[i], terms.arm_z[i] + outputs.loaded_radius[i]
-        outputs.contact_moment_x[i] = x + ay * fz - az * fy
-        outputs.contact_moment_y[i] = y + az * fx - ax * fz
-        outputs.contact_moment_z[i] = z + ax * fy - ay * fx
+        mx = outputs.overturning_moment[i] + shift * outputs.normal_force[i]
+        my = outputs.rolling_resistance_moment[i]
+        mz = outputs.aligning_moment[i] - shift * outputs.tire_longitudinal[i]
+        s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
         inclined, upright = outputs.inclination_sine[i], outputs.inclination_cosine[i]
+        x, y, z = from_plane(i, mx * c - my * s, my * c + mx * s, mz, terms)
+        arm, side_x, side_y = terms.side_height[i], terms.side_x[i], terms.side_y[i]
+        x, y, z = yawed_to_body(attitude, x - arm * side_y, y + arm * side_x, z)
+        fx, fy = outputs.longitudinal_force[i], outputs.lateral_force[i]
+        fx, fy, fz = from_plane(i, fx, fy, outputs.normal_force[i], terms)
+        fx, fy = fx + side_x, fy + side_y
+        bx, by, bz = yawed_to_body(attitude, fx, fy, fz)
+        ax, ay, az = terms.arm_x[i], terms.arm_y[i], terms.arm_z[i] + outputs.loaded_radius[i]
+        outputs.overturning_moment[i], outputs.aligning_moment[i] = mx, mz
+        terms.force_x[i], terms.force_y[i], terms.force_z[i] = fx, fy, fz
+        outputs.contact_moment_x[i] = x + ay * bz - az * by
+        outputs.contact_moment_y[i] = y + az * bx - ax * bz
+        outputs.contact_moment_z[i] = z + ax * by - ay * bx
         outputs.spin_moment[i] = my * upright + mz * inclined
 
 

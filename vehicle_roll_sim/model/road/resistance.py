@@ -1,7 +1,8 @@
 """Forces of the road on the side of a wheel: of the face of a curb, and of a furrow in soil."""
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math
-from vehicle_roll_sim.model.frames import ground_to_yawed, yawed_to_ground
+from vehicle_roll_sim.model.frames import ground_to_yawed
+from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.model.road.layout import COSINE, COUNT, KIND, OWN, SINE, WALL
 from vehicle_roll_sim.model.road.shapes import lift
 from vehicle_roll_sim.model.road.surface import in_feature, row_of
@@ -11,19 +12,21 @@ PLOUGHING_SPEED = 0.1
 
 
 @kernel
-def side_force(i, x, y, ahead, left, heading, ground, outputs):
-    """Force of curbs and soil on wheel i in frame 2 (N), and its height above the contact (m).
+def side_forces(heading, ground, outputs):
+    """Forces of curbs and soil on the wheels in frame 2 (N), and their heights above the contact.
 
-    x, y: place of the wheel centre in the ground frame (m). ahead, left: horizontal velocity of the
-    contact point in frame 2 (m/s). Reads deflection, load and sinkage of the wheel.
+    Reads place, deflection and sinkage of the wheels, and the velocity of their contact points.
     """
     terms = outputs.road_terms
-    for k in range(int(ground[COUNT])):
-        row = row_of(k, ground)
-        if ground[row + KIND] == WALL:
-            strike(i, x, y, ahead, left, heading, row, ground, outputs)
-    if terms.sinkage[i] > 0.0:
-        plough(i, ahead, left, outputs)
+    for i in range(WHEEL_COUNT):
+        x, y = terms.place_x[i], terms.place_y[i]
+        ahead, left = terms.speed_ahead[i], terms.speed_left[i]
+        for k in range(int(ground[COUNT])):
+            row = row_of(k, ground)
+            if ground[row + KIND] == WALL:
+                strike(i, x, y, ahead, left, heading, row, ground, outputs)
+        if terms.sinkage[i] > 0.0:
+            plough(i, ahead, left, outputs)
 
 
 @kernel
@@ -74,10 +77,3 @@ def plough(i, ahead, left, outputs):
     if first + second > 0.0:
         arm = (first / 2 + second / 3) / (first + second)
         terms.side_height[i] = max(terms.side_height[i], depth * arm)
-
-
-@kernel
-def place_over_ground(ahead, left, heading, x, y):
-    """x and y in the ground frame of a point given in frame 2, relative to the c.g. at x, y (m)."""
-    along, across = yawed_to_ground(heading, ahead, left)
-    return x + along, y + across

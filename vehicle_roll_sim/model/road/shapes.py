@@ -20,11 +20,12 @@ def lift(s, start, length, rounding):
         return 1.0, 0.0
     rounding = min(rounding, 0.5 * length)
     steepest = 1.0 / (length - rounding)
+    bend = steepest / rounding
     if s < rounding:
-        return 0.5 * steepest * s * s / rounding, steepest * s / rounding
+        return 0.5 * bend * s * s, bend * s
     left = length - s
     if left < rounding:
-        return 1.0 - 0.5 * steepest * left * left / rounding, steepest * left / rounding
+        return 1.0 - 0.5 * bend * left * left, bend * left
     return steepest * (s - 0.5 * rounding), steepest
 
 
@@ -61,22 +62,17 @@ def wave(s, at, ground):
 
 
 @term
-def between(before, here, after, beyond, part, spacing):
+def between(before, here, after, beyond, part, per_spacing):
     """Value and slope of the cubic through `here` and `after`, at a part (0 to 1) of the way.
 
     Its slopes there are those of the chords (Catmull-Rom), so that value and slope are continuous.
+    per_spacing: points per m.
     """
     first, last = 0.5 * (after - before), 0.5 * (beyond - here)
     step = after - here
     quadratic, cubic = 3.0 * step - 2.0 * first - last, first + last - 2.0 * step
     value = here + part * (first + part * (quadratic + part * cubic))
-    return value, (first + part * (2.0 * quadratic + 3.0 * part * cubic)) / spacing
-
-
-@term
-def clamped(index, count):
-    """An index of a table of `count` values."""
-    return min(max(index, 0), count - 1)
+    return value, (first + part * (2.0 * quadratic + 3.0 * part * cubic)) * per_spacing
 
 
 @term
@@ -91,33 +87,15 @@ def cell_of(s, count, spacing):
 
 
 @term
-def along_table(s, first, count, spacing, stride, ground):
+def along_table(s, first, count, spacing, ground):
     """Value and slope at s of a table of values, one every `spacing` (m), constant beyond it."""
     cell, part = cell_of(s, count, spacing)
-    before = ground[first + stride * max(cell - 1, 0)]
-    here, after = ground[first + stride * cell], ground[first + stride * (cell + 1)]
-    beyond = ground[first + stride * min(cell + 2, count - 1)]
-    value, slope = between(before, here, after, beyond, part, spacing)
+    before = ground[first + max(cell - 1, 0)]
+    here, after = ground[first + cell], ground[first + cell + 1]
+    beyond = ground[first + min(cell + 2, count - 1)]
+    value, slope = between(before, here, after, beyond, part, 1.0 / spacing)
     inside = 0.0 < s < (count - 1) * spacing
     return value, slope if inside else 0.0
-
-
-@kernel
-def profile(s, n, at, ground):
-    """Height and slopes of two tracks, with a smooth transition from one to the other.
-
-    Its own numbers: index of the table, points of a track, their spacing, and places of the left
-    and the right track across (m). The table has the heights of the left, then of the right track.
-    """
-    first, count, spacing = int(ground[at]), int(ground[at + 1]), ground[at + 2]
-    on_left, on_right = ground[at + 3], ground[at + 4]
-    left, left_slope = along_table(s, first, count, spacing, 1, ground)
-    right, right_slope = along_table(s, first + count, count, spacing, 1, ground)
-    width = on_left - on_right
-    share, share_slope = lift(n, on_right, width, 0.5 * width)
-    height = right + share * (left - right)
-    slope_along = right_slope + share * (left_slope - right_slope)
-    return height, slope_along, share_slope * (left - right)
 
 
 @kernel
@@ -132,12 +110,12 @@ def grid(s, n, at, ground):
     ahead, aside = ground[at + 3], ground[at + 4]
     cell, part = cell_of(s, along, ahead)
     rows = (max(cell - 1, 0), cell, cell + 1, min(cell + 2, along - 1))
-    h0, n0 = along_table(n, first + across * rows[0], across, aside, 1, ground)
-    h1, n1 = along_table(n, first + across * rows[1], across, aside, 1, ground)
-    h2, n2 = along_table(n, first + across * rows[2], across, aside, 1, ground)
-    h3, n3 = along_table(n, first + across * rows[3], across, aside, 1, ground)
-    height, slope_along = between(h0, h1, h2, h3, part, ahead)
-    slope_across, _ = between(n0, n1, n2, n3, part, ahead)
+    h0, n0 = along_table(n, first + across * rows[0], across, aside, ground)
+    h1, n1 = along_table(n, first + across * rows[1], across, aside, ground)
+    h2, n2 = along_table(n, first + across * rows[2], across, aside, ground)
+    h3, n3 = along_table(n, first + across * rows[3], across, aside, ground)
+    height, slope_along = between(h0, h1, h2, h3, part, 1.0 / ahead)
+    slope_across, _ = between(n0, n1, n2, n3, part, 1.0 / ahead)
     if not 0.0 < s < (along - 1) * ahead:
         slope_along = 0.0
     friction = 1.0

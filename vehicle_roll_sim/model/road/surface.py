@@ -1,6 +1,7 @@
 """The surface of the road: height, slope and friction at any point, as the sum of its features."""
 
 from vehicle_roll_sim.model.compiled.jit import kernel, math, term
+from vehicle_roll_sim.model.records import WHEEL_COUNT
 from vehicle_roll_sim.model.road.banked_curve import banked_curve
 from vehicle_roll_sim.model.road.layout import (
     BANKED_CURVE,
@@ -22,7 +23,8 @@ from vehicle_roll_sim.model.road.layout import (
     TILT_COUNT,
     WAVE,
 )
-from vehicle_roll_sim.model.road.shapes import grid, lift, profile, ramp, wave
+from vehicle_roll_sim.model.road.profile import add_profile_under_wheels, profile
+from vehicle_roll_sim.model.road.shapes import grid, lift, ramp, wave
 
 
 @term
@@ -64,6 +66,28 @@ def friction_of(kind, s, n, at, ground):
 
 
 @kernel
+def feature_at(x, y, row, ground):
+    """What the feature that begins at `row` adds to `surface`, and its factor of friction."""
+    kind, at = ground[row + KIND], row + OWN
+    s, n = in_feature(x, y, row, ground)
+    h, slope_s, slope_n, friction = 0.0, 0.0, 0.0, 1.0
+    if kind == PROFILE:
+        h, slope_s, slope_n = profile(s, n, at, ground)
+    elif kind <= CHESSBOARD:
+        friction = friction_of(kind, s, n, at, ground)
+    elif kind == RAMP:
+        h, slope_s, slope_n = ramp(s, n, at, ground)
+    elif kind == WAVE:
+        h, slope_s = wave(s, at, ground)
+    elif kind == BANKED_CURVE:
+        h, slope_s, slope_n = banked_curve(s, n, at, ground)
+    elif kind == GRID:
+        h, slope_s, slope_n, friction = grid(s, n, at, ground)
+    c, sine = ground[row + COSINE], ground[row + SINE]
+    return h, c * slope_s - sine * slope_n, sine * slope_s + c * slope_n, friction
+
+
+@kernel
 def surface(x, y, ground):
     """Height (m), slopes dh/dx and dh/dy, and factor of friction at a point of the ground frame.
 
@@ -71,28 +95,35 @@ def surface(x, y, ground):
     """
     height, along, across, friction = 0.0, 0.0, 0.0, 1.0
     for k in range(int(ground[COUNT])):
-        row = row_of(k, ground)
-        kind, at = ground[row + KIND], row + OWN
-        s, n = in_feature(x, y, row, ground)
-        h, slope_s, slope_n = 0.0, 0.0, 0.0
-        if kind == PROFILE:
-            h, slope_s, slope_n = profile(s, n, at, ground)
-        elif kind <= CHESSBOARD:
-            friction *= friction_of(kind, s, n, at, ground)
-        elif kind == RAMP:
-            h, slope_s, slope_n = ramp(s, n, at, ground)
-        elif kind == WAVE:
-            h, slope_s = wave(s, at, ground)
-        elif kind == BANKED_CURVE:
-            h, slope_s, slope_n = banked_curve(s, n, at, ground)
-        elif kind == GRID:
-            h, slope_s, slope_n, factor = grid(s, n, at, ground)
-            friction *= factor
-        c, sine = ground[row + COSINE], ground[row + SINE]
-        height += h
-        along += c * slope_s - sine * slope_n
-        across += sine * slope_s + c * slope_n
+        h, slope_x, slope_y, factor = feature_at(x, y, row_of(k, ground), ground)
+        height, friction = height + h, friction * factor
+        along, across = along + slope_x, across + slope_y
     return height, along, across, friction
+
+
+@term
+def place_wheel(i, x, y, z, terms):
+    """Set where wheel centre i is in the ground frame (m), over a level road without features."""
+    terms.place_x[i], terms.place_y[i], terms.place_z[i] = x, y, z
+    terms.height[i] = terms.slope_x[i] = terms.slope_y[i] = 0.0
+    terms.friction[i] = 1.0
+
+
+@kernel
+def surface_under_wheels(ground, terms):
+    """The same below the places of all wheels, after `place_wheel`."""
+    for k in range(int(ground[COUNT])):
+        row = row_of(k, ground)
+        if ground[row + KIND] == PROFILE:
+            add_profile_under_wheels(row, ground, terms)
+            continue
+        for i in range(WHEEL_COUNT):
+            x, y = terms.place_x[i], terms.place_y[i]
+            h, slope_x, slope_y, factor = feature_at(x, y, row, ground)
+            terms.height[i] += h
+            terms.slope_x[i] += slope_x
+            terms.slope_y[i] += slope_y
+            terms.friction[i] *= factor
 
 
 @kernel
