@@ -72,7 +72,10 @@ class RunMessages:
         return all(_has_sent_after(sent, kept) for kept in (*self._others.values(), *added))
 
     def history(self, road: Road) -> History:
-        """One row for each complete set, driven on `road`; nan in columns that no topic carries."""
+        """One row for each complete set, driven on `road`; nan in columns that no topic carries.
+
+        On a road with features the lift of wheels is unknown.
+        """
         sets = self._complete_sets()
         given, end = [command for _, command, *_ in sets.values()], len(COMMAND_LABELS)
         commands = np.array([values[end - len(COMMANDS) : end] for values in given])
@@ -80,7 +83,8 @@ class RunMessages:
         wind = np.array(winds) if all(map(len, winds)) else None
         rows = [_row(road, *parts) for parts in sets.values()]
         self._add_forces(rows, sets)
-        return History(rows, commands, self._roll_centres(sets), wind)
+        lifts = np.full((len(rows), len(WHEELS)), np.nan) if road.features else None
+        return History(rows, commands, self._roll_centres(sets), wind, lifts=lifts)
 
     def _add_forces(self, rows: list[np.ndarray], places: Iterable[int]) -> None:
         """Fill the horizontal tire forces of the rows, which belong to the states at some places.

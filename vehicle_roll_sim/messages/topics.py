@@ -173,20 +173,28 @@ GROUND_TRUTH = tuple(
 OF_SOME_SETS = (ROLL_CENTRE, MEASUREMENTS, *GROUND_TRUTH)
 """The topics of a set that depend on model and vehicle, besides the stamped ones."""
 STAMPED_ENDING = "_stamped"
-STAMPED = tuple(
-    Topic(
-        topic.name + STAMPED_ENDING,
-        JOINTS,
-        unit=topic.unit,
-        meaning=f"`{topic.name}` with a header: values in `position`, their names in `name`",
-    )
-    for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS)
-    if topic.type in (FLOAT, ARRAY, FLAGS)
+SIGNALS = Topic(
+    f"signals{STAMPED_ENDING}",
+    JOINTS,
+    meaning="the quantities that are plotted most, in `position`, with their names in `name`",
+)
+STAMPED = (
+    *(
+        Topic(
+            topic.name + STAMPED_ENDING,
+            JOINTS,
+            unit=topic.unit,
+            meaning=f"`{topic.name}` with a header: values in `position`, their names in `name`",
+        )
+        for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS)
+        if topic.type in (FLOAT, ARRAY, FLAGS)
+    ),
+    SIGNALS,
 )
 """Also part of the set with `publish_stamped`: topics without a header, with a header and names.
 
-JointState is the only standard message with a header and named numbers, and plotting and bag tools
-show the numbers by these names."""
+The last one has no version without a header. JointState is the only standard message with a header
+and named numbers, and plotting and bag tools show the numbers by these names."""
 TRANSFORMS = Topic(
     "/tf",
     "tf2_msgs/msg/TFMessage",
@@ -232,5 +240,7 @@ def set_of(options: Options, stamped: bool, devices: Collection[str] = ()) -> tu
         *((MEASUREMENTS,) if devices else ()),
         *(topic for topic in GROUND_TRUTH if topic.name in measured),
     )
-    names = {topic.name + STAMPED_ENDING for topic in topics if stamped}
+    if not stamped:
+        return topics
+    names = {SIGNALS.name, *(topic.name + STAMPED_ENDING for topic in topics)}
     return (*topics, *(topic for topic in STAMPED if topic.name in names))

@@ -17,6 +17,12 @@ from vehicle_roll_sim.model.records import (
     STATE_NAMES,
     WHEELS,
 )
+from vehicle_roll_sim.runs.metrics import (
+    load_transfer,
+    load_transfer_ratio,
+    sideslip_angle,
+    wheel_lift,
+)
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, field_of
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -59,6 +65,16 @@ COMMANDS = (
 If commands are held over periods, those of the period that ends with the row; else those at the
 time of the row. If the vehicle has actuators, what they let act at the time of the row.
 """
+SIGNALS = {
+    "sideslip_angle": "rad",
+    "load_transfer_ratio": "",
+    "front_load_transfer": "N",
+    "rear_load_transfer": "N",
+    **{f"wheel_lift_{wheel}": "m" for wheel in WHEELS},
+}
+"""Unit of each signal that follows from the other columns and, on a road with features, from the
+road; '' for a ratio. Load transfers are from left to right. wheel_lift: distance of the tire from
+the road, 0 in contact. The angle is that of the point that the states describe."""
 ROLL_CENTRES = tuple(
     f"{axle}_roll_centre_{measure}" for measure in ("height", "place") for axle in ("front", "rear")
 )
@@ -69,26 +85,31 @@ WIND = ("wind_x", "wind_y")
 MEASURED = "measured_"
 """Begins the names of further columns of vehicles with sensors: the last reading of each."""
 WITH_COMMANDS = "add all commands to the CSV, not only the steering; `plot` then draws them"
-"""Help text of the option of that name."""
+WITH_SIGNALS = "add sideslip angle, load transfer and the lift of each wheel to the CSV"
+"""Help texts of the options of these names."""
 
 
-def check_with_commands(wanted: bool, csv: Path | None) -> None:
-    """Raise InputError if commands are requested without a CSV file to write them to."""
+def check_with_csv(option: str, wanted: bool, csv: Path | None) -> None:
+    """Raise InputError if further columns are requested without a CSV file to write them to."""
     if wanted and csv is None:
-        raise InputError("--with-commands", "", "together with --csv", "without a file")
+        raise InputError(option, "", "together with --csv", "without a file")
 
 
-def _places_of_outputs() -> tuple[np.ndarray, np.ndarray]:
-    """Where the outputs among COLUMNS, and ROLL_CENTRES, are in the flat vector of OUTPUTS."""
+def _places_of_outputs() -> tuple[np.ndarray, ...]:
+    """Where some outputs are in the flat vector of OUTPUTS.
+
+    Those among COLUMNS, ROLL_CENTRES, and from which the lift of wheels on a road follows.
+    """
     places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
     quantities = (places[quantity] for quantity in OUTPUT_QUANTITIES)
     steering, accelerations = places["commanded_steering"][:1], places["acceleration"]
     of_rows = np.concatenate((*quantities, steering, accelerations[: len(ACCELERATIONS)]))
     centres = np.concatenate((places["roll_centre_height"], places["roll_centre_place"]))
-    return of_rows.astype(int), centres.astype(int)
+    lifts = np.concatenate((places["road_terms"]["deflection"], places["inclination_cosine"]))
+    return of_rows.astype(int), centres.astype(int), lifts.astype(int)
 
 
-OUTPUT_PLACES, ROLL_CENTRE_PLACES = _places_of_outputs()
+OUTPUT_PLACES, ROLL_CENTRE_PLACES, LIFT_PLACES = _places_of_outputs()
 
 
 def row_of(simulation: Simulation) -> np.ndarray:
@@ -105,6 +126,39 @@ def roll_centres_of(simulation: Simulation) -> np.ndarray:
     return simulation.output_vector[ROLL_CENTRE_PLACES]
 
 
+def wheel_lifts_of(simulation: Simulation) -> np.ndarray:
+    """Distance of each tire from the road at the present simulated time (m), see SIGNALS."""
+    if simulation.road.features:
+        return lifts_on_road(simulation.output_vector[LIFT_PLACES], simulation)
+    return wheel_lift(simulation.state["tire_compression"])
+
+
+def lifts_on_road(outputs: np.ndarray, simulation: Simulation) -> np.ndarray:
+    """Distance of each tire from a road with features (m), from the outputs at LIFT_PLACES.
+
+    outputs: (..., 8). Deflections are normal to the road, with model 2 along the wheel, which is
+    inclined to it.
+    """
+    deflection, cosine = outputs[..., : len(WHEELS)], outputs[..., len(WHEELS) :]
+    return wheel_lift(deflection * cosine if simulation.options.is_kinematic else deflection)
+
+
+def signals_of(
+    velocity: Sequence[np.ndarray],
+    roll: np.ndarray,
+    pitch: np.ndarray,
+    loads: np.ndarray,
+    lifts: np.ndarray,
+) -> np.ndarray:
+    """The values of SIGNALS, shape (..., len(SIGNALS)).
+
+    velocity: u, v and w (m/s). roll, pitch: rad. loads, lifts: of the tires (N, m), (..., 4).
+    """
+    angle, ratio = sideslip_angle(velocity, roll, pitch), load_transfer_ratio(loads)
+    pair = np.stack((angle, ratio), axis=-1)
+    return np.concatenate((pair, load_transfer(loads), lifts), axis=-1)
+
+
 def measured_names(simulation: Simulation) -> tuple[str, ...]:
     """Names of the columns of what the sensors of a simulation measure."""
     return tuple(MEASURED + label for label in simulation.sensors.labels)
@@ -118,7 +172,8 @@ class History:
     ROLL_CENTRES, shape (rows, 4), or None if the model has none or they are unknown. wind: values
     of WIND, shape (rows, 2), or None if the vehicle does not feel it or it is unknown. measured:
     the last readings of sensors, shape (rows, k), and `measured_names`, the k names of further
-    columns; none without sensors.
+    columns; none without sensors. lifts: of the wheels on a road with features (m), shape
+    (rows, 4); None on a plane, where the tire compressions have them.
     """
 
     def __init__(
@@ -129,7 +184,9 @@ class History:
         wind: np.ndarray | None = None,
         measured: np.ndarray | None = None,
         measured_names: tuple[str, ...] = (),
+        lifts: np.ndarray | None = None,
     ):
+        self.lifts = lifts
         self.rows, self.commands, self.roll_centres = np.asarray(rows), commands, roll_centres
         self.wind, self.measured_names = wind, measured_names
         self.measured = np.zeros((len(self.rows), 0)) if measured is None else measured
@@ -175,6 +232,16 @@ class History:
         first = COLUMNS.index(f"{quantity}_{WHEELS[0]}")
         return self.rows[:, first : first + len(WHEELS)]
 
+    def wheel_lift(self) -> np.ndarray:
+        """Distance of the tires from the road, shape (rows, 4) (m), see SIGNALS; nan if unknown."""
+        return wheel_lift(self.wheels("tire_compression")) if self.lifts is None else self.lifts
+
+    def signals(self) -> np.ndarray:
+        """The values of SIGNALS, shape (rows, len(SIGNALS))."""
+        velocity = (self["u"], self["v"], self["w"])
+        parts = (self["roll"], self["pitch"], self.wheels("normal_force"), self.wheel_lift())
+        return signals_of(velocity, *parts)
+
     def command(self, name: str) -> np.ndarray:
         """One column of COMMANDS or WIND, shape (rows,); nan if it is unknown.
 
@@ -196,13 +263,17 @@ class History:
         centres = None if self.roll_centres is None else self.roll_centres[chosen]
         wind = None if self.wind is None else self.wind[chosen]
         measured = (self.measured[chosen], self.measured_names)
-        return History(self.rows[chosen], commands, centres, wind, *measured)
+        lifts = None if self.lifts is None else self.lifts[chosen]
+        return History(self.rows[chosen], commands, centres, wind, *measured, lifts)
 
-    def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
+    def write_csv(
+        self, path: str | Path, with_commands: bool = False, with_signals: bool = False
+    ) -> None:
         """Write all rows in full precision; the file is written completely or not at all.
 
         Columns of ROLL_CENTRES follow if they are known. with_commands: append COMMANDS to the
-        columns, nan if they are unknown, and WIND if it is known. What sensors measured comes last.
+        columns, nan if they are unknown, and WIND if it is known. with_signals: append SIGNALS.
+        What sensors measured comes last.
         """
         names, rows = COLUMNS, self.rows
         if self.roll_centres is not None:
@@ -211,6 +282,8 @@ class History:
             names, rows = (*names, *COMMANDS), np.hstack((rows, self._known_commands()))
             if self.wind is not None:
                 names, rows = (*names, *WIND), np.hstack((rows, self.wind))
+        if with_signals:
+            names, rows = (*names, *SIGNALS), np.hstack((rows, self.signals()))
         if self.measured_names:
             names, rows = (*names, *self.measured_names), np.hstack((rows, self.measured))
         with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:
