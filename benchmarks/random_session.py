@@ -32,6 +32,8 @@ USUAL = {
     "drive_torque_cmd": 1500.0,
     "brake_cmd": 3000.0,
     "wind_cmd": 30.0,
+    "road_height_cmd": 0.1,
+    "road_friction_cmd": 1.0,
 }
 """Largest usual value on each topic, in its unit."""
 HUGE = (1e3, 1e6, 1e12, 1e100, 1e300, sys.float_info.max)
@@ -154,7 +156,7 @@ class Driven:
         if kind < 0.05:
             length = int(self.rng.choice([each for each in LENGTHS if each != channel.size]))
         values = self.rng.normal(0.0, USUAL[topic] / 2, length)
-        if topic in ("brake_torque_cmd", "brake_cmd") and kind < 0.9:
+        if topic in ("brake_torque_cmd", "brake_cmd", "road_friction_cmd") and kind < 0.9:
             values = np.abs(values)
         if 0.05 <= kind < 0.1:
             values[self.rng.integers(length)] = self.rng.choice(NO_NUMBERS)

@@ -70,7 +70,7 @@ def test_tests_with_a_road_of_their_own_are_driven_on_it_and_refused_on_another(
     assert left.road(setup).surface(5.0, 1.0)[-1] == right.road(setup).surface(5.0, -1.0)[-1] == 0.1
     assert slippery.simulation(setup).road.surface(50.0, 0.0)[-1] == 0.3
     assert Ladder("step", "nominal", "left", ()).road(setup) is setup.road
-    banked = dataclasses.replace(setup, road=Road(bank=5.0))
+    banked = dataclasses.replace(setup, road=Road(bank=0.05))
     assert Ladder("step", "nominal", "left", ()).road(banked) is banked.road
     for ladder in (left, slippery):
         with pytest.raises(InputError, match=r"road: .* brings its own"):
