@@ -24,7 +24,13 @@ from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.logs.quantities import QUANTITIES
 from vehicle_roll_sim.messages import topics
 from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariances
-from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, MOTION_LABELS, ROAD_LABELS
+from vehicle_roll_sim.messages.sets import (
+    ACTUATOR_LABELS,
+    COMMAND_LABELS,
+    DEMAND_LABELS,
+    MOTION_LABELS,
+    ROAD_LABELS,
+)
 from vehicle_roll_sim.messages.stamped import SIGNAL_UNITS
 from vehicle_roll_sim.messages.topics import Topic
 from vehicle_roll_sim.model.records import WHEELS, element_names
@@ -114,6 +120,7 @@ def label_table() -> str:
     labels["`roll_centre`"] = ROLL_CENTRES
     labels["`measurements`, of the devices that there are"] = ("time", *labels_of(MEASURED))
     labels["`signals_stamped`"] = tuple(SIGNAL_UNITS)
+    labels["`actuators`"] = ACTUATOR_LABELS
     return table(
         ("topic", "values", "names"),
         *((name, str(len(each)), ", ".join(abridged(each))) for name, each in labels.items()),

@@ -35,11 +35,11 @@ from vehicle_roll_sim.messages.topics import (
 from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.ros.encoding import encode
 from vehicle_roll_sim.ros.topics import message_class
-from vehicle_roll_sim.runs.history import SIGNALS as DERIVED
+from vehicle_roll_sim.runs.derived_signals import SIGNALS as DERIVED
 from vehicle_roll_sim.runs.history import History, row_of
 
-WITHOUT_A_PLAIN_ONE = ("measurements_stamped", "signals_stamped")
-"""For the first see test_measured_messages.py."""
+OTHERS = ("measurements_stamped", "actuators_stamped", "signals_stamped")
+"""Of other vehicles, and the one without a plain version: see the tests of each."""
 OF_FOUR = ("wheel_torque", "brake_torque", "normal_force")
 ROUNDING = 1e-12
 """Of a few operations in double precision on numbers of order 1."""
@@ -204,9 +204,7 @@ def test_applied_command_names_every_element(messages):
     assert torques == list(range(1, 13))
 
 
-@pytest.mark.parametrize(
-    "topic", [each for each in STAMPED if each.name not in WITHOUT_A_PLAIN_ONE]
-)
+@pytest.mark.parametrize("topic", [each for each in STAMPED if each.name not in OTHERS])
 def test_what_is_stamped_has_every_number_of_the_plain_one_by_name(session, topic):
     messages = Messages(session.simulation, "", encode)
     messages.applied = session.applied

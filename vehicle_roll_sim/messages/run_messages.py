@@ -74,7 +74,7 @@ class RunMessages:
     def history(self, road: Road) -> History:
         """One row for each complete set, driven on `road`; nan in columns that no topic carries.
 
-        On a road with features the lift of wheels is unknown.
+        On a road that is no plane the lift of wheels is unknown.
         """
         sets = self._complete_sets()
         given, end = [command for _, command, *_ in sets.values()], len(COMMAND_LABELS)
@@ -83,7 +83,7 @@ class RunMessages:
         wind = np.array(winds) if all(map(len, winds)) else None
         rows = [_row(road, *parts) for parts in sets.values()]
         self._add_forces(rows, sets)
-        lifts = np.full((len(rows), len(WHEELS)), np.nan) if road.features else None
+        lifts = np.full((len(rows), len(WHEELS)), np.nan) if road.has_heights else None
         return History(rows, commands, self._roll_centres(sets), wind, lifts=lifts)
 
     def _add_forces(self, rows: list[np.ndarray], places: Iterable[int]) -> None:

@@ -11,6 +11,7 @@ from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, O
 from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
 from vehicle_roll_sim.messages.topics import (
+    ACTUATORS,
     CLOCK,
     FLOAT,
     MEASUREMENTS,
@@ -63,7 +64,11 @@ EMPTY_LIST = 4
 """Bytes of an empty list: its length field."""
 FLAGS_MARK = (250, 251, 252, 253)
 """A placeholder that no lift-off flags contain otherwise."""
-TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS)}
+ACTUATOR_LABELS = (
+    "time",
+    *(f"{kind}_{name}" for kind in ("limited", "lag", "lag_rate") for name in COMMAND_LABELS[1:]),
+)
+TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS, ACTUATORS)}
 
 
 class Messages:
@@ -96,6 +101,7 @@ class Messages:
         self._loads = self._labelled("tire_normal_forces", WHEELS)
         self._motion = self._labelled("motion", MOTION_LABELS)
         self._roll_centre = self._labelled("roll_centre", ROLL_CENTRES)
+        self._actuators = self._labelled("actuators", ACTUATOR_LABELS)
         self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
         self._single = {
             topic.name: MessageTemplate(encode(topic.type, {"data": MARK}), 1)
@@ -254,6 +260,11 @@ class Messages:
     def roll_centre(self) -> bytes:
         self._roll_centre.numbers[:] = roll_centres_of(self.simulation)
         return bytes(self._roll_centre)
+
+    def actuators(self) -> bytes:
+        self._actuators.numbers[0] = self.simulation.time
+        self._actuators.numbers[1:] = self.simulation.actuation.states().ravel()
+        return bytes(self._actuators)
 
     def _attitude(self) -> tuple[float, ...]:
         roll, pitch, yaw = self.simulation.state_vector[ANGLES].tolist()

@@ -157,6 +157,13 @@ MEASUREMENTS = Topic(
     meaning="with sensors: time since the reset, then their last readings",
 )
 """Also part of the set if the vehicle has sensors."""
+ACTUATORS = Topic(
+    "actuators",
+    ARRAY,
+    meaning="with actuators: time since the reset, then their states: the output of the rate "
+    "limiters, that of the lags, and its rate",
+)
+"""Also part of the set if the vehicle has actuators."""
 MEASURED_BY = {"odom": (ODOMETRY,), "imu": (IMU,), "joint_states": (WHEEL_SPEEDS, STEERING)}
 """The topics that have the readings of devices, if the vehicle has these."""
 TRUTH = "ground_truth/"
@@ -170,7 +177,7 @@ GROUND_TRUTH = tuple(
     if topic.name in MEASURED_BY
 )
 """Also part of the set if devices measure what these topics have."""
-OF_SOME_SETS = (ROLL_CENTRE, MEASUREMENTS, *GROUND_TRUTH)
+OF_SOME_SETS = (ROLL_CENTRE, MEASUREMENTS, ACTUATORS, *GROUND_TRUTH)
 """The topics of a set that depend on model and vehicle, besides the stamped ones."""
 STAMPED_ENDING = "_stamped"
 SIGNALS = Topic(
@@ -186,7 +193,7 @@ STAMPED = (
             unit=topic.unit,
             meaning=f"`{topic.name}` with a header: values in `position`, their names in `name`",
         )
-        for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS)
+        for topic in (*STATE_SET, ROLL_CENTRE, MEASUREMENTS, ACTUATORS)
         if topic.type in (FLOAT, ARRAY, FLAGS)
     ),
     SIGNALS,
@@ -228,16 +235,20 @@ PUBLISHED = (
 )
 
 
-def set_of(options: Options, stamped: bool, devices: Collection[str] = ()) -> tuple[Topic, ...]:
+def set_of(
+    options: Options, stamped: bool, devices: Collection[str] = (), actuated: bool = False
+) -> tuple[Topic, ...]:
     """The topics of a set of a model, in order.
 
     stamped: with those of `publish_stamped`. devices: names of those of the vehicle's sensors.
+    actuated: whether it has actuators.
     """
     measured = {TRUTH + name for name, by in MEASURED_BY.items() if not {*by}.isdisjoint(devices)}
     topics = (
         *STATE_SET,
         *((ROLL_CENTRE,) if options.is_kinematic else ()),
         *((MEASUREMENTS,) if devices else ()),
+        *((ACTUATORS,) if actuated else ()),
         *(topic for topic in GROUND_TRUTH if topic.name in measured),
     )
     if not stamped:

@@ -12,7 +12,8 @@ from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
-from vehicle_roll_sim.runs.history import COLUMNS, SIGNALS, UNITS, History
+from vehicle_roll_sim.runs.derived_signals import SIGNALS
+from vehicle_roll_sim.runs.history import COLUMNS, UNITS, History
 from vehicle_roll_sim.runs.run_metrics import metrics_of
 from vehicle_roll_sim.runs.summary import line, summary_lines
 from vehicle_roll_sim.simulation.road import Road
@@ -22,7 +23,8 @@ from vehicle_roll_sim.simulation.road import Road
 class RunResult:
     """The result of a run; `result["roll"]` is a column, shape (rows,), in SI units and radians.
 
-    So is `result["sideslip_angle"]`, like all SIGNALS (`runs.history`), but not among `columns`.
+    So is `result["sideslip_angle"]`, like all SIGNALS of `runs.derived_signals`, though `columns`
+    does not have them.
 
     manoeuvre: as driven, completed for the vehicle. history: all rows. events: EVENTS record with
     lift-off and rollover times (s, nan for never) and peaks. condition: RUNNING if the run was

@@ -24,14 +24,13 @@ from vehicle_roll_sim.model.integration.drive import (
 )
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import COMMAND
+from vehicle_roll_sim.runs.derived_signals import LIFT_PLACES, lifts_on_road
 from vehicle_roll_sim.runs.history import (
     COLUMNS,
-    LIFT_PLACES,
     OUTPUT_PLACES,
     ROLL_CENTRE_PLACES,
     ROLL_CENTRES,
     History,
-    lifts_on_road,
     roll_centres_of,
     row_of,
 )

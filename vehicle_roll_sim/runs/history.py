@@ -17,12 +17,8 @@ from vehicle_roll_sim.model.records import (
     STATE_NAMES,
     WHEELS,
 )
-from vehicle_roll_sim.runs.metrics import (
-    load_transfer,
-    load_transfer_ratio,
-    sideslip_angle,
-    wheel_lift,
-)
+from vehicle_roll_sim.runs.derived_signals import SIGNALS, signals_of
+from vehicle_roll_sim.runs.metrics import wheel_lift
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, field_of
 from vehicle_roll_sim.simulation.simulation import Simulation
 
@@ -65,16 +61,6 @@ COMMANDS = (
 If commands are held over periods, those of the period that ends with the row; else those at the
 time of the row. If the vehicle has actuators, what they let act at the time of the row.
 """
-SIGNALS = {
-    "sideslip_angle": "rad",
-    "load_transfer_ratio": "",
-    "front_load_transfer": "N",
-    "rear_load_transfer": "N",
-    **{f"wheel_lift_{wheel}": "m" for wheel in WHEELS},
-}
-"""Unit of each signal that follows from the other columns and, on a road with features, from the
-road; '' for a ratio. Load transfers are from left to right. wheel_lift: distance of the tire from
-the road, 0 in contact. The angle is that of the point that the states describe."""
 ROLL_CENTRES = tuple(
     f"{axle}_roll_centre_{measure}" for measure in ("height", "place") for axle in ("front", "rear")
 )
@@ -95,21 +81,17 @@ def check_with_csv(option: str, wanted: bool, csv: Path | None) -> None:
         raise InputError(option, "", "together with --csv", "without a file")
 
 
-def _places_of_outputs() -> tuple[np.ndarray, ...]:
-    """Where some outputs are in the flat vector of OUTPUTS.
-
-    Those among COLUMNS, ROLL_CENTRES, and from which the lift of wheels on a road follows.
-    """
+def _places_of_outputs() -> tuple[np.ndarray, np.ndarray]:
+    """Where the outputs among COLUMNS, and ROLL_CENTRES, are in the flat vector of OUTPUTS."""
     places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
     quantities = (places[quantity] for quantity in OUTPUT_QUANTITIES)
     steering, accelerations = places["commanded_steering"][:1], places["acceleration"]
     of_rows = np.concatenate((*quantities, steering, accelerations[: len(ACCELERATIONS)]))
     centres = np.concatenate((places["roll_centre_height"], places["roll_centre_place"]))
-    lifts = np.concatenate((places["road_terms"]["deflection"], places["inclination_cosine"]))
-    return of_rows.astype(int), centres.astype(int), lifts.astype(int)
+    return of_rows.astype(int), centres.astype(int)
 
 
-OUTPUT_PLACES, ROLL_CENTRE_PLACES, LIFT_PLACES = _places_of_outputs()
+OUTPUT_PLACES, ROLL_CENTRE_PLACES = _places_of_outputs()
 
 
 def row_of(simulation: Simulation) -> np.ndarray:
@@ -124,39 +106,6 @@ def row_of(simulation: Simulation) -> np.ndarray:
 def roll_centres_of(simulation: Simulation) -> np.ndarray:
     """The values of ROLL_CENTRES at the present simulated time; nan in models without them."""
     return simulation.output_vector[ROLL_CENTRE_PLACES]
-
-
-def wheel_lifts_of(simulation: Simulation) -> np.ndarray:
-    """Distance of each tire from the road at the present simulated time (m), see SIGNALS."""
-    if simulation.road.features:
-        return lifts_on_road(simulation.output_vector[LIFT_PLACES], simulation)
-    return wheel_lift(simulation.state["tire_compression"])
-
-
-def lifts_on_road(outputs: np.ndarray, simulation: Simulation) -> np.ndarray:
-    """Distance of each tire from a road with features (m), from the outputs at LIFT_PLACES.
-
-    outputs: (..., 8). Deflections are normal to the road, with model 2 along the wheel, which is
-    inclined to it.
-    """
-    deflection, cosine = outputs[..., : len(WHEELS)], outputs[..., len(WHEELS) :]
-    return wheel_lift(deflection * cosine if simulation.options.is_kinematic else deflection)
-
-
-def signals_of(
-    velocity: Sequence[np.ndarray],
-    roll: np.ndarray,
-    pitch: np.ndarray,
-    loads: np.ndarray,
-    lifts: np.ndarray,
-) -> np.ndarray:
-    """The values of SIGNALS, shape (..., len(SIGNALS)).
-
-    velocity: u, v and w (m/s). roll, pitch: rad. loads, lifts: of the tires (N, m), (..., 4).
-    """
-    angle, ratio = sideslip_angle(velocity, roll, pitch), load_transfer_ratio(loads)
-    pair = np.stack((angle, ratio), axis=-1)
-    return np.concatenate((pair, load_transfer(loads), lifts), axis=-1)
 
 
 def measured_names(simulation: Simulation) -> tuple[str, ...]:

@@ -5,11 +5,14 @@ import pytest
 
 from vehicle_roll_sim import Command, Options, Simulation, preset, run
 from vehicle_roll_sim.files.table_file import read_table
+from vehicle_roll_sim.messages.run_messages import RunMessages
 from vehicle_roll_sim.model.records import COMMAND, LF
 from vehicle_roll_sim.roads.commanded import Commanded
 from vehicle_roll_sim.roads.surfaces import Patch
+from vehicle_roll_sim.roads.tilt import TiltTable
 from vehicle_roll_sim.runs.compiled_run import compiled_run
-from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, SIGNALS, History
+from vehicle_roll_sim.runs.derived_signals import SIGNALS
+from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, History
 from vehicle_roll_sim.runs.run import run as stepwise
 from vehicle_roll_sim.simulation.road import Road
 
@@ -78,6 +81,14 @@ def test_it_is_that_above_the_road_under_the_wheel(model):
     squeezed = preset().static_tire_compression[LF]
     assert lifts[1] == pytest.approx([LOWERED - squeezed, 0.0, 0.0, 0.0], abs=FALLEN)
     assert history.part(history["time"] > 0.0).wheel_lift().tolist() == [lifts[1].tolist()]
+
+
+def test_from_messages_it_is_known_on_a_plane_only():
+    """Also one with friction of its own, or that tilts."""
+    for road in (Road(), SAME_AS_A_PLANE):
+        assert RunMessages().history(road).lifts is None
+    assert not Road(features=(TiltTable(angles=((0.0, 0.0), (1.0, 5.0))),)).has_heights
+    assert RunMessages().history(Road(features=(Commanded(),))).lifts is not None
 
 
 def test_a_model_without_heights_does_not_know_it():
