@@ -28,6 +28,7 @@ setup(
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
     package_data={
         f"{NAME}.control_laws": ["*.yaml"],
+        f"{NAME}.paper": ["published/data/*.yaml"],
         f"{NAME}.vehicle": ["presets/*.yaml", "presets/*.tir", "presets/*.csv"],
         f"{NAME}.viewer": ["web/*.*", "web/three/*"],
     },
@@ -59,6 +60,7 @@ setup(
         "gym": ["gymnasium>=1.1"],
         "logs": ["pint>=0.24"],
         "mdf": ["asammdf>=8"],
+        "crg": ["pyopencrg>=0.2.2,<0.3"],
         "pandas": ["pandas>=2"],
         "studies": ["pyarrow>=14"],
         "cluster": ["distributed>=2026.8"],

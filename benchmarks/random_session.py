@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vehicle_roll_sim import WHEELS, Simulation, preset
+from vehicle_roll_sim import WHEELS, Road, Simulation, preset
 from vehicle_roll_sim.bags.encoding import decode, encode
 from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.live.command_inbox import CENTRE, HOLD, CommandInbox
@@ -32,10 +32,12 @@ USUAL = {
     "drive_torque_cmd": 1500.0,
     "brake_cmd": 3000.0,
     "wind_cmd": 30.0,
-    "road_height_cmd": 0.1,
+    "road_height_cmd": 0.05,
     "road_friction_cmd": 1.0,
 }
 """Largest usual value on each topic, in its unit."""
+NEVER_NEGATIVE = ("brake_torque_cmd", "brake_cmd", "road_friction_cmd")
+COMMANDED_ROAD = Road.from_values({"features": [{"kind": "commanded"}]})
 HUGE = (1e3, 1e6, 1e12, 1e100, 1e300, sys.float_info.max)
 """Factors that turn a usual value into an absurdly large one."""
 NO_NUMBERS = (math.nan, math.inf, -math.inf)
@@ -109,7 +111,9 @@ class Driven:
         self.rng, self.found = rng, found
         found.sessions += 1
         options = Options(model=str(rng.choice([*MODELS])), steady_state_slip=rng.random() < 0.3)
-        simulation = Simulation(preset(), options)
+        takes_road = not options.has_eight_dof and rng.random() < 0.5
+        road = COMMANDED_ROAD if takes_road else Road()
+        simulation = Simulation(preset(), options, road=road)
         timeout = float(rng.choice([0.0, 0.05, 0.5]))
         self.inbox = CommandInbox(timeout, str(rng.choice([HOLD, CENTRE])), drawn_limits(rng))
         period_ns = int(rng.choice(PERIODS)) * STEP_NS
@@ -156,7 +160,7 @@ class Driven:
         if kind < 0.05:
             length = int(self.rng.choice([each for each in LENGTHS if each != channel.size]))
         values = self.rng.normal(0.0, USUAL[topic] / 2, length)
-        if topic in ("brake_torque_cmd", "brake_cmd", "road_friction_cmd") and kind < 0.9:
+        if topic in NEVER_NEGATIVE and kind < 0.9:
             values = np.abs(values)
         if 0.05 <= kind < 0.1:
             values[self.rng.integers(length)] = self.rng.choice(NO_NUMBERS)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from recorded import PERIOD, PERIOD_NS, read_by_another_library
 from road_kinds import FEATURES, TILT, road
+from rosbags.rosbag2 import Reader
 
 from vehicle_roll_sim import Command, Simulation, preset
 from vehicle_roll_sim.bags.reading import last_run, recorded_runs
@@ -13,6 +14,7 @@ from vehicle_roll_sim.messages.sets import ROAD_LABELS
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback
 from vehicle_roll_sim.simulation.description import described
+from vehicle_roll_sim.simulation.road_mesh import sampled
 
 END = 1.0
 """s"""
@@ -39,6 +41,11 @@ def driven(tmp_path_factory):
     return bag, history, simulation
 
 
+@pytest.fixture(scope="module")
+def messages(driven) -> dict[str, list]:
+    return read_by_another_library(driven[0])
+
+
 def test_the_bag_has_the_road_and_is_replayed_bit_for_bit(driven):
     bag, _, simulation = driven
     (recorded,) = recorded_runs(bag)
@@ -49,9 +56,22 @@ def test_the_bag_has_the_road_and_is_replayed_bit_for_bit(driven):
     assert result.periods == round(END / PERIOD)
 
 
-def test_the_bag_has_heights_and_frictions_in_their_topics_and_in_what_was_applied(driven):
-    bag, _, _ = driven
-    messages = read_by_another_library(bag)
+def test_the_bag_has_the_surface_of_the_road_once_and_that_of_a_plane_has_no_such_topic(
+    driven, messages, tmp_path
+):
+    _, _, simulation = driven
+    ((time, marker),) = messages["/road"]
+    assert time == 0
+    x, y, z = (np.array([getattr(each, axis) for each in marker.points]) for axis in "xyz")
+    heights = sampled(simulation.road, np.column_stack((x, y)))[:, 0]
+    assert z.tolist() == heights.tolist()
+    with run_bag(Simulation(preset()), (), tmp_path / "bag", PERIOD_NS, "--bag"):
+        pass
+    with Reader(tmp_path / "bag") as reader:
+        assert "/road" not in reader.topics
+
+
+def test_the_bag_has_heights_and_frictions_in_their_topics_and_in_what_was_applied(messages):
     wanted = Posts().command(0.19, None)
     _, heights = messages["/road_height_cmd"][19]
     _, frictions = messages["/road_friction_cmd"][19]

@@ -20,6 +20,7 @@ from vehicle_roll_sim.messages.topics import (
     OF_SOME_SETS,
     OF_WIND,
     PUBLISHED,
+    ROAD,
     STATE_SET,
     TOTAL_TORQUES,
     TRANSFORMS,
@@ -42,7 +43,7 @@ def messages(j_turn) -> dict[str, list]:
 def test_it_has_every_topic_of_a_recording_with_type_and_quality_of_service(j_turn):
     with Reader(j_turn) as reader:
         found = {connection.topic: connection for connection in reader.connections}
-    absent = (*OF_SOME_SETS, *TOTAL_TORQUES, *OF_WIND, *COMMANDS_OF_ROAD)
+    absent = (*OF_SOME_SETS, *TOTAL_TORQUES, *OF_WIND, *COMMANDS_OF_ROAD, ROAD)
     topics = [topic for topic in (*COMMANDS, *PUBLISHED) if topic not in absent]
     assert found.keys() == {full_name(topic) for topic in topics}
     for topic in topics:

@@ -85,6 +85,33 @@ def test_what_cannot_be_compared_is_refused_in_one_line(log, refused, words, pro
     refused(words, problem)
 
 
+@pytest.mark.parametrize(
+    ("damage", "problem"),
+    [
+        (
+            lambda rows: [rows[0].replace("Gyro Z", "Gyro z"), *rows[1:]],
+            "columns: yaw_rate: column: 'Gyro Z [deg/s]' is unknown: did you mean Gyro z [deg/s]?",
+        ),
+        (lambda rows: rows[:101] + rows[151:], "a gap of 1.02 s after 1.98 s"),
+        (lambda rows: rows[:101] + later(rows[101:], 5.0), "a gap of 5.02 s after 1.98 s"),
+        (lambda rows: rows[:101] + later(rows[101:], -1.0), "clock steps back by 0.98 s after"),
+        (lambda rows: [rows[0], *(row.replace(";79", ";7999", 1) for row in rows[1:])], "100 m/s"),
+    ],
+    ids=["a misspelt column", "missing rows", "a jump ahead", "a jump back", "a wrong unit"],
+)
+def test_a_damaged_log_is_refused_in_one_line(log, refused, damage, problem):
+    rows = (log / "log.csv").read_text(encoding="utf-8").splitlines()
+    (log / "log.csv").write_text("\n".join(damage(rows)) + "\n", encoding="utf-8")
+    refused(WORDS, problem)
+
+
+def later(rows: list[str], seconds: float) -> list[str]:
+    """Rows of the log whose clock was set forward."""
+    split = (row.split(";", 1) for row in rows)
+    times = ((float(time.replace(",", ".")) + seconds, rest) for time, rest in split)
+    return [f"{time:.2f};{rest}".replace(".", ",") for time, rest in times]
+
+
 def test_a_setting_that_is_unknown_is_named(log):
     with pytest.raises(ValueError, match="name: 'cutof' is unknown"):
         compare("log.csv", "log_map.yaml", cutof=3.0)

@@ -20,6 +20,7 @@ REPORTED = {
     "constant_radius_circle": ("understeer gradient", "roll gradient"),
     "constant_handwheel_circle": ("understeer gradient", "roll gradient"),
     "iso_step_steer": ("handwheel angle", "steady acceleration", "yaw rate response"),
+    "braking_in_a_turn": ("radius of the turn", "mean deceleration", "yaw rate after 1 s"),
 }
 SMALLER = {
     "constant_radius_circle": ("--radius", "30", "--speed", "5", "--duration", "120"),

@@ -60,6 +60,25 @@ def test_the_vehicle_of_a_bag_is_not_changed_by_options(command, refused):
     refused(("view", "bag", "--model", "2"), "--model", "only for CSV files")
 
 
+@NEEDS_BAGS
+def test_a_run_is_shown_on_its_road_and_that_of_a_csv_file_is_named(command, refused, data, folder):
+    (folder / "road.yaml").write_text("features: [{kind: wave, start: 5, length: 8, height: 0.1}]")
+    on_road = ("--road", "road.yaml")
+    files = ("--csv", "run.csv", "--view", "own.html")
+    assert command("run", *TURN, *on_road, *files).status == 0
+    assert command("run", *TURN, *on_road, "--bag", "bag").status == 0
+    assert command("view", "run.csv", *on_road).status == 0
+    assert command("view", "bag").status == 0
+    roads = [data(name)["roads"] for name in ("own.html", "run.html", "bag.html")]
+    assert roads[0] == roads[1]
+    assert roads[0][0]["vertices"]
+    assert roads[2][0]["vertices"]
+    assert command("view", "run.csv", "--out", "plane.html").status == 0
+    assert data("plane.html")["roads"] == []
+    refused(("view", "bag", *on_road), "--road", "only for CSV files", "the run describes its road")
+    refused(("view", "run.csv", "--road", "no.yaml"), "no.yaml")
+
+
 def test_a_csv_file_is_drawn_with_the_vehicle_that_is_named(command, recorded, data):
     assert command("view", "run.csv", "--set", "front_track=1.7", "--model", "2").status == 0
     wheel = data("run.html")["runs"][0]["vehicle"]["wheels"][0]

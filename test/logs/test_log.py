@@ -57,9 +57,23 @@ def test_a_log_with_z_down_becomes_one_with_z_up():
     assert log.doubts == []
 
 
+def test_a_log_with_z_down_that_is_not_said_to_be_one_is_doubted():
+    """Roll is about x, which both axes have: it alone keeps its sign."""
+    turned = {name: -COLUMNS[name] for name in ("d", "r", "a")}
+    assert any("roll has the opposite sign" in each for each in read(turned).doubts)
+
+
+def test_a_log_that_hardly_turns_says_nothing_about_signs_and_units():
+    wrong = {"lateral_acceleration": {"unit": "m/s^2"}, "roll": {"sign": -1}}
+    assert len(read(**wrong).doubts) == 2
+    slight = {name: 0.05 * COLUMNS[name] for name in ("d", "r", "a", "phi")}
+    assert read(slight, **wrong).doubts == []
+
+
 @pytest.mark.parametrize(
     ("entries", "columns", "doubt"),
     [
+        ({"yaw_rate": {"unit": "deg/s"}}, {}, "times yaw_rate times speed"),
         ({"roll": {"sign": -1}}, {}, "roll has the opposite sign of lateral_acceleration"),
         ({"steering": {"sign": -1}}, {}, "yaw_rate has the opposite sign of steering"),
         ({"yaw_rate": {"sign": -1}}, {}, "lateral_acceleration has the opposite sign of yaw_rate"),
@@ -89,6 +103,11 @@ def test_swapped_signs_and_wrong_units_are_doubted(entries, columns, doubt):
             {"speed": {"unit": "km/s"}},
             {},
             "columns: speed: 7.2e.04 m/s: at most 100 m/s: is the un",
+        ),
+        (
+            {"roll": {"unit": "rad"}},
+            {"phi": np.degrees(COLUMNS["phi"])},
+            "roll: 6.875 rad: at most 3.142 rad: is the unit rad",
         ),
         ({"speed": {"unit": "deg"}}, {}, "columns: speed: unit: Cannot convert .*: a unit that"),
         ({"speed": {"unit": None}}, {}, "columns: speed: unit: missing: that of the column, such"),

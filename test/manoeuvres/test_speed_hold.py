@@ -74,7 +74,7 @@ def test_before_it_knows_its_vehicle_it_cannot_be_driven(name):
     with pytest.raises(InputError, match=r"^speed_hold: missing: a gain, or a manoeuvre comp"):
         run(simulation, unready.driver(), 0.1)
     assert simulation.time == 0.0
-    assert unready.commanded == ("steering", "wheel_torque")
+    assert unready.commanded[:2] == ("steering", "wheel_torque")
 
 
 def test_no_other_value_of_a_manoeuvre_may_be_missing():

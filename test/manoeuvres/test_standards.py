@@ -32,6 +32,7 @@ CONDITIONS = {
     "steady_state_circle": (100 / 3.6, 62.0),
     "constant_radius_circle": (8.0, 250.0),
     "constant_handwheel_circle": (8.0, 250.0),
+    "braking_in_a_turn": (80 / 3.6, 13.0),
 }
 
 

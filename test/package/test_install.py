@@ -164,16 +164,20 @@ def test_the_installed_executables_of_controllers_start(run_installed, installed
     assert result.stdout.startswith(f"usage: {name} ")
 
 
-def test_the_installed_package_reads_its_own_presets(run_installed, installed):
+def test_the_installed_package_reads_its_own_presets_and_published_numbers(
+    run_installed, installed
+):
     program = (
         "import vehicle_roll_sim, importlib.resources as r;"
         "print(vehicle_roll_sim.__file__);"
         "print(r.files('vehicle_roll_sim.vehicle') / 'presets');"
-        "print(vehicle_roll_sim.preset('reference').sprung_mass, vehicle_roll_sim.__version__)"
+        "print(vehicle_roll_sim.preset('reference').sprung_mass, vehicle_roll_sim.__version__);"
+        "from vehicle_roll_sim.paper.published.source import numbers;"
+        "print(len(numbers()) > 0)"
     )
     result = run_installed("python", "-c", program)
     assert result.returncode == 0, result.stderr
-    module, presets, values = result.stdout.splitlines()
+    module, presets, values, has_numbers = result.stdout.splitlines()
     assert Path(module).is_relative_to(installed)
     assert Path(presets).is_relative_to(installed)
-    assert values == "1440.0 0.1.0"
+    assert (values, has_numbers) == ("1440.0 0.1.0", "True")

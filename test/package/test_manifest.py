@@ -15,7 +15,7 @@ PACKAGE = "vehicle_roll_sim"
 NOT_OF_ROS = {
     *("numpy", "scipy", "yaml", "tqdm", "matplotlib"),
     *("numba", "rosbags", "mujoco", "control", "pandas", "pyarrow", "gymnasium", "distributed"),
-    *("selenium", "PIL", "pint", "asammdf", "cloudpickle"),
+    *("selenium", "PIL", "pint", "asammdf", "pyopencrg", "cloudpickle"),
 }
 """Libraries whose names in package.xml are rosdep keys, or that come from pip."""
 RUN_BY_LAUNCH_FILES = {"ros2launch", "robot_state_publisher", "ros2bag", "rosbag2_storage_mcap"}

@@ -19,6 +19,7 @@ MAY_READ = {
     "vehicle_roll_sim/studies/fingerprint.py": "its own sources",
     "vehicle_roll_sim/vehicle/template.py": "the reference tire that is installed",
     "vehicle_roll_sim/viewer/page.py": "the parts of the page that are installed",
+    "vehicle_roll_sim/simulation/open_crg.py": "files of a limited size, by the library",
     "vehicle_roll_sim/ros/launching/rviz.py": "the configuration of RViz that is installed",
     "vehicle_roll_sim/bags/unindexed_reader.py": "pieces of a bag, of any size by nature",
     "vehicle_roll_sim/ros/controller_scripts.py": "a script that is run",

@@ -25,7 +25,12 @@ LABELS = {
 }
 """Names of the elements of the multi-arrays."""
 FRAMES = {"odom", "base_footprint", "base_link"}
-SHOWN_BY = {"Wrench": "WrenchStamped", "Odometry": "Odometry", "RobotModel": "String"}
+SHOWN_BY = {
+    "Wrench": "WrenchStamped",
+    "Odometry": "Odometry",
+    "RobotModel": "String",
+    "Marker": "Marker",
+}
 """Message types of RViz's displays."""
 DEGREES = 57.29577951308232
 
@@ -156,7 +161,7 @@ def test_rviz_shows_topics_of_the_right_type_and_gets_what_was_sent_before():
             assert topic["Reliability Policy"] == "Reliable"
             shown.add(topic["Value"])
     forces = {f"/tire_forces/{wheel}" for wheel in WHEELS}
-    assert shown == {"/robot_description", "/odom", *forces}
+    assert shown == {"/robot_description", "/road", "/odom", *forces}
 
 
 def test_rviz_looks_at_frames_that_are_there():

@@ -8,7 +8,7 @@ import pytest
 from rclpy.action import get_action_server_names_and_types_by_node
 
 import vehicle_roll_sim
-from vehicle_roll_sim.messages.topics import TRANSFORMS, WAYS_IN
+from vehicle_roll_sim.messages.topics import ROAD, TRANSFORMS, WAYS_IN
 from vehicle_roll_sim.ros.simulator import standard_services
 from vehicle_roll_sim.ros.simulator.standard_services import ACTION, SERVICES, name_of
 from vehicle_roll_sim.ros.topics import is_installed
@@ -98,10 +98,12 @@ def test_what_live_nodes_use_is_what_the_policy_allows(start, peer, policy, tmp_
         # Its endpoints may be found before the node itself.
         peer.wait(lambda node=node: node in peer.node.get_node_names(), f"the node {node}")
         names = allowed(policy, node)
-        for topic in (TRANSFORMS, *WAYS_IN):
+        for topic in (TRANSFORMS, ROAD, *WAYS_IN):
             if not is_installed(topic):  # allowed for where it is
                 for kind in ("publisher", "subscriber"):
                     names[kind].discard("/" + topic.name.lstrip("/"))
+        if node == "manoeuvre":  # allowed for those that command brakes or wind
+            names["publisher"] -= {"/brake_torque_cmd", "/wind_cmd"}
         if not standard_services.is_installed():
             names["action"].discard(f"/{node}/{name_of(ACTION)}")
             names["service"] -= {f"/{node}/{name_of(kind)}" for kind in SERVICES}

@@ -30,6 +30,7 @@ DRIVEN = {
     "sine_with_dwell": {"duration": 3.0} | AT_03G,
     "iso_step_steer": {"duration": 2.0, "handwheel_angle": 30.0},
     "steady_state_circle": {"duration": 1.5},
+    "braking_in_a_turn": {"duration": 2.5, "handwheel_angle": 30.0, "brakes_from": 1.7},
 }
 """All of the catalogue that is compiled, for as long as something happens."""
 TABLE = command_table(

@@ -79,7 +79,9 @@ def lifted(at: float) -> np.ndarray:
 
 
 def tipping(at: float, **settings):
-    sides = {f"tire_compression_{wheel}": lifted(at) for wheel in ("lf", "lr")}
+    compression = lifted(at)
+    wheels = {"tire_compression": compression, "normal_force": 4000.0 * (compression > 0.0)}
+    sides = {f"{name}_{side}": wheels[name] for name in wheels for side in ("lf", "lr")}
     return outcome(history(3.0, **sides), **settings)
 
 

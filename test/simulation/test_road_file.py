@@ -136,3 +136,18 @@ def test_a_profile_follows_its_points_and_is_averaged_over_the_contact_patch():
     heights = [both.surface(4.0, y)[0] for y in (2.0, 0.75, 0.0, -0.75, -2.0)]
     assert heights == pytest.approx([0.2, 0.2, 0.15, 0.1, 0.1])
     assert np.abs([both.surface(4.0, y)[2] for y in (2.0, 0.75, -0.75)]).max() < 1e-12
+
+
+@pytest.mark.parametrize("at", [5.0, 5.01, 5.025, 5.04])
+def test_an_obstacle_of_a_profile_counts_with_its_area_wherever_its_table_has_points(at):
+    """2 cm high and 5 cm long, among points of the table at 5 cm: half as high, over 15 cm."""
+    edge = 0.001
+    points = [[0, 0], [at, 0], [at + edge, 0.02], [at + 0.05, 0.02], [at + 0.05 + edge, 0], [9, 0]]
+    found = road({"kind": "profile", "start": 0, "points": points})
+    places = np.linspace(4.5, 5.5, 2001)
+    heights = np.array([found.surface(x, 0.0)[0] for x in places])
+    area = 0.02 * 0.05
+    # means over a whole number of spacings keep the area; heights are sampled at 0.5 mm
+    assert np.trapezoid(heights, places) == pytest.approx(area, rel=1e-4)
+    assert heights.max() == pytest.approx(area / 0.1, rel=0.15)  # cubic curves overshoot
+    assert np.ptp(places[heights > 1e-4]) == pytest.approx(0.15, abs=0.05)  # one point more or less

@@ -1,7 +1,7 @@
 """A page that follows a run that goes on, in a real browser."""
 
 import pytest
-from viewed_runs import fishhook, scene
+from viewed_runs import ROAD, fishhook, scene
 
 from vehicle_roll_sim.viewer.live_run import LiveRun
 from vehicle_roll_sim.viewer.live_server import LiveServer
@@ -23,7 +23,7 @@ def test_a_page_follows_the_run_until_another_time_is_chosen(server, opened_at):
     history, places = fishhook().history, fishhook().history["time"]
     page = opened_at(server.address)
     assert "Waiting for a simulator" in page("document.body.textContent")
-    server.run = live = LiveRun("fishhook", scene(), 1.4)
+    server.run = live = LiveRun("fishhook", scene(), 1.4, ROAD)
     live.add(history.part(places < 1.0))
     page.wait_for("window.viewer && window.viewer.state().isFollowing")
     live.add(history.part(places >= 1.0))
@@ -31,6 +31,7 @@ def test_a_page_follows_the_run_until_another_time_is_chosen(server, opened_at):
     page.wait_for(f"window.viewer.state().time === {end!r}")
     assert page(LIT) == 5
     assert page("document.querySelectorAll('#event-list li').length") >= 5
+    assert page("document.querySelectorAll('#surfaces li').length") == 2
 
     page("window.viewer.play(false)")
     assert not page.at(1.5)["isFollowing"]

@@ -4,7 +4,18 @@ import math
 
 import numpy as np
 import pytest
-from viewed_runs import FAST, SLOW, fishhook, of_columns, scene, viewed, viewed_history
+from test_in_browser import picture_of
+from viewed_runs import (
+    FAST,
+    ROAD,
+    SLOW,
+    fishhook,
+    of_columns,
+    over_crests,
+    scene,
+    viewed,
+    viewed_history,
+)
 
 from vehicle_roll_sim import preset, run
 from vehicle_roll_sim.model.kinematic.guidance import carriers, look_up, paths
@@ -165,3 +176,49 @@ def test_without_webgl_all_but_the_vehicle_is_shown_and_the_page_says_so(opened,
     state = page.at(float(fishhook().history["time"][-1]))
     assert (state["lamps"], state["wheels"]) == ([True] * 5, None)
     assert page("document.querySelectorAll('.panel').length") > 8
+
+
+def test_wheels_stand_on_the_road_that_is_drawn_with_its_friction_and_its_tilt(opened):
+    """On crests, between ice on the left and asphalt, on a table that tilts to the right."""
+    page = opened(viewed(over_crests()))
+    legend = "[...document.querySelectorAll('#surfaces li')].map((each) => each.innerText)"
+    assert page(legend) == ["friction × 0.00", "friction × 1.00"]
+    radius, heights = preset().record()[0].tire_radius[0], []
+    for time in (0.3, 0.6, 0.9):
+        for x, y, z in page.at(time)["wheels"]:
+            heights.append(ROAD.surface(x, y)[0])
+            # compressed by the load of a wheel, 20 mm at rest, or just off the ground
+            assert -0.06 < z - heights[-1] - radius < 0.03
+    assert max(heights) > 0.19
+    page("(window.viewer.paint('light'), window.viewer.use('top'))")
+    page.at(0.3)
+    left, right = sides(picture_of(page))
+    assert left[2] - left[0] > 60  # blue
+    assert abs(right[2] - right[0]) < 30  # grey
+    page("window.viewer.use('rear')")
+    level, level_too = skies(picture_of(page))
+    page.at(1.5)
+    low, high = skies(picture_of(page))
+    assert abs(level - level_too) < 0.02 < 0.1 < high - low
+    assert "15.00" in page("document.getElementById('numbers').innerText")
+    page("window.viewer.use('chase')")
+    assert page.complaints == []
+
+
+def sides(picture) -> tuple[np.ndarray, np.ndarray]:
+    """Mean colours of the left and the right sixth of a picture, below what is written on it."""
+    pixels = np.asarray(picture, float)
+    height, width, _ = pixels.shape
+    part = width // 6
+    below = pixels[height // 2 : -height // 4]
+    return below[:, :part].mean(axis=(0, 1)), below[:, -part:].mean(axis=(0, 1))
+
+
+def skies(picture) -> tuple[float, float]:
+    """How much of the left and the right edge of a picture has the colour of its upper corners."""
+    pixels = np.asarray(picture, float)
+    edges = pixels[:, 0], pixels[:, -1]
+    return tuple(
+        float((np.abs(edge - pixels[0, pixels.shape[1] // 2]).max(axis=1) < 8).mean())
+        for edge in edges
+    )

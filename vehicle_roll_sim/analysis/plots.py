@@ -19,9 +19,9 @@ from vehicle_roll_sim.analysis.drawing import (
     save_figure,
 )
 from vehicle_roll_sim.analysis.figure_size import Size
-from vehicle_roll_sim.analysis.friction_shading import shade_friction
 from vehicle_roll_sim.analysis.panels import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.analysis.pens import Pen, pens
+from vehicle_roll_sim.analysis.road_shading import shade_road
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.road import Road
@@ -81,8 +81,8 @@ def standard_figure(runs: Sequence[DrawnRun], title: str, size: Size | None = No
     Also the roll centres, for models in which they move.
     At most as many runs as there are COLOURS. The steering is always shown, other commands only if
     they are not 0 throughout. The panel of a wheel is shaded while it is off the ground, that of
-    the path where the road of the first run is slippery. size: size in print; by default the figure
-    is made for a screen.
+    the path where the road of the first run is slippery, and has contour lines of its heights.
+    size: size in print; by default the figure is made for a screen.
     """
     shown = signals_of(run.history for run in runs)
     figure = new_figure(WIDTH, HEIGHT_OF_REST + HEIGHT_OF_SIGNAL * len(shown), size)
@@ -106,7 +106,7 @@ def _fill(figure: DrawnFigure, runs: Sequence[DrawnRun], shown: Sequence[Signal]
             _draw_signal(axis, signal, run, pen)
         _draw_loads(loads, run, pen)
         _draw_path(path, run, pen, headings)
-    shade_friction(path, runs[0].road, runs[0].history["x"], runs[0].history["y"])
+    shade_road(path, runs[0].road, runs[0].history["x"], runs[0].history["y"])
     _label(signals, loads, path, runs)
     path.set_title(f"path, heading every {headings[1] - headings[0]:g} s", fontsize="medium")
     for axis in (*signals, *loads):

@@ -8,6 +8,7 @@ from vehicle_roll_sim.bags.encoding import encode
 from vehicle_roll_sim.bags.writing import Bag, whole_bag
 from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.messages.measured import messages_of
+from vehicle_roll_sim.messages.road_marker import road_marker
 from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
@@ -16,6 +17,7 @@ from vehicle_roll_sim.messages.topics import (
     OF_SOME_SETS,
     OF_WIND,
     PUBLISHED,
+    ROAD,
     ROBOT_DESCRIPTION,
     ROLLOVER,
     SIMULATION_DESCRIPTION,
@@ -28,6 +30,7 @@ from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.description import describe
+from vehicle_roll_sim.simulation.road_mesh import has_mesh
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 
@@ -55,8 +58,8 @@ class RunBag:
     """Observer of a run that writes every set to a bag, stamped and logged in simulated time.
 
     The bag has the topics of a recording, without those of total torques, since a run commands
-    wheels, and without those of a wind or a road which the vehicle does not feel. The topics of the
-    `commanded` fields of a Command have the values applied in each period; diagnostics stay empty.
+    wheels, and without those of a wind or a road that there is not. The topics of the `commanded`
+    fields of a Command have the values applied in each period; diagnostics stay empty.
     """
 
     def __init__(
@@ -75,6 +78,7 @@ class RunBag:
             *(() if simulation.feels_wind else OF_WIND),
             *(() if simulation.road.is_commanded else COMMANDS_OF_ROAD),
             *(topic for topic in OF_SOME_SETS if topic not in in_set),
+            *(() if has_mesh(simulation.road) else (ROAD,)),
         ]
         with_header = (topic for topic in in_set if topic in STAMPED)
         present = (topic for topic in (*COMMANDS, *PUBLISHED) if topic not in absent)
@@ -98,6 +102,8 @@ class RunBag:
         bag.describe(description)
         self._write(SIMULATION_DESCRIPTION.name, {"data": description})
         self._write(ROBOT_DESCRIPTION.name, {"data": robot_description(simulation)})
+        if marker := road_marker(simulation.road):
+            self._write(ROAD.name, marker)
 
     def on_set(self) -> None:
         """Write the current set, and `rollover` at first and when it changes."""

@@ -83,6 +83,7 @@ class Case:
         Raises InputError.
         """
         manoeuvre = self._chosen_manoeuvre()
+        manoeuvre.check_road(simulation.road)
         if isinstance(manoeuvre, CommandTable) and self.duration is None:
             manoeuvre = manoeuvre.to_whole_steps(simulation.step_ns)
         return manoeuvre.for_vehicle(simulation.vehicle, simulation.options)

@@ -24,7 +24,7 @@ from vehicle_roll_sim.vehicle.vehicle_file import preset
 
 DEFAULT_FOLDER = "paper"
 CLAIM_FAILED = 1
-"""Exit status with --strict if a claim fails or was not checked."""
+"""Exit status with --strict if a claim fails or was not checked, or a published number differs."""
 
 
 def paper_command(words: list[str], program: str) -> int:
@@ -40,18 +40,27 @@ def paper_command(words: list[str], program: str) -> int:
     parser.add_argument(
         "--strict",
         action="store_true",
-        help="exit with status 1 unless every claim was checked and holds",
+        help="exit with status 1 unless every claim was checked and holds, or every published "
+        "number that is judged agrees",
     )
-    parser.add_argument(
+    more = parser.add_mutually_exclusive_group()
+    more.add_argument(
         "--beyond",
         action="store_true",
         help="also draw what a moving roll centre changes: models 1 and 2, also on swing axles",
+    )
+    more.add_argument(
+        "--published",
+        action="store_true",
+        help="rerun numbers of other sources instead, with tolerances and differences",
     )
     arguments = parser.parse_args(words)
     folder = named_file(arguments.out, "--out")
     check_folder(folder, "--out")
     with signals.exit_on_signal():
         compile_model()
+    if arguments.published:
+        return _rerun_published(folder, arguments.strict)
     with tqdm(disable=None, leave=False, unit="result") as bar:
         study = Study(preset(), bar.update)
         if not study.has_engine:
@@ -93,6 +102,24 @@ def _write_results(
         (partial / "claims.txt").write_text(text, encoding="utf-8")
         (partial / "claims.md").write_text(table, encoding="utf-8")
     return findings, about_them
+
+
+def _rerun_published(folder: Path, is_strict: bool) -> int:
+    """Compute the numbers of other sources, write and print them; return the exit status."""
+    with signals.exit_on_signal():
+        from vehicle_roll_sim.paper.published import comparison, report, source
+
+        numbers = source.numbers()
+    with tqdm(disable=None, leave=False, unit="number", total=len(numbers)) as bar:
+        found = comparison.compare(numbers, bar.update)
+    text = report.as_text(found)
+    with filled_folder(folder) as partial:
+        (partial / "published.txt").write_text(f"{text}\n", encoding="utf-8")
+        table = f"{report.as_markdown(found)}\n"
+        (partial / "published.md").write_text(table, encoding="utf-8")
+    print(f"{text}\n\nresults: {folder}")
+    differs = any(one.verdict == comparison.DIFFERS for one in found)
+    return CLAIM_FAILED if is_strict and differs else 0
 
 
 def _all_hold(findings: list[Finding]) -> bool:

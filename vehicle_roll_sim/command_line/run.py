@@ -179,7 +179,7 @@ def _page(arguments: argparse.Namespace, *others: Path | None) -> Path | None:
 
 def _write_page(path: Path, result: RunResult, simulation: Simulation, title: str) -> None:
     scene = scene_of(simulation.vehicle, simulation.options)
-    run = ViewedRun(result.history, result.events, title, scene)
+    run = ViewedRun(result.history, result.events, title, scene, simulation.road)
     write_page(path, [run], title, getattr(result.manoeuvre, "cones", ()))
 
 

@@ -90,19 +90,20 @@ def series_command(words: list[str], program: str) -> int:
         raise
     _show(result, path)
     if page:
-        _write_page(page, f"series {arguments.manoeuvre}", result, kept, scene_of(vehicle, options))
+        scene = scene_of(vehicle, options)
+        _write_page(page, f"series {arguments.manoeuvre}", result, kept, scene, road)
         print(line("page", page))
     return 0
 
 
 def _write_page(
-    path: Path, title: str, result: SeriesResult, kept: list[DrivenRun], scene: dict
+    path: Path, title: str, result: SeriesResult, kept: list[DrivenRun], scene: dict, road: Road
 ) -> None:
     """Write the page of all runs; the one that rolls most is shown first."""
     varied = VARIED[result.columns[1]]
     labels = [f"{row[0]}, {varied.format(row[1])}" for row in result.rows]
     runs = [
-        ViewedRun(run.history, run.events, label, scene)
+        ViewedRun(run.history, run.events, label, scene, road)
         for run, label in zip(kept, labels, strict=True)
     ]
     worst = int(np.argmax([abs(run.events.peak_roll[VALUE]) for run in kept]))

@@ -77,6 +77,7 @@ def write_study_page(path: Path, results, numbers: Sequence[int] | None, title: 
             each.outcome.events,
             _label(each),
             scene_of(each.case.vehicle, each.case.options),
+            each.case.simulation().road,
         )
         for each in driven
     ]

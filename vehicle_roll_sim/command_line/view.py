@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vehicle_roll_sim.arguments import OneLineParser, add_declared
+from vehicle_roll_sim.arguments import OneLineParser, add_declared, named_file
 from vehicle_roll_sim.command_line import view_live
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.recorded_runs import (
@@ -36,6 +36,7 @@ from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import TIRES
@@ -44,8 +45,8 @@ from vehicle_roll_sim.viewer.recording import ViewedRun
 from vehicle_roll_sim.viewer.scene import scene_of
 
 WITH_CONES = tuple(name for name, each in STANDARD.items() if isinstance(each, DoubleLaneChange))
-OF_VEHICLE = ("vehicle", *TIRES, "set", "model")
-"""Options that describe the vehicle of a CSV file, which does not name it."""
+OF_CSV = ("vehicle", *TIRES, "set", "model", "road")
+"""Options that describe the vehicle and the road of a CSV file, which does not name them."""
 AT_REST = 1e-6
 """m: tolerance of the c.g. height at which a run begins."""
 
@@ -63,7 +64,7 @@ def view_command(words: list[str], program: str) -> int:
     chosen = _chosen(arguments, [told is None for _, told in read])
     runs, notes, cones = [], [], []
     for file, label, (history, told) in zip(files, labels, read, strict=True):
-        vehicle, options = (told.vehicle, told.options) if told else chosen
+        vehicle, options, road = (told.vehicle, told.options, told.road) if told else chosen
         angle = told.rollover_angle if told else math.radians(DEFAULT_ROLLOVER_DEGREES)
         if "stop_roll" in settings:
             angle = math.radians(settings["stop_roll"])
@@ -71,7 +72,7 @@ def view_command(words: list[str], program: str) -> int:
             notes.append(_note(label, arguments.vehicle))
             _warn_of_another_vehicle(file, history, vehicle)
         part, scene = part_of(history, settings, file), scene_of(vehicle, options)
-        runs.append(ViewedRun(part, events_of(history, angle), label, scene))
+        runs.append(ViewedRun(part, events_of(history, angle), label, scene, road))
         if arguments.manoeuvre and not len(cones):
             cones = _cones(arguments.manoeuvre, vehicle, options)
     begin = min(float(run.history["time"][0]) for run in runs)
@@ -88,8 +89,8 @@ def _parser(program: str) -> argparse.ArgumentParser:
     parser = OneLineParser(
         prog=program,
         description=COMMANDS["view"],
-        epilog="The vehicle options are for CSV files. A bag or study states its vehicle and the "
-        "roll angle at which its run stops.",
+        epilog="The vehicle options and --road are for CSV files. A bag or study states its "
+        "vehicle, its road and the roll angle at which its run stops.",
     )
     add_runs(parser, "RUN")
     parser.add_argument(view_live.LIVE, action="store_true", help=view_live.ABOUT)
@@ -107,6 +108,8 @@ def _parser(program: str) -> argparse.ArgumentParser:
     )
     add_pictures(parser)
     add_vehicle_options(parser)
+    about = "road file (YAML) of CSV files, whose features are shown"
+    parser.add_argument_group("road").add_argument("--road", metavar="FILE", help=about)
     others = [name for name in parameters_of(Options) if name != "model"]
     add_declared(parser, Options, "vehicle", without=others)
     return parser
@@ -124,15 +127,16 @@ def _output(arguments: argparse.Namespace, files: list[Path]) -> Path:
 
 def _chosen(
     arguments: argparse.Namespace, are_of_options: list[bool]
-) -> tuple[Vehicle, Options] | None:
-    """The vehicle that the options describe, if a run needs it; raises InputError."""
+) -> tuple[Vehicle, Options, Road | None] | None:
+    """The vehicle and road that the options describe, if a run needs them; raises InputError."""
     if any(are_of_options):
-        vehicle = chosen_vehicle(arguments)
-        return vehicle, chosen_options(arguments, vehicle)
-    for name in OF_VEHICLE:
+        vehicle, file = chosen_vehicle(arguments), named_file(arguments.road, "--road")
+        return vehicle, chosen_options(arguments, vehicle), Road.from_file(file) if file else None
+    for name in OF_CSV:
         if value := getattr(arguments, name):
             option = "--" + name.replace("_", "-")
-            raise InputError(option, value, "only for CSV files", "the run describes its vehicle")
+            what = name if name == "road" else "vehicle"
+            raise InputError(option, value, "only for CSV files", f"the run describes its {what}")
     return None
 
 

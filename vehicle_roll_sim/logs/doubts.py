@@ -9,7 +9,8 @@ OPPOSITE = -0.5
 FAR = 2.0
 """Factor between two measures of one quantity: a larger one is taken for a wrong unit."""
 FEWEST_TURNS = 0.02
-"""rad/s: rms of the yaw rate below which the log says nothing about signs."""
+"""rad/s: rms of the yaw rate, and of lateral acceleration over speed, below which the log says
+nothing about signs and units."""
 
 
 def doubts_about(signals: dict[str, np.ndarray], interval: float) -> list[str]:
@@ -18,10 +19,20 @@ def doubts_about(signals: dict[str, np.ndarray], interval: float) -> list[str]:
     interval: s. Relations: lateral acceleration = speed times yaw rate, yaw rate towards the
     steering, roll towards the outside of the turn, roll rate = derivative of roll.
     """
-    yaw_rate = signals.get("yaw_rate")
-    if yaw_rate is None or np.sqrt(np.mean(yaw_rate**2)) < FEWEST_TURNS:
+    if "yaw_rate" not in signals or not _turns(signals):
         return []
     return list(_contradictions(signals, interval))
+
+
+def _turns(signals: dict[str, np.ndarray]) -> bool:
+    """Whether the vehicle turns by one of two signals: the unit of the other may be wrong."""
+    by_acceleration = _rms(signals.get("lateral_acceleration", np.zeros(1)))
+    speed = _rms(signals["speed"])
+    return max(_rms(signals["yaw_rate"]) * speed, by_acceleration) >= FEWEST_TURNS * speed
+
+
+def _rms(values: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(values**2)))
 
 
 def _contradictions(signals: dict[str, np.ndarray], interval: float) -> Iterator[str]:
@@ -42,7 +53,7 @@ def _contradictions(signals: dict[str, np.ndarray], interval: float) -> Iterator
                 f"{correlation(one, other):.2f}): sign: -1 for one of them, or axes: sae"
             )
     if acceleration is not None and abs(correlation(acceleration, turning)) > -OPPOSITE:
-        ratio = float(np.sqrt(np.mean(acceleration**2) / np.mean(turning**2)))
+        ratio = _rms(acceleration) / _rms(turning)
         if not 1.0 / FAR < ratio < FAR:
             yield (
                 f"lateral_acceleration is {ratio:.3g} times yaw_rate times speed: "

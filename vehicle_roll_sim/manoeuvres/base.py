@@ -12,6 +12,7 @@ from vehicle_roll_sim.model.records import COMMAND, LR
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
@@ -80,6 +81,9 @@ class Manoeuvre(abc.ABC):
         if self.speed_hold is not ADAPTED:
             return self
         return dataclasses.replace(self, speed_hold=hold_for(vehicle))
+
+    def check_road(self, road: Road) -> None:  # noqa: B027, most are driven on every road
+        """Raise InputError if the manoeuvre cannot be driven on a road."""
 
     @abc.abstractmethod
     def driver(self) -> Programme | Feedback:

@@ -8,13 +8,18 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.base import ADAPTED, LONGEST, STEEPEST, Manoeuvre, OpenLoop
+from vehicle_roll_sim.manoeuvres.braking_in_a_turn import BRAKING_IN_A_TURN
 from vehicle_roll_sim.manoeuvres.double_lane_change import (
     ISO_DOUBLE_LANE_CHANGE,
     ISO_SEVERE_DOUBLE_LANE_CHANGE,
 )
 from vehicle_roll_sim.manoeuvres.iso_step_steer import ISO_STEP_STEER
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK, NHTSA_J_TURN
+from vehicle_roll_sim.manoeuvres.on_roads.corkscrew_ramp import CORKSCREW_RAMP
 from vehicle_roll_sim.manoeuvres.on_roads.curb_trip import CURB_TRIP
+from vehicle_roll_sim.manoeuvres.on_roads.random_road import RANDOM_ROAD
+from vehicle_roll_sim.manoeuvres.on_roads.side_slope import SIDE_SLOPE
+from vehicle_roll_sim.manoeuvres.on_roads.soil_trip import SOIL_TRIP
 from vehicle_roll_sim.manoeuvres.on_roads.split_friction import SPLIT_FRICTION_BRAKING
 from vehicle_roll_sim.manoeuvres.on_roads.tilt_table import TILT_TABLE
 from vehicle_roll_sim.manoeuvres.sine_with_dwell import SINE_WITH_DWELL
@@ -24,6 +29,7 @@ from vehicle_roll_sim.manoeuvres.steady_state_circle import (
     CONSTANT_RADIUS_CIRCLE,
     STEADY_STATE_CIRCLE,
 )
+from vehicle_roll_sim.manoeuvres.wind_gust import WIND_GUST
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -59,22 +65,29 @@ STANDARD = {
     "steady_state_circle": STEADY_STATE_CIRCLE,
     "constant_radius_circle": CONSTANT_RADIUS_CIRCLE,
     "constant_handwheel_circle": CONSTANT_HANDWHEEL_CIRCLE,
+    "braking_in_a_turn": BRAKING_IN_A_TURN,
 }
 """All manoeuvres, under the conditions of the paper or the standard (docs/manoeuvres.md)."""
 
 ON_ROADS = {
     "tilt_table": TILT_TABLE,
     "curb_trip": CURB_TRIP,
+    "soil_trip": SOIL_TRIP,
+    "corkscrew_ramp": CORKSCREW_RAMP,
+    "side_slope": SIDE_SLOPE,
+    "random_road": RANDOM_ROAD,
     "split_friction_braking": SPLIT_FRICTION_BRAKING,
 }
 """Manoeuvres that bring their own road, which a running simulator cannot be given."""
-MANOEUVRES = STANDARD | ON_ROADS
+ON_ANY_ROAD = STANDARD | {"wind_gust": WIND_GUST}
+"""All others; the last one only for vehicles with air forces."""
+MANOEUVRES = ON_ANY_ROAD | ON_ROADS
 
 
-def manoeuvre_named(name: str, known: Mapping[str, Manoeuvre] = STANDARD) -> Manoeuvre:
+def manoeuvre_named(name: str, known: Mapping[str, Manoeuvre] = ON_ANY_ROAD) -> Manoeuvre:
     """The manoeuvre of that name; raises InputError listing the available names.
 
-    known: MANOEUVRES, or STANDARD where a manoeuvre cannot bring its own road.
+    known: MANOEUVRES, or ON_ANY_ROAD where a manoeuvre cannot bring its own road.
     """
     if name in known:
         return known[name]

@@ -13,32 +13,18 @@ import numpy as np
 from vehicle_roll_sim.files.table_file import read_table
 from vehicle_roll_sim.input_errors import InputError, number_in, unknown_name
 from vehicle_roll_sim.manoeuvres.base import LONGEST, OpenLoop
+from vehicle_roll_sim.manoeuvres.command_columns import COLUMNS, TOTALS, check_limits
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
-from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.roads.commanded import NOT_COMMANDED
+from vehicle_roll_sim.simulation.command import OF_ROAD
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.air_parameters import NO_WIND, has_air_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 LARGEST_FILE = 200_000_000
 """Bytes: an hour at 1 kHz with every column."""
-COLUMNS = {
-    **{name: (name, None) for name in ("steering", "rear_steering")},
-    **{
-        f"{name}_{wheel}": (name, i)
-        for name in ("wheel_torque", "brake_torque", "normal_force")
-        for i, wheel in enumerate(WHEELS)
-    },
-    **{f"wind_{axis}": ("wind", i) for i, axis in enumerate("xy")},
-}
-"""Column name: field of the command, and index of the value if the field has several."""
-TOTALS = {"drive_torque": "wheel_torque", "brake": "brake_torque"}
-"""Columns with a total torque (N m), and the field that it is distributed to."""
-BRAKES = ("brake", *(f"brake_torque_{wheel}" for wheel in WHEELS))
-WIND = (-MAXIMUM_SPEED, MAXIMUM_SPEED, f"from {-MAXIMUM_SPEED:g} to {MAXIMUM_SPEED:g} m/s")
-LIMITS = dict.fromkeys(BRAKES, (0.0, math.inf, "of at least 0")) | {"wind_x": WIND, "wind_y": WIND}
-"""Smallest and largest value of the columns that are limited, and the range in words."""
 EXAMPLE = """\
 time,steering,brake_torque_lf,brake_torque_rf
 0.0,0.0,0,0
@@ -69,22 +55,26 @@ class CommandTable(OpenLoop):
 
     @property
     def needs_vehicle(self) -> bool:
-        has_more = bool(self.columns.keys() & TOTALS.keys() or self._of_wind)
+        has_more = bool(self.columns.keys() & TOTALS.keys() or self._of("wind"))
         return super().needs_vehicle or has_more
 
-    @property
-    def _of_wind(self) -> list[str]:
-        return [name for name in self.columns if COLUMNS.get(name, ("",))[0] == "wind"]
+    def _of(self, *fields: str) -> list[str]:
+        """The columns with values of some fields of COMMAND."""
+        return [name for name in self.columns if COLUMNS.get(name, ("",))[0] in fields]
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "CommandTable":
         """A copy that distributes total torques as the vehicle does.
 
         Raises InputError for columns of a wind that the vehicle does not feel.
         """
-        if self._of_wind and not has_air_forces(vehicle):
-            raise InputError(f"{self.file}: column", self._of_wind[0], NO_WIND)
+        if (windy := self._of("wind")) and not has_air_forces(vehicle):
+            raise InputError(f"{self.file}: column", windy[0], NO_WIND)
         shares = {"drive_torque": vehicle.drive_shares, "brake": vehicle.brake_shares}
         return dataclasses.replace(super().for_vehicle(vehicle, options), shares=shares)
+
+    def check_road(self, road: Road) -> None:
+        if (moving := self._of(*OF_ROAD)) and not road.is_commanded:
+            raise InputError(f"{self.file}: column", moving[0], NOT_COMMANDED)
 
     def to_whole_steps(self, step_ns: int) -> "CommandTable":
         """A copy whose duration is rounded up to a multiple of the integration step (ns).
@@ -111,7 +101,7 @@ class CommandTable(OpenLoop):
     @property
     def commanded(self) -> tuple[str, ...]:
         fields = (TOTALS.get(name) or COLUMNS[name][0] for name in self.columns)
-        return (*super().commanded, *fields)
+        return (*super().commanded, *(field.removesuffix("_change") for field in fields))
 
     @property
     def steps_at(self) -> tuple[float, ...]:
@@ -136,7 +126,7 @@ class CommandTable(OpenLoop):
             if index is None:
                 commands[field] = column
             else:
-                commands[field][:, index] = column
+                commands[field][:, index] = column - OF_ROAD.get(field, 0.0)
 
 
 def load_commands(path: str | Path) -> CommandTable:
@@ -170,7 +160,7 @@ def command_table(columns: Mapping[str, Sequence[float]]) -> CommandTable:
             counts = f"{len(values)} values", f"{len(table['time'])} values, one for each time"
             raise InputError(f"commands: {name}", *counts)
         for value in (values.min(), values.max()):
-            _check_limits(f"commands: {name}", name, float(value))
+            check_limits(f"commands: {name}", name, float(value))
     return _table(table, "commands", ["commands: time"] * len(table["time"]))
 
 
@@ -241,12 +231,5 @@ def _number(path: Path, line: int, name: str, text: str) -> float:
         value = math.nan
     if not math.isfinite(value):
         raise InputError(field, text, "a finite number, with a decimal point")
-    _check_limits(field, name, value)
+    check_limits(field, name, value)
     return value
-
-
-def _check_limits(field: str, name: str, value: float) -> None:
-    """Raise InputError naming `field` for a value beyond the LIMITS of its column."""
-    lowest, highest, allowed = LIMITS.get(name, (-math.inf, math.inf, ""))
-    if not lowest <= value <= highest:
-        raise InputError(field, value, f"a number {allowed}")

@@ -217,6 +217,12 @@ ROBOT_DESCRIPTION = _latched(
 SIMULATION_DESCRIPTION = _latched(
     "simulation_description", TEXT, "JSON from which the simulation can be rebuilt"
 )
+ROAD = _latched(
+    "road",
+    "visualization_msgs/msg/Marker",
+    "surface of a road with features, in `odom`: triangles, coloured by friction",
+)
+"""Only if the road has such features, and if its type is installed."""
 DIAGNOSTICS = Topic(
     "/diagnostics",
     "diagnostic_msgs/msg/DiagnosticArray",
@@ -229,6 +235,7 @@ PUBLISHED = (
     ROLLOVER,
     ROBOT_DESCRIPTION,
     SIMULATION_DESCRIPTION,
+    ROAD,
     DIAGNOSTICS,
     CLOCK,
     TRANSFORMS,

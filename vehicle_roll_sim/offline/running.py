@@ -8,7 +8,7 @@ from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.output_file import check_new_folder
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
-from vehicle_roll_sim.manoeuvres.on_roads.own_road import check_road, road_for
+from vehicle_roll_sim.manoeuvres.on_roads.own_road import road_for
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.offline.manoeuvre_argument import manoeuvre_of
 from vehicle_roll_sim.offline.run_result import RunResult
@@ -84,7 +84,7 @@ def drive(
     progress: Callable[[float], None] = lambda seconds: None,
 ) -> RunResult:
     """Reset a simulation and drive a manoeuvre; arguments and result as for `run`."""
-    check_road(manoeuvre, simulation.road)
+    manoeuvre.check_road(simulation.road)
     _check_multiples(manoeuvre, sample, command_period, simulation.step_ns)
     if stamped and bag is None:
         raise InputError("stamped", "", "together with bag", "there is no bag")

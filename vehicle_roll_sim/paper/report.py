@@ -7,6 +7,7 @@ import numpy as np
 from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.paper import assumptions, simplified_models
 from vehicle_roll_sim.paper.claim import FAILS, HOLDS, NOT_CHECKED, Finding
+from vehicle_roll_sim.paper.layout import columns, table
 from vehicle_roll_sim.paper.responses import HEADER as RESPONSES
 from vehicle_roll_sim.paper.responses import response_rows
 from vehicle_roll_sim.paper.study import Study
@@ -50,7 +51,7 @@ def as_markdown(findings: list[Finding]) -> str:
         )
         for finding in findings
     ]
-    return _table(HEADER, rows)
+    return table(HEADER, rows)
 
 
 def tally(findings: list[Finding]) -> str:
@@ -84,36 +85,16 @@ def lift_off_thresholds(study: Study) -> dict[str, float]:
 def numbers_as_text(study: Study) -> str:
     """The responses of all models and the lift-off thresholds, as text in columns."""
     responses, thresholds = _numbers(study)
-    return "\n".join([*_columns(*responses), "", *_columns(*thresholds)])
+    return "\n".join([*columns(*responses), "", *columns(*thresholds)])
 
 
 def numbers_as_markdown(study: Study) -> str:
     """The responses of all models and the lift-off thresholds, as Markdown tables."""
     responses, thresholds = _numbers(study)
-    return f"{_table(*responses)}\n\n{_table(*thresholds)}"
+    return f"{table(*responses)}\n\n{table(*thresholds)}"
 
 
 def _numbers(study: Study) -> tuple[tuple, tuple]:
     """(header, rows) of both tables."""
     thresholds = [(name, f"{g:.3f}") for name, g in lift_off_thresholds(study).items()]
     return (RESPONSES, response_rows(study)), (THRESHOLDS, thresholds)
-
-
-def _columns(header: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
-    """Aligned lines: names left, numbers right, units below the headings."""
-    headings = [name.partition(" (") for name in header]
-    units = tuple(f"({rest}" if rest else "" for _, _, rest in headings)
-    lines = [tuple(name for name, _, _ in headings), units, *rows]
-    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
-    return [
-        "  ".join(
-            cell.rjust(width) if place else cell.ljust(width)
-            for place, (cell, width) in enumerate(zip(line, widths, strict=True))
-        ).rstrip()
-        for line in lines
-    ]
-
-
-def _table(header: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
-    lines = [header, ("---",) * len(header), *rows]
-    return "\n".join("| " + " | ".join(line).strip() + " |" for line in lines)

@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -12,6 +13,8 @@ FURTHEST = 1e5
 Row = tuple[int, list[float], np.ndarray | None]
 """A feature for `model.road.layout.ground_of`: kind, numbers and table."""
 UNBOUNDED = "unbounded"
+SHOWN = 200.0
+"""m of a feature that a picture shows which does not follow a vehicle."""
 
 
 def place(description: str, **settings):
@@ -59,6 +62,23 @@ class Feature:
         """The rows of the ground that it consists of."""
         raise NotImplementedError
 
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        """Where it has edges: values of s, across it, and of n, along it (m); for pictures."""
+        return (0.0,), ()
+
+    def placed(self, points: np.ndarray) -> np.ndarray:
+        """Points s, n of the feature in the ground frame, shape (n, 2) (m)."""
+        _, (x, y, c, s), _ = Feature.row(self, 0)  # some rows begin elsewhere
+        return points @ np.array([[c, s], [-s, c]]) + (x, y)
+
+    def course(self) -> np.ndarray:
+        """Points along its middle in the ground frame, shape (n, 2) (m); at most `SHOWN` long."""
+        along, across = self.edges()
+        sides = [n for n in across if math.isfinite(n)] or [0.0]
+        first, last = min(along), min(max(along), min(along) + SHOWN)
+        s = np.linspace(first, last, max(math.ceil(last - first), 1) + 1)
+        return self.placed(np.column_stack((s, np.full_like(s, (min(sides) + max(sides)) / 2))))
+
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Rectangle(Feature):
@@ -77,3 +97,7 @@ class Rectangle(Feature):
         """Length, right and left edge (m), infinite if they are not given."""
         given = zip((self.length, self.right, self.left), (1, -1, 1), strict=True)
         return tuple(sign * math.inf if value is None else value for value, sign in given)
+
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        length, *sides = self.bounds
+        return (0.0, length), sides

@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -37,6 +38,12 @@ class Ramp(Rectangle):
         rise = (self.length, self.height, top, down)
         return [self.row(RAMP, *rise, right, self.rounding, left, self.rounding, self.rounding)]
 
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        _, right, left = self.bounds
+        end = self.length + (math.inf if self.top is None else self.top)
+        along = (0.0, self.length, end, end + (self.descent or self.rounding))
+        return along, (right, right + self.rounding, left, left + self.rounding)
+
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class CorkscrewRamp(Feature):
@@ -57,6 +64,11 @@ class CorkscrewRamp(Feature):
             across = (-math.inf, self.rounding, -self.width, self.width)
         return [self.row(RAMP, *rise, *across, self.rounding)]
 
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        end = self.length + self.top
+        side = self.width if self.raised == LEFT else -self.width
+        return (0.0, self.length, end, end + self.rounding), (0.0, side)
+
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Wave(Feature):
@@ -73,6 +85,9 @@ class Wave(Feature):
 
     def rows(self) -> list[Row]:
         return [self.row(WAVE, self.length, self.height, self.count)]
+
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        return (0.0, self.length * self.count), ()
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -109,8 +124,17 @@ class Curb(Feature):
             allowed = f"at least four times its rounding, {4 * self.rounding:g} m"
             raise InputError("length", self.length, allowed)
 
+    @property
+    def face(self) -> float:
+        """Width of the face with its rounding (m)."""
+        return self.height / math.tan(math.radians(self.face_angle)) + self.rounding
+
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        ends = (0.0, self.rounding, self.length - self.rounding, self.length)
+        return ends, (0.0, self.face if self.raised == LEFT else -self.face)
+
     def rows(self) -> list[Row]:
-        face = self.height / math.tan(math.radians(self.face_angle)) + self.rounding
+        face = self.face
         rise = (self.rounding, self.height, self.length - 2 * self.rounding, self.rounding)
         tire = (self.side_distance, self.stiffness, self.damping)
         wall = (self.length, self.height, *tire, self.rounding, face)
@@ -163,3 +187,7 @@ class BankedCurve(Feature):
             points[k] = advanced(x, y, POINT_SPACING * (k - 1), POINT_SPACING, *shape)
         own = (count, POINT_SPACING, *shape, self.bank, self.width / 2, self.rounding)
         return [self.row(BANKED_CURVE, *own, table=points.ravel())]
+
+    def course(self) -> np.ndarray:
+        ((_, _, centreline),) = self.rows()
+        return self.placed(centreline.reshape(-1, 2))

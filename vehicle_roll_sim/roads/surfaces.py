@@ -2,12 +2,17 @@
 
 import dataclasses
 import math
+from collections.abc import Sequence
+
+import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.model.road.layout import CHESSBOARD, PATCH, SOIL
 from vehicle_roll_sim.roads.feature import Rectangle, Row, edge, size
 
 LARGEST_FRICTION = 10.0
+MOST_SQUARES = 1000
+"""In either direction of a chessboard with edges of its squares in pictures."""
 
 
 def factor(description: str):
@@ -57,10 +62,16 @@ class Chessboard(Rectangle):
         frictions = (self.friction, self.other_friction)
         return [self.row(CHESSBOARD, *self.bounds, *frictions, *squares)]
 
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        length, right, left = self.bounds
+        along = self.square_length * np.arange(MOST_SQUARES)
+        across = right + self.square_width * np.arange(MOST_SQUARES)
+        return (*along[along < length], length), (*across[across < left], left)
+
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class SoftSoil(Rectangle):
-    """Soil into which wheels sink, and in whose furrows they are held sideways.
+class Soil:
+    """What soft soil is like: how far wheels sink, and what resists them sideways.
 
     A wheel sinks by its load over the stiffness. The furrow resists a wheel that slides sideways
     with Rankine's passive earth pressure over the length of the contact patch,
@@ -77,6 +88,23 @@ class SoftSoil(Rectangle):
         "weight of the soil by volume, gamma", "N/m^3", 0.0, 1e5, default=1.6e4
     )
     contact_length: float = parameter("length of the contact patch, L", "m", 0.01, 2.0, default=0.2)
+
+    @property
+    def resistances(self) -> tuple[float, float]:
+        """Coefficients of z and z^2 in the force on a wheel (N/m, N/m^2)."""
+        passive = math.tan(math.pi / 4 + math.radians(self.friction_angle) / 2) ** 2
+        linear = 2 * self.contact_length * self.cohesion * math.sqrt(passive)
+        return linear, self.contact_length * self.unit_weight * passive / 2
+
+    def soil_values(self) -> dict[str, float]:
+        """Its values by name."""
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(Soil)}
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class SoftSoil(Soil, Rectangle):
+    """Soil into which wheels sink, and in whose furrows they are held sideways."""
+
     rounding: float = edge(default=0.5)
 
     def __post_init__(self):
@@ -84,8 +112,6 @@ class SoftSoil(Rectangle):
         _check_sides(self)
 
     def rows(self) -> list[Row]:
-        passive = math.tan(math.pi / 4 + math.radians(self.friction_angle) / 2) ** 2
-        linear = 2 * self.contact_length * self.cohesion * math.sqrt(passive)
-        quadratic = self.contact_length * self.unit_weight * passive / 2
-        resistances = (linear, quadratic)
-        return [self.row(SOIL, *self.bounds, 1.0 / self.stiffness, *resistances, self.rounding)]
+        return [
+            self.row(SOIL, *self.bounds, 1.0 / self.stiffness, *self.resistances, self.rounding)
+        ]

@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -36,37 +37,48 @@ class Tracks(Feature):
     spacing: float = size("distance of two points of the table in use", least=0.005, default=0.05)
 
     def tracks(self) -> np.ndarray:
-        """Heights of the left and the right track, shape (2, n) (m)."""
+        """Heights of the left and the right track at their points, shape (2, n) (m)."""
         raise NotImplementedError
 
+    def places(self, count: int) -> np.ndarray:
+        """Distances of these points from the first one, in spacings of the table, shape (n,)."""
+        return np.arange(count, dtype=float)
+
     def rows(self) -> list[Row]:
-        heights = np.array(
-            [averaged(each, self.contact_length / self.spacing) for each in self.tracks()]
-        )
+        tracks, width = self.tracks(), self.contact_length / self.spacing
+        places = self.places(tracks.shape[1])
+        heights = np.array([averaged(places, each, width) for each in tracks])
         sides = (self.track / 2, -self.track / 2)
         own = (heights.shape[1], self.spacing, *sides)
         return [self.row(PROFILE, *own, table=heights.ravel())]
 
+    def ends(self) -> tuple[float, float]:
+        """Where it begins and ends along its heading, from its start (m)."""
+        raise NotImplementedError
 
-def averaged(heights: np.ndarray, width: float) -> np.ndarray:
-    """The moving average of heights over a width (in points), of straight lines between them.
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        return self.ends(), (-self.track / 2, self.track / 2)
 
-    Beyond the ends the heights stay the same.
+
+def averaged(places: np.ndarray, heights: np.ndarray, width: float) -> np.ndarray:
+    """Moving averages over a width of straight lines between points, at 0, 1, 2, ... places.
+
+    places: of the points, increasing from 0 on. Beyond the ends the heights stay the same.
     """
+    middle = np.arange(math.ceil(places[-1]) + 1, dtype=float)
     if width == 0.0:
-        return heights
-    reach = math.ceil(width / 2) + 1
-    padded = np.concatenate((np.full(reach, heights[0]), heights, np.full(reach, heights[-1])))
-    at = np.arange(len(padded), dtype=float)
-    area = np.concatenate(([0.0], np.cumsum((padded[1:] + padded[:-1]) / 2)))
+        return np.interp(middle, places, heights)
+    further = np.arange(1.0, math.ceil(width / 2) + 2)
+    at = np.concatenate((-further[::-1], places, places[-1] + further))
+    padded = np.pad(heights, len(further), mode="edge")
+    length, rise = np.diff(at), np.diff(padded)
+    area = np.concatenate(([0.0], np.cumsum((padded[1:] + padded[:-1]) / 2 * length)))
 
     def integral(place: np.ndarray) -> np.ndarray:
-        below = np.floor(place).astype(int)
-        part = place - below
-        rise = (padded[below + 1] - padded[below]) * part**2 / 2
-        return area[below] + padded[below] * part + rise
+        below = np.clip(np.searchsorted(at, place, side="right") - 1, 0, len(length) - 1)
+        part = place - at[below]
+        return area[below] + padded[below] * part + rise[below] / length[below] * part**2 / 2
 
-    middle = at[reach:-reach]
     return (integral(middle + width / 2) - integral(middle - width / 2)) / width
 
 
@@ -113,17 +125,20 @@ class Profile(Tracks):
         first = self.points[0][0]
         return kind, [x + c * first, y + s * first, c, s, *own], table
 
+    def ends(self) -> tuple[float, float]:
+        return self.points[0][0], self.points[-1][0]
+
     def tracks(self) -> np.ndarray:
-        places = np.array([point[0] for point in self.points])
-        sides = [[point[1] for point in self.points], [point[-1] for point in self.points]]
-        count = math.ceil((places[-1] - places[0]) / self.spacing) + 1
-        wanted = places[0] + self.spacing * np.arange(count)
-        return np.array([np.interp(wanted, places, heights) for heights in sides])
+        return np.array([[point[side] for point in self.points] for side in (1, -1)])
+
+    def places(self, count: int) -> np.ndarray:
+        distances = np.array([point[0] for point in self.points])
+        return (distances - distances[0]) / self.spacing
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class RandomProfile(Tracks):
-    """A random road after ISO 8608, the same for the same seed; see `roads.iso8608`."""
+class Roughness:
+    """What a random road is like."""
 
     roughness: str = parameter("class of roughness", choices=tuple(ROUGHNESS), default="B")
     seed: float = parameter("number of the road", "", 0.0, 2.0**53, default=1.0)
@@ -140,6 +155,15 @@ class RandomProfile(Tracks):
         "length over which the roughness grows at the start and fades at the end", default=10.0
     )
 
+    def roughness_values(self) -> dict[str, float | str]:
+        """Its values by name."""
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(Roughness)}
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class RandomProfile(Roughness, Tracks):
+    """A random road after ISO 8608, the same for the same seed; see `roads.iso8608`."""
+
     def __post_init__(self):
         super().__post_init__()
         if self.seed != round(self.seed):
@@ -147,6 +171,9 @@ class RandomProfile(Tracks):
         if self.length / self.spacing > MOST_POINTS:
             allowed = f"at most {MOST_POINTS} times the spacing, {self.spacing:g} m"
             raise InputError("length", self.length, allowed)
+
+    def ends(self) -> tuple[float, float]:
+        return 0.0, self.length
 
     def tracks(self) -> np.ndarray:
         count = round(self.length / self.spacing) + 1
@@ -161,7 +188,7 @@ class RandomProfile(Tracks):
 class Grid(Feature):
     """Heights, and factors of friction, at the points of a grid.
 
-    heights: rows along the heading, from the start on; each row has the heights across, from right
+    heights: rows along the heading, from `ahead` on; each row has the heights across, from right
     to left (m). frictions: likewise, or empty. Between the points heights follow cubic curves,
     friction changes linearly; beyond the grid both stay as at its edge.
     """
@@ -169,6 +196,7 @@ class Grid(Feature):
     spacing: float = size("distance of two rows along the heading", least=0.01)
     side_spacing: float = size("distance of two points of a row", least=0.01)
     right: float = place("where the rows begin, to the left of the start")
+    ahead: float = place("where the first row is, along the heading from the start", default=0.0)
     heights: tuple[tuple[float, ...], ...] = ()
     frictions: tuple[tuple[float, ...], ...] = ()
 
@@ -192,9 +220,14 @@ class Grid(Feature):
         own = (*heights.shape, self.spacing, self.side_spacing, float(bool(self.frictions)))
         return [self.row(GRID, *own, table=np.concatenate(parts))]
 
+    def edges(self) -> tuple[Sequence[float], Sequence[float]]:
+        width = self.side_spacing * (len(self.heights[0]) - 1)
+        return (0.0, self.spacing * (len(self.heights) - 1)), (self.right, self.right + width)
+
     def row(self, kind: int, *numbers: float, table: np.ndarray | None = None) -> Row:
         kind, (x, y, c, s, *own), table = super().row(kind, *numbers, table=table)
-        return kind, [x - s * self.right, y + c * self.right, c, s, *own], table
+        x, y = x - s * self.right + c * self.ahead, y + c * self.right + s * self.ahead
+        return kind, [x, y, c, s, *own], table
 
 
 def _matrix(field: str, values, least: float) -> tuple[tuple[float, ...], ...]:

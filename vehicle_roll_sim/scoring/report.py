@@ -98,11 +98,12 @@ def _write_worst(report: Report, name: str, worst: Worst, folder: Path) -> None:
     """The figure of the worst run of a controller over the one without it, and their page."""
     labels = (name, WITHOUT)
     pairs = list(zip((worst.found, worst.alone), labels, strict=True))
-    drawn = [DrawnRun(each.history, each.events, label) for each, label in reversed(pairs)]
+    road = report.setup.road
+    drawn = [DrawnRun(each.history, each.events, label, road) for each, label in reversed(pairs)]
     title = f"{name}: {worst.name}"
     save_figure(standard_figure(drawn, title), folder / f"worst_{slug(name)}.svg")
     scene = scene_of(report.setup.variant(worst.ladder.variant), report.setup.options)
-    viewed = [ViewedRun(each.history, each.events, label, scene) for each, label in pairs]
+    viewed = [ViewedRun(each.history, each.events, label, scene, road) for each, label in pairs]
     cones = getattr(worst.found.manoeuvre, "cones", ())
     write_page(folder / f"worst_{slug(name)}.html", viewed, title, cones)
 

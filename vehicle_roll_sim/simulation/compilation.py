@@ -17,7 +17,7 @@ from vehicle_roll_sim.model.integration.events import no_events, note_lift_offs
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE, WHEEL_COUNT
 from vehicle_roll_sim.model.road.banked_curve import advanced
 from vehicle_roll_sim.model.road.layout import PLANE
-from vehicle_roll_sim.model.road.surface import surface
+from vehicle_roll_sim.model.road.surface import sample, surface
 from vehicle_roll_sim.model.roll_plane import RollPlane
 from vehicle_roll_sim.model.tire.radii import free_spin, loaded_radius
 from vehicle_roll_sim.simulation.command import Command
@@ -95,6 +95,7 @@ def call_every_kernel() -> None:
     tire = jit.kernel_argument(preset().tire.record())[0]
     loaded_radius(1.0, free_spin(1.0, 1.0, tire), 0.0, 0.0, 0.0, tire)
     surface(0.0, 0.0, PLANE)
+    sample(np.zeros((1, 2)), PLANE, np.zeros((1, 3)))
     advanced(0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.01)
     RollPlane(preset().record())
     quaternion(0.0, 0.0, 0.0)

@@ -1,4 +1,4 @@
-"""Tables of a road file in CSV files of their own: profiles and grids."""
+"""Tables of a road file in files of their own: profiles and grids."""
 
 from pathlib import Path
 
@@ -7,9 +7,12 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.table_file import read_table
 from vehicle_roll_sim.input_errors import number_in
+from vehicle_roll_sim.simulation.open_crg import SPACINGS, grid_values
 
-FILE = "file"
-"""Key of a feature in a road file that names a CSV file, relative to the road file."""
+FILE, FRICTION_FILE = "file", "friction_file"
+"""Keys of a feature in a road file that name files, relative to the road file."""
+OPEN_CRG = ".crg"
+"""Suffix of an OpenCRG file; other files are CSV files."""
 LARGEST_FILE = 50_000_000
 """Bytes."""
 PROFILE = (("distance", "height"), ("distance", "left_height", "right_height"))
@@ -28,15 +31,29 @@ def with_table(values, folder: Path, where: str):
     if not isinstance(values, dict) or FILE not in values or values.get("kind") not in COLUMNS:
         return values
     values, kind = dict(values), values["kind"]
-    name = values.pop(FILE)
-    if not isinstance(name, str) or not name:
-        raise InputError(f"{where}: {FILE}", name, "the name of a CSV file")
-    columns, table = _read(folder / name, kind)
-    found = _points(table) if kind == "profile" else _grid(columns, table, folder / name)
+    path = _path(values, FILE, folder, where)
+    replaced = ()
+    if kind == "grid" and path.suffix.lower() == OPEN_CRG:
+        frictions = None
+        if FRICTION_FILE in values:
+            frictions = _path(values, FRICTION_FILE, folder, where)
+        found, replaced = grid_values(values, path, frictions, where), SPACINGS
+    elif kind == "grid":
+        found = _grid(path)
+    else:
+        found = {"points": _read(path, kind)[1].tolist()}
     for key in found:
-        if key in values:
+        if key in values and key not in replaced:
             raise InputError(f"{where}: {key}", values[key], f"either this or {FILE}, not both")
     return values | found
+
+
+def _path(values: dict, key: str, folder: Path, where: str) -> Path:
+    """The file that a key names, which is taken out of the values."""
+    name = values.pop(key)
+    if not isinstance(name, str) or not name:
+        raise InputError(f"{where}: {key}", name, "the name of a file")
+    return folder / name
 
 
 def _read(path: Path, kind: str) -> tuple[tuple[str, ...], np.ndarray]:
@@ -56,12 +73,9 @@ def _read(path: Path, kind: str) -> tuple[tuple[str, ...], np.ndarray]:
     return tuple(header), np.array(rows)
 
 
-def _points(table: np.ndarray) -> dict:
-    return {"points": table.tolist()}
-
-
-def _grid(columns: tuple[str, ...], table: np.ndarray, path: Path) -> dict:
-    """The keys of a grid from rows in any order, one for each point."""
+def _grid(path: Path) -> dict:
+    """The keys of a grid from the rows of a file in any order, one for each point."""
+    columns, table = _read(path, "grid")
     ahead, row = np.unique(table[:, 0], return_inverse=True)
     aside, column = np.unique(table[:, 1], return_inverse=True)
     shape = len(ahead), len(aside)

@@ -12,34 +12,46 @@ import numpy as np
 from vehicle_roll_sim.analysis.panels import COMMANDS, Signal, signals_of
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.sampled_events import events_of
+from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.simulation.road_mesh import has_mesh, road_mesh
 from vehicle_roll_sim.viewer.page import Feed, page
 from vehicle_roll_sim.viewer.recording import ViewedRun, events_in, recording
+from vehicle_roll_sim.viewer.road import path_of, told_mesh
 
 WINDOW = 30.0
 """s: how much of the run a page shows."""
 EVERY = 0.1
 """Wall time (s) after which there is an update, with or without new samples."""
+MESH_EVERY, MESH_AHEAD = 25.0, 60.0
+"""m: way after which the road is told anew, and how far ahead of the vehicle it is told closely."""
+MESH_CELLS = 1500
 NOTE = f"The last {WINDOW:g} s of a running simulator; this address works on this machine only."
 
 
 @dataclasses.dataclass(frozen=True)
 class Window:
-    """The newest samples. run: another after each reset. page: as in `Feed`."""
+    """The newest samples.
+
+    run: another after each reset. page: as in `Feed`. road: as `told_mesh`.
+    """
 
     run: int
     page: str
     viewed: ViewedRun
     signals: tuple[Signal, ...]
+    road: dict | None
 
 
 class LiveRun:
     """The run of a simulator; samples come from one thread, updates go to several.
 
-    label, scene, rollover_angle: of the vehicle, as for a ViewedRun and `events_of` (rad).
+    label, scene, rollover_angle: of the vehicle, as for a ViewedRun and `events_of` (rad). road:
+    under it.
     """
 
-    def __init__(self, label: str, scene: dict, rollover_angle: float):
+    def __init__(self, label: str, scene: dict, rollover_angle: float, road: Road | None = None):
         self._label, self._scene, self._angle = label, scene, rollover_angle
+        self._road, self._meshed, self._mesh = road, None, None
         self._changed = threading.Condition()
         self._run, self._is_closed, self._rollover = 0, False, math.nan
         self._name = secrets.token_hex(8)
@@ -66,10 +78,24 @@ class LiveRun:
         events["rollover_time"][0] = self._rollover  # it may have left the window
         signals = tuple(signals_of([history], before.signals if before else ()))
         given = "".join(str(int(each in signals)) for each in COMMANDS)
-        viewed = ViewedRun(history, events, self._label, self._scene)
+        viewed = ViewedRun(history, events, self._label, self._scene, self._road)
+        mesh = self._mesh_around(history)
         with self._changed:
-            self.window = Window(self._run, f"{self._name}-{given}", viewed, signals)
+            self.window = Window(self._run, f"{self._name}-{given}", viewed, signals, mesh)
             self._changed.notify_all()
+
+    def _mesh_around(self, history: History) -> dict | None:
+        """The road around the window and ahead of it; another one whenever it has gone on."""
+        path, heading = path_of(history), float(history["yaw"][-1])
+        here = path[-1]
+        if not has_mesh(self._road) or not np.isfinite((*here, heading)).all():
+            return self._mesh
+        if self._meshed is None or math.dist(here, self._meshed) > MESH_EVERY:
+            way = np.array((math.cos(heading), math.sin(heading)))
+            ahead = here + np.arange(MESH_AHEAD)[:, np.newaxis] * way
+            found = road_mesh(self._road, np.concatenate((path, ahead)), MESH_CELLS)
+            self._meshed, self._mesh = here, told_mesh(found)
+        return self._mesh
 
     def close(self) -> None:
         """End all updates."""
@@ -81,13 +107,14 @@ class LiveRun:
         """The page that shows the window, and follows the updates at an address on its server."""
         window = self.window
         feed = Feed(address, window.page, window.signals)
-        return page([window.viewed], self._label, notes=[NOTE], feed=feed)
+        return page([window.viewed], self._label, notes=[NOTE], feed=feed, meshes=[window.road])
 
     def updates(self) -> Iterator[str]:
         """JSON for a page, until `close`: the whole window, then what is added to it.
 
-        Each is a `recording`, with run, page and begin, the first time (s) in the window. What is
-        added begins with the last sample before it. Without anything new: "".
+        Each is a `recording`, with run, page and begin, the first time (s) in the window, and with
+        the road if that is another. What is added begins with the last sample before it. Without
+        anything new: "".
         """
         last = None
         while not self._is_closed:
@@ -108,6 +135,8 @@ def _told(window: Window, last: Window | None) -> str:
     told = recording(added, window.signals, are_apart=True)
     told |= {"events": events_in(viewed), "begin": float(times[0])}
     told |= {"run": window.run, "page": window.page}
+    if not last or last.road is not window.road:
+        told["road"] = window.road
     return json.dumps(told, allow_nan=False, separators=(",", ":"))
 
 

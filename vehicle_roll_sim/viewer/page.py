@@ -18,6 +18,7 @@ from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.version import __version__
 from vehicle_roll_sim.viewer.decimation import MOST_ROWS
 from vehicle_roll_sim.viewer.recording import ViewedRun, panels_of, recording
+from vehicle_roll_sim.viewer.road import roads_of, told_roads
 from vehicle_roll_sim.viewer.study_map import StudyMap, told_map
 
 MOST_RUNS = 4
@@ -25,7 +26,7 @@ MOST_RUNS = 4
 ROWS_OF_MANY = 600
 """As MOST_ROWS, of each run of a page that has more than MOST_RUNS."""
 SCRIPTS = (
-    *("recording.js", "body.js", "vehicle.js", "ground.js", "scene.js"),
+    *("recording.js", "body.js", "vehicle.js", "ground.js", "road.js", "scene.js"),
     *("plots.js", "playback.js", "readings.js", "map.js", "choice.js", "controls.js"),
     *("feed.js", "main.js"),
 )
@@ -55,21 +56,25 @@ def page(
     shown: Sequence[int] = (0,),
     study: StudyMap | None = None,
     feed: Feed | None = None,
+    meshes: Sequence[dict | None] | None = None,
 ) -> str:
     """The HTML text of a page that shows at most MOST_RUNS runs over one another.
 
     cones: points (n, 2) on the ground (m). notes: sentences at the foot of the page. Of more
     than MOST_RUNS, the reader chooses which to show; shown: places of those shown at first.
     study: the map of the study that has the runs; it opens them one by one. feed: where the page
-    finds what is added to its only run.
+    finds what is added to its only run. meshes: those of the roads, if they are known already.
     """
     panels, signals = panels_of(runs, feed.panels if feed else ())
     has_many = len(runs) > MOST_RUNS
     most = ROWS_OF_MANY if has_many else MOST_ROWS
     told = [recording(run, signals, most, are_apart=feed is not None) for run in runs]
     thinned = [THINNED] if any(each["is_thinned"] for each in told) else []
+    roads = roads_of(runs)
     data = {
         "runs": told,
+        "roads": told_roads(runs) if meshes is None else meshes,
+        "on": [roads.index(run.road) if run.road in roads else None for run in runs],
         "shown": list(shown if has_many or study else range(len(runs))),
         "most": MOST_RUNS,
         "study": told_map(study) if study else None,

@@ -1,6 +1,5 @@
 """A run as the page gets it: columns of numbers, curves of the plots, events and vehicle."""
 
-import base64
 import dataclasses
 import math
 from collections.abc import Iterable, Sequence
@@ -11,7 +10,10 @@ from vehicle_roll_sim.analysis.panels import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.model.integration.events import TIME, VALUE
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.runs.history import ROLL_CENTRES, History
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.viewer.decimation import MOST_ROWS, kept_rows
+from vehicle_roll_sim.viewer.packing import packed
+from vehicle_roll_sim.viewer.road import under
 
 MOTION = ("x", "y", "z", "roll", "pitch", "yaw", "u", "roll_rate", "lateral_acceleration")
 OF_WHEELS = (
@@ -26,12 +28,13 @@ KILO = 1e3
 
 @dataclasses.dataclass(frozen=True)
 class ViewedRun:
-    """A run to show: its history, EVENTS record, label, and vehicle (`scene_of`)."""
+    """A run to show: its history, EVENTS record, label, vehicle (`scene_of`), and road."""
 
     history: History
     events: np.record
     label: str
     scene: dict
+    road: Road | None = None
 
 
 def panels_of(
@@ -63,7 +66,7 @@ def recording(
     its own even if all have the same command.
     """
     history, curves = run.history, []
-    columns = _motion(history)
+    columns = _motion(history) | under(history, run.road, run.scene)
     for place, signal in enumerate(signals):
         lines = _lines(signal, history, are_apart)
         names = [f"panel_{place}_{k}" for k in range(len(lines))]
@@ -79,9 +82,9 @@ def recording(
     return {
         "label": run.label,
         "vehicle": run.scene,
-        "time": _packed(history["time"][rows], "<f8"),
+        "time": packed(history["time"][rows], "<f8"),
         "columns": list(columns),
-        "values": _packed(values, "<f4"),
+        "values": packed(values, "<f4"),
         "curves": curves,
         "events": events,
         "rollover": _known(run.events.rollover_time[0]),
@@ -149,9 +152,3 @@ def events_in(run: ViewedRun) -> list[dict]:
 
 def _known(value: float) -> float | None:
     return None if math.isnan(value) else float(value)
-
-
-def _packed(values: Iterable, kind: str) -> str:
-    """Numbers as base64 of their bytes."""
-    with np.errstate(over="ignore"):  # beyond 32 bits: infinite
-        return base64.b64encode(np.ascontiguousarray(values, kind).tobytes()).decode()

@@ -27,7 +27,12 @@ WITH_DROP = {"ramp": 3e-4, "corkscrew ramp": 1e-4}
 """The same where wheels drop from an edge that is passed in 8 steps: the rule is too coarse."""
 PASSIVE = 2e-3
 """The same for what smooth roads give back: see the test."""
-ALL = {**ROADS, "tilt table": road({**TILT, "angles": [[0, 0], [3, 8]]})}
+POSTS = "posts"
+ALL = {
+    **ROADS,
+    "tilt table": road({**TILT, "angles": [[0, 0], [3, 8]]}),
+    POSTS: road({"kind": "commanded"}),
+}
 
 
 class Motion:
@@ -101,11 +106,25 @@ def rotations(roll: np.ndarray, pitch: np.ndarray) -> np.ndarray:
     return np.moveaxis(np.array(rows), -1, 0)
 
 
+def shaken(programme):
+    """The same commands on four posts, each with a sine of its own and some friction."""
+
+    def commands(times: np.ndarray) -> np.ndarray:
+        records = programme(times)
+        rising = np.minimum(times, 1.0)[:, None]
+        records["road_height"] = 0.02 * rising * np.sin(12.0 * times[:, None] + np.arange(4))
+        records["road_friction_change"] = -0.2
+        return records
+
+    return commands
+
+
 def driven(vehicle, name: str, steering: float) -> Run:
     """steering: deg."""
     simulation = Simulation(vehicle, EXACT, step=STEP, road=ALL[name])
     simulation.reset(SPEED)
-    return record_run(simulation, ramp_and_hold(0.4, 10.0, steering), END)
+    programme = ramp_and_hold(0.4, 10.0, steering)
+    return record_run(simulation, shaken(programme) if name == POSTS else programme, END)
 
 
 @pytest.mark.parametrize("name", ALL)

@@ -24,6 +24,23 @@ STEERING, BOTH = (
 FROM_MESSAGES = ("lateral_acceleration",)
 """Columns that the node computes from messages, which rounds differently."""
 SHORT = ("--duration", "1.5")
+COMMANDING = {
+    "braking_in_a_turn": (
+        "brake_torque_cmd",
+        {},
+        ("--handwheel-angle", "20", "--brakes-from", "1.6", "--duration", "2.7"),
+    ),
+    "wind_gust": (
+        "wind_cmd",
+        {"side_force_area": 3.0},
+        ("--start", "0.1", "--gust-time", "0.5", "--duration", "1.7"),
+    ),
+}
+"""Manoeuvres that command more than steering and torque: topic, vehicle, and a short run."""
+REPORTED = {
+    "braking_in_a_turn": ("mean deceleration", "off the circle after 1 s"),
+    "wind_gust": ("peak yaw rate after it", "deviation 1 s later"),
+}
 
 
 def simulator_words(*more: str) -> list[str]:
@@ -84,6 +101,24 @@ def test_in_lockstep_it_is_the_offline_run_to_the_bit_with_and_without_speed_hol
             assert float(one[column]) == pytest.approx(float(other[column]), abs=1e-9)
         for column in one.keys() - {*FROM_MESSAGES}:
             assert one[column] in (other[column], "nan"), (other["time"], column)
+
+
+@pytest.mark.parametrize(("name", "more"), COMMANDING.items())
+def test_in_lockstep_brakes_and_wind_of_a_manoeuvre_are_those_of_the_offline_run(
+    start, capsys, tmp_path, name, more
+):
+    topic, vehicle, words = more
+    node = [word for key, value in vehicle.items() for word in ("-p", f"vehicle.{key}:={value}")]
+    start("simulator", *lockstep(BOTH.replace("]", f", {topic}]"), *node))
+    found, expected = tmp_path / "found.csv", tmp_path / "expected.csv"
+    status, out, err = start("manoeuvre", name, *words, "--csv", str(found)).finish()
+    assert (status, err) == (0, "")
+    given = [word for key, value in vehicle.items() for word in ("--set", f"{key}={value}")]
+    offline_values = run_offline(capsys, name, *words, "--csv", str(expected), *given)
+    rows, others = rows_of(found), rows_of(expected)
+    assert [row["y"] for row in rows] == [row["y"] for row in others]
+    for label in REPORTED[name]:
+        assert values_of(out)[label] == offline_values[label]
 
 
 def test_a_second_manoeuvre_on_the_same_simulator_is_like_the_first(start, tmp_path):

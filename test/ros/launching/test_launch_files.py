@@ -116,11 +116,15 @@ def test_a_parameter_goes_to_the_scripts_that_name_it(launching):
     assert parameters_of(actions["roll_braking"].cmd) == {"threshold": "0.7", "thrshold": "1"}
 
 
-def test_lockstep_waits_for_the_torques_of_a_manoeuvre_that_holds_its_speed(launching):
+def test_lockstep_waits_for_all_that_a_manoeuvre_commands(launching):
     for given in ({"manoeuvre": "step_steer"}, {"options": "--speed-hold 500"}):
         actions = actions_of("manoeuvre", lockstep="true", **given)
         topics = parameters_of(actions["simulator"].cmd)["lockstep_topics"]
         assert topics == "[steering_cmd, wheel_torque_cmd]"
+    for name, more in (("braking_in_a_turn", "brake_torque_cmd"), ("wind_gust", "wind_cmd")):
+        actions = actions_of("manoeuvre", lockstep="true", manoeuvre=name)
+        topics = parameters_of(actions["simulator"].cmd)["lockstep_topics"]
+        assert topics == f"[steering_cmd, wheel_torque_cmd, {more}]"
 
 
 def test_arguments_reach_the_simulator_and_what_is_empty_does_not(launching):

@@ -16,6 +16,11 @@ class OnOwnRoad(Manoeuvre):
     def own_road(self) -> Road:
         """The road of the manoeuvre."""
 
+    def check_road(self, road: Road) -> None:
+        if road != self.own_road():
+            allowed = "a simulation with the road of the manoeuvre, its own_road()"
+            raise InputError("road", "", allowed, "the simulation has another road")
+
 
 def road_for(manoeuvre: Manoeuvre, given: Road | None) -> Road | None:
     """The road on which a manoeuvre is driven: its own if it has one, else the one that is given.
@@ -29,10 +34,3 @@ def road_for(manoeuvre: Manoeuvre, given: Road | None) -> Road | None:
         allowed = "no road, grade or bank: this manoeuvre brings its own road"
         raise InputError("road", "", allowed, "another road is given")
     return own
-
-
-def check_road(manoeuvre: Manoeuvre, road: Road) -> None:
-    """Raise InputError if a simulation with this road cannot drive a manoeuvre."""
-    if road != (road_for(manoeuvre, None) or road):
-        allowed = "a simulation with the road of the manoeuvre, its own_road()"
-        raise InputError("road", "", allowed, "the simulation has another road")

@@ -6,9 +6,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import parameter
 from vehicle_roll_sim.manoeuvres.base import LONGEST, SIDES
-from vehicle_roll_sim.manoeuvres.driver.path_following import PathFollowing
-from vehicle_roll_sim.manoeuvres.driver.preview_steering import PreviewSteering
-from vehicle_roll_sim.manoeuvres.on_roads.own_road import OnOwnRoad
+from vehicle_roll_sim.manoeuvres.on_roads.straight_course import StraightCourse
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.roads.surfaces import LARGEST_FRICTION, Patch
 from vehicle_roll_sim.runs.history import History
@@ -28,7 +26,7 @@ def _torque(description: str, default: float):
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class SplitFrictionBraking(PathFollowing, OnOwnRoad):
+class SplitFrictionBraking(StraightCourse):
     """Straight ahead at the entry speed, then constant brake torques until the vehicle stops."""
 
     low_friction: float = parameter(
@@ -47,16 +45,15 @@ class SplitFrictionBraking(PathFollowing, OnOwnRoad):
     def commanded(self) -> tuple[str, ...]:
         return (*super().commanded, "brake_torque")
 
-    def path_ahead(self, x: float, y: float, distance: float) -> np.ndarray:
-        """The edge of the slippery side, which is the initial course."""
-        return np.array([(x, 0.0), (x + 2.0 * distance, 0.0)])
-
     def own_road(self) -> Road:
         edge = "right" if self.side == "left" else "left"
         return Road(features=(Patch(start=BEHIND, friction=self.low_friction, **{edge: 0.0}),))
 
-    def driver(self) -> Feedback:
-        return SplitFrictionDriver(self, self.steering())
+    def act(self, time: float, commands: np.ndarray) -> None:
+        if time >= self.start:
+            axles = (self.front_brake_torque, self.rear_brake_torque)
+            commands["speed_hold_gain"] = 0.0
+            commands["brake_torque"] = np.repeat(axles, len(WHEELS) // len(axles))
 
     def distance(self, history: History) -> float:
         """The way (m) from the beginning of braking to the stop; nan if it does not stop."""
@@ -69,28 +66,7 @@ class SplitFrictionBraking(PathFollowing, OnOwnRoad):
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         distance = self.distance(history)
         stop = "does not stop" if np.isnan(distance) else f"{distance:.3f} m"
-        return {
-            "stopping distance": stop,
-            "deviation from the course": f"{np.abs(history['y']).max():.3f} m",
-        }
-
-
-class SplitFrictionDriver(Feedback):
-    """Brakes from a time on, and steers along the course."""
-
-    def __init__(self, manoeuvre: SplitFrictionBraking, steering: PreviewSteering):
-        self.manoeuvre, self.steering = manoeuvre, steering
-        axles = (manoeuvre.front_brake_torque, manoeuvre.rear_brake_torque)
-        self.torques = np.repeat(axles, len(WHEELS) // len(axles))
-
-    def command(self, time: float, state) -> np.ndarray:
-        brakes = time >= self.manoeuvre.start
-        commands = self.manoeuvre.straight_ahead(np.array([time]))
-        if brakes:
-            commands["speed_hold_gain"] = 0.0
-            commands["brake_torque"] = self.torques
-        commands["steering"] = self.steering.angle(time, state)
-        return commands
+        return {"stopping distance": stop, **self.off_course(history)}
 
 
 SPLIT_FRICTION_BRAKING = SplitFrictionBraking(speed=20.0, duration=15.0, preview_time=0.6)

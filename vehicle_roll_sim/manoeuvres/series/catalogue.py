@@ -8,7 +8,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.manoeuvres.base import SIDES
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import ON_ANY_ROAD
 from vehicle_roll_sim.manoeuvres.criteria import has_wheel_heights, two_wheel_lift
 from vehicle_roll_sim.manoeuvres.double_lane_change import (
     ISO_DOUBLE_LANE_CHANGE,
@@ -136,7 +136,7 @@ SERIES = {
 
 SEARCHES = {
     name: SpeedSearch(manoeuvre)
-    for name, manoeuvre in STANDARD.items()
+    for name, manoeuvre in ON_ANY_ROAD.items()
     if not isinstance(manoeuvre, PathFollowing | RisingSpeed)
 }
 """Entry-speed searches, for all manoeuvres whose entry speed can be varied by itself."""

@@ -18,8 +18,8 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 KMH = 3.6
 """km/h per m/s."""
-SIGNED = ("amplitude", "scalar", "handwheel_angle", "lateral_acceleration")
-"""Manoeuvre parameters whose sign determines the direction of the first steering input."""
+SIGNED = ("amplitude", "scalar", "handwheel_angle", "lateral_acceleration", "wind_speed")
+"""Manoeuvre parameters whose sign determines the direction of the first input."""
 UNKNOWN = "unknown"
 ROLLED_OVER = Condition.ROLLED_OVER.name.lower()
 DIVERGED = Condition.DIVERGED.name.lower()
@@ -129,7 +129,7 @@ RANGE = ("range of entry speeds", SpeedSearch)
 
 
 def to_the(direction: str, manoeuvre: Manoeuvre) -> Manoeuvre:
-    """The manoeuvre with its first steering input in that direction."""
+    """The manoeuvre with its first input in that direction."""
     names = {field.name for field in dataclasses.fields(manoeuvre)}
     present = [name for name in SIGNED if name in names]
     values = {name: SIDES[direction] * abs(getattr(manoeuvre, name)) for name in present}

@@ -122,6 +122,18 @@ def softness(x, y, ground):
 
 
 @kernel
+def sample(points, ground, found):
+    """Fill `found`, shape (n, 3), at points x, y of the ground frame, shape (n, 2).
+
+    With height (m), factor of friction, and compliance (m/N).
+    """
+    for k in range(len(points)):
+        x, y = points[k, 0], points[k, 1]
+        found[k, 0], _, _, found[k, 1] = surface(x, y, ground)
+        found[k, 2], _, _ = softness(x, y, ground)
+
+
+@kernel
 def tilt_angle(time, ground):
     """Angle of a tilting ground (rad), its left side raised, from its table; 0 if it has none."""
     first, count = int(ground[TILT]), int(ground[TILT_COUNT])

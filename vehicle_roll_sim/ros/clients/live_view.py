@@ -80,7 +80,7 @@ class LiveView(Node):
             self._server.run.close()
         label = self.get_namespace().strip("/") or "simulator"
         scene = scene_of(simulation.vehicle, simulation.options)
-        self._server.run = LiveRun(label, scene, simulation.rollover_angle)
+        self._server.run = LiveRun(label, scene, simulation.rollover_angle, simulation.road)
 
     def _keep(self, whole: tuple) -> None:
         """Keep a complete set; the place in the order stands for the time at which it was sent."""

@@ -18,7 +18,7 @@ from vehicle_roll_sim.files.output_file import (
     check_figure_format,
     check_writable,
 )
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.manoeuvres.catalogue import ON_ANY_ROAD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.ros import signals
 from vehicle_roll_sim.ros.clients.manoeuvre_player import ROUNDING, ManoeuvrePlayer
@@ -101,8 +101,8 @@ def _parser() -> argparse.ArgumentParser:
         prog="manoeuvre",
         description="Drive a running simulator through a manoeuvre and print a summary.",
     )
-    parser.add_argument("manoeuvre", metavar="NAME", help=", ".join(STANDARD))
-    for declaring in map(type, STANDARD.values()):
+    parser.add_argument("manoeuvre", metavar="NAME", help=", ".join(ON_ANY_ROAD))
+    for declaring in map(type, ON_ANY_ROAD.values()):
         add_declared(parser, declaring, "manoeuvre")
     parser.add_argument(
         "--simulator",

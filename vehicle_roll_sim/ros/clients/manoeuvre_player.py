@@ -34,6 +34,8 @@ from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.road import Road
 
 STEERING, TORQUE = "steering_cmd", "wheel_torque_cmd"
+COMMANDED = (STEERING, TORQUE, "brake_torque_cmd", "wind_cmd")
+"""The topics that manoeuvres command."""
 FIELDS = {name: channel.field for name, channel in channels().items()}
 ROUNDING = 1e-9
 """s"""
@@ -71,8 +73,7 @@ class ManoeuvrePlayer(Node):
 
     def _refuse_wrong_overrides(self, lossless: bool = False) -> None:
         heard = [topic.name for topic in COLLECTED]
-        said = [STEERING, TORQUE]
-        refuse_wrong_overrides(self, publishers=said, subscriptions=heard, lossless=lossless)
+        refuse_wrong_overrides(self, publishers=COMMANDED, subscriptions=heard, lossless=lossless)
 
     def prepare(self, simulator: SimulatorClient) -> None:
         """Set the speed, connect and reset.
@@ -112,7 +113,7 @@ class ManoeuvrePlayer(Node):
     @property
     def _needed(self) -> list[str]:
         """The topics that the manoeuvre commands."""
-        return [name for name in (STEERING, TORQUE) if FIELDS[name] in self.manoeuvre.commanded]
+        return [name for name in COMMANDED if FIELDS[name] in self.manoeuvre.commanded]
 
     def _check_awaited(self) -> None:
         """Raise InputError unless lockstep waits for every topic that the manoeuvre commands."""
@@ -133,7 +134,7 @@ class ManoeuvrePlayer(Node):
         until = time.monotonic() + DISCOVERY
         while not (is_theirs := self.count_publishers(TORQUE)) and time.monotonic() < until:
             self._simulator.linger(SETTLING)
-        return self._needed if is_theirs else [STEERING, TORQUE]
+        return self._needed if is_theirs else [*self._needed, TORQUE]
 
     def _refuse_others(self, topics: Iterable[str]) -> None:
         """Raise InputError if another node is known to command one of `topics`."""
@@ -151,9 +152,9 @@ class ManoeuvrePlayer(Node):
 
     def _connect(self, topics: list[str]) -> None:
         """Create the publishers and wait until all subscriptions to them are matched."""
-        kinds = {STEERING: Float64, TORQUE: Float64MultiArray}
         for name in topics:
-            self._commands[name] = make_publisher(self, kinds[name], name, COMMANDING)
+            kind = Float64 if name == STEERING else Float64MultiArray
+            self._commands[name] = make_publisher(self, kind, name, COMMANDING)
         self._simulator.wait(self._is_heard, "a connection to its topics")
         self._simulator.linger(SETTLING)  # they may discover us a little later
 
@@ -243,9 +244,9 @@ class ManoeuvrePlayer(Node):
     def _command(self, when: float) -> None:
         command = command_at(self.driver, when, self.state)
         self.sent[when] = command.steering
-        self._commands[STEERING].publish(Float64(data=command.steering))
-        if TORQUE in self._commands:
-            self._commands[TORQUE].publish(Float64MultiArray(data=command.wheel_torque))
+        for name, publisher in self._commands.items():
+            kind = Float64 if name == STEERING else Float64MultiArray
+            publisher.publish(kind(data=getattr(command, FIELDS[name])))
 
     @property
     def condition(self) -> Condition:

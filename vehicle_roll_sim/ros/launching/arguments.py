@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Iterable
 
 from vehicle_roll_sim.declaration import parameters_of
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.manoeuvres.catalogue import ON_ANY_ROAD
 from vehicle_roll_sim.ros.launching.values import NO, YES
 from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.simulation.options import Options
@@ -70,7 +70,9 @@ CONTROLLER = (
     ),
 )
 MANOEUVRE = (
-    Argument("manoeuvre", "manoeuvre to drive; the launch ends with it", "j_turn", tuple(STANDARD)),
+    Argument(
+        "manoeuvre", "manoeuvre to drive; the launch ends with it", "j_turn", tuple(ON_ANY_ROAD)
+    ),
     Argument(
         "options",
         "options of the manoeuvre, as on the command line: '--amplitude 8 --speed 15'",

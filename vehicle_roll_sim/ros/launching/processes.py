@@ -18,7 +18,8 @@ from launch.actions import (
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
+from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.manoeuvres.catalogue import ON_ANY_ROAD
 from vehicle_roll_sim.ros.controller_scripts import assigned, commanded_by, scripts_of
 from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, DISCOVERY, Argument
 from vehicle_roll_sim.ros.launching.values import YES, log_words, ros_words, understood
@@ -78,10 +79,12 @@ def simulator(given: Mapping[str, str], answers: Iterable[str] = ()) -> Node:
 
 
 def _commanded_by_manoeuvre(given: Mapping[str, str]) -> tuple[str, ...]:
-    """The steering topic, and the torque topic if the manoeuvre holds its speed."""
+    """The topics that the manoeuvre commands; only the steering without a manoeuvre."""
     name = given.get("manoeuvre", "")
-    holds = name and (STANDARD[name].speed_hold != 0.0 or "--speed-hold" in given["options"])
-    return ("steering_cmd", "wheel_torque_cmd") if holds else ("steering_cmd",)
+    fields = {*ON_ANY_ROAD[name].commanded} if name else {"steering"}
+    if name and "--speed-hold" in given["options"]:
+        fields.add("wheel_torque")
+    return tuple(topic for topic, channel in channels().items() if channel.field in fields)
 
 
 def _node(executable: str, given: Mapping[str, str], **more) -> Node:

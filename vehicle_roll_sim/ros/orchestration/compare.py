@@ -25,7 +25,7 @@ from vehicle_roll_sim.files.output_file import (
     check_writable,
 )
 from vehicle_roll_sim.live.command_inbox import channels
-from vehicle_roll_sim.manoeuvres.catalogue import STANDARD, Manoeuvre, manoeuvre_named
+from vehicle_roll_sim.manoeuvres.catalogue import ON_ANY_ROAD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.ros.controller_scripts import assigned, commanded_by, scripts_of
 from vehicle_roll_sim.ros.orchestration.comparison import (
     Chain,
@@ -162,9 +162,9 @@ def _parser() -> argparse.ArgumentParser:
         "--manoeuvre",
         metavar="NAME",
         default="j_turn",
-        help=f"{', '.join(STANDARD)} (default: %(default)s)",
+        help=f"{', '.join(ON_ANY_ROAD)} (default: %(default)s)",
     )
-    for declaring in map(type, STANDARD.values()):
+    for declaring in map(type, ON_ANY_ROAD.values()):
         add_declared(parser, declaring, "manoeuvre")
     group = parser.add_argument_group("nodes")
     assignment = {"metavar": "NAME:=VALUE", "action": "append", "default": []}

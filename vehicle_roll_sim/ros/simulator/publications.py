@@ -12,10 +12,12 @@ from rclpy.publisher import Publisher
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.measured import messages_of
+from vehicle_roll_sim.messages.road_marker import road_marker
 from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     DIAGNOSTICS,
+    ROAD,
     ROBOT_DESCRIPTION,
     ROLLOVER,
     SIMULATION_DESCRIPTION,
@@ -57,7 +59,8 @@ def published_topics(
 ) -> tuple[Topic, ...]:
     """Every topic that a simulator publishes; arguments as for `set_topics`."""
     beside = (ROLLOVER, ROBOT_DESCRIPTION, SIMULATION_DESCRIPTION, DIAGNOSTICS)
-    return (*set_topics(settings, options, devices, actuated), *beside)
+    topics = set_topics(settings, options, devices, actuated)
+    return (*topics, *beside, *filter(is_installed, (ROAD,)))
 
 
 class Publications:
@@ -85,10 +88,13 @@ class Publications:
         self.follow(session)
         self._tree = self._publishers.get(TRANSFORMS)
         self._rollover = self.publisher(ROLLOVER)
-        self._descriptions = [
-            self._tell(ROBOT_DESCRIPTION, robot_description(session.simulation)),
-            self._tell(SIMULATION_DESCRIPTION, describe(session.simulation, session.period_ns)),
-        ]
+        simulation = session.simulation
+        told = {
+            ROBOT_DESCRIPTION: {"data": robot_description(simulation)},
+            SIMULATION_DESCRIPTION: {"data": describe(simulation, session.period_ns)},
+            ROAD: road_marker(simulation.road, settings.frame_prefix) if is_installed(ROAD) else {},
+        }
+        self._descriptions = [self._tell(topic, fields) for topic, fields in told.items() if fields]
 
     def follow(self, session: Session) -> None:
         """Publish the messages of this session from now on."""
@@ -106,10 +112,10 @@ class Publications:
         }
         self._prepare()
 
-    def _tell(self, topic: Topic, text: str):
-        """A latched publisher that has published `text`; keep a reference to it."""
+    def _tell(self, topic: Topic, fields: dict):
+        """A latched publisher that has published a message; keep a reference to it."""
         publisher = self.publisher(topic)
-        publisher.publish(encode(topic.type, {"data": text}))
+        publisher.publish(encode(topic.type, fields))
         return publisher
 
     def _prepare(self) -> None:

@@ -49,7 +49,7 @@ class Feed {
     if (told.run === this.run) run.append(told);
     else run.hold(told);
     this.run = told.run;
-    this.page.renew();
+    this.page.renew(told.road);
     const [begin, end] = playback.range, isOutside = playback.time < begin || playback.time > end;
     if (playback.isFollowing && (isOutside || end - playback.time > MOST_DELAY)) this.follow();
     else if (isOutside) playback.seek(playback.time);

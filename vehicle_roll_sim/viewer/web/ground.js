@@ -2,6 +2,8 @@
 
 /** m: width of a path. */
 const PATH_WIDTH = 0.1;
+/** m: height of a path over a road that is not a plane, so that it is not hidden by its edges. */
+const ABOVE_ROAD = 0.02;
 /** m: spacing of the fine and the coarse grid, extent of each, and width of its lines. */
 const FINE = { mesh: 1, size: 80, width: 0.015 }, COARSE = { mesh: 10, size: 400, width: 0.05 };
 const CONE = { height: 0.5, radius: 0.13 };
@@ -44,6 +46,11 @@ class Ground {
     this.coarse.material.color.set(colour("--major"));
   }
 
+  /** Show the plane, or leave the place to the surface of a road. */
+  appear(isPlane) {
+    for (const each of [this.plane, this.fine, this.coarse]) each.visible = isPlane;
+  }
+
   follow(x, y) {
     for (const each of [this.plane, this.fine, this.coarse]) {
       each.position.x = Math.round(x / COARSE.mesh) * COARSE.mesh;
@@ -72,7 +79,7 @@ class Path {
 
   /** A band along the path: two points and two faces for each sample, none where the position is unknown. */
   ribbon({ time, columns }) {
-    const { x, y } = columns, at = [], faces = [], last = time.length - 1;
+    const { x, y, ground } = columns, at = [], faces = [], last = time.length - 1;
     let wasKnown = false;
     for (let k = 0; k <= last; k++) {
       const before = Math.max(k - 1, 0), after = Math.min(k + 1, last);
@@ -80,7 +87,8 @@ class Path {
       const isKnown = Number.isFinite(x[k] + y[k] + dx + dy);
       const half = isKnown ? PATH_WIDTH / 2 / (Math.hypot(dx, dy) || 1) : 0;
       for (const side of [half, -half]) {
-        at.push(...(isKnown ? [x[k] - side * dy, y[k] + side * dx, 0] : [0, 0, 0]));
+        const height = ground ? ground[k] + ABOVE_ROAD : 0;
+        at.push(...(isKnown ? [x[k] - side * dy, y[k] + side * dx, height] : [0, 0, 0]));
       }
       const p = wasKnown && isKnown ? 2 * k - 2 : -1;
       if (k) faces.push(...(p < 0 ? [0, 0, 0, 0, 0, 0] : [p, p + 1, p + 2, p + 2, p + 1, p + 3]));

@@ -6,15 +6,15 @@ function $(id) {
 
 class Page {
   constructor(told) {
-    const chosen = chosenRuns(told), recordings = chosen.map((run, k) => new Recording(told.runs[run], k));
+    const chosen = chosenRuns(told), recordings = chosen.map((run, k) => new Recording(told.runs[run], k, told.on[run]));
     this.recordings = recordings;
     this.followed = recordings[0];
     this.range = this.wholeTime();
     this.playback = new Playback(this.range, [], (time) => this.show(time));
     this.plots = new Plots($("plots"), told.panels, recordings, this.range, (time) => this.playback.seek(time));
     this.lamps = new Lamps($("lamps"));
-    this.numbers = new Numbers($("numbers"));
-    this.picture = this.pictureOf(told.cones);
+    this.numbers = new Numbers($("numbers"), recordings);
+    this.picture = this.pictureOf(told);
     $("notes").textContent = told.notes.join(" ");
     offerRuns($("choice"), told, chosen);
     offerMap($("map"), told, chosen);
@@ -40,19 +40,19 @@ class Page {
     this.placeMarks(this.range);
   }
 
-  /** Show what has been added to the runs. */
-  renew() {
+  /** Show what has been added to the runs. road: that of the first one, if it is another. */
+  renew(road) {
     const before = [...this.range];
     this.range.splice(0, 2, ...this.wholeTime());
     this.markEvents();
-    if (this.picture) this.picture.renew();
+    if (this.picture) this.picture.renew(road);
     this.plots.renew(before);
   }
 
   /** The 3D view; null, with a message, where there is no WebGL. */
-  pictureOf(cones) {
+  pictureOf({ cones, roads }) {
     try {
-      const picture = new Picture($("picture"), this.recordings, cones);
+      const picture = new Picture($("picture"), this.recordings, cones, roads);
       picture.onFree = () => this.use("free");
       return picture;
     } catch (error) {

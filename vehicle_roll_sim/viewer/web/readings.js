@@ -10,6 +10,9 @@ const NUMBERS = [
   ["load transfer", "", 3, (run, time) => run.loadTransfer(time)],
 ];
 
+/** That of a tilt table, if a run has one. */
+const TABLE = ["tilt table", "deg", 2, (run, time) => DEGREES * run.at("tilt", time)];
+
 function element(kind, text, settings = {}) {
   const made = Object.assign(document.createElement(kind), settings);
   if (text) made.textContent = text;
@@ -37,8 +40,10 @@ class Lamps {
 }
 
 class Numbers {
-  constructor(parent) {
-    this.values = NUMBERS.map(([label, unit]) => {
+  constructor(parent, recordings) {
+    const tilts = recordings.some((run) => run.columns.tilt);
+    this.numbers = tilts ? [...NUMBERS, TABLE] : NUMBERS;
+    this.values = this.numbers.map(([label, unit]) => {
       const row = element("div"), value = element("dd");
       row.append(element("dt", label), value, element("dd", unit));
       parent.append(row);
@@ -47,7 +52,7 @@ class Numbers {
   }
 
   show(run, time) {
-    NUMBERS.forEach(([, , digits, of], k) => {
+    this.numbers.forEach(([, , digits, of], k) => {
       this.values[k].textContent = shown(of(run, time), digits);
     });
   }

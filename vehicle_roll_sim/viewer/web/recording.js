@@ -13,9 +13,10 @@ function bytesOf(text) {
 
 /** One run: columns over time, linear between samples. */
 class Recording {
-  constructor(told, index) {
+  /** road: place of its road among those of the page, null for a plane. */
+  constructor(told, index, road) {
     const { label, vehicle, curves } = told;
-    Object.assign(this, { index, label, vehicle, curves });
+    Object.assign(this, { index, road, label, vehicle, curves });
     this.hold(told);
   }
 

@@ -6,11 +6,19 @@ const CAMERAS = {
   rear: { from: [-6.8, 0, 1.15], to: [0, 0, 0.75], up: [0, 0, 1] },
   top: { from: [0, 0, 16], to: [0, 0, 0], up: [1, 0, 0] },
 };
-const Z = new THREE.Vector3(0, 0, 1);
+const X = new THREE.Vector3(1, 0, 0), Z = new THREE.Vector3(0, 0, 1);
+/** s: over these times about that shown the height of the ground is averaged for the camera. */
+const STEADYING = [-0.4, -0.2, 0, 0.2, 0.4];
+
+/** Height of the road below a vehicle (m), without its bumps. */
+function groundLevel(recording, time) {
+  const heights = STEADYING.map((each) => recording.at("ground", time + each)).filter(Number.isFinite);
+  return heights.reduce((sum, each) => sum + each, 0) / Math.max(heights.length, 1);
+}
 
 class Picture {
   /** Raises an error where there is no WebGL. */
-  constructor(canvas, recordings, cones) {
+  constructor(canvas, recordings, cones, roads) {
     this.canvas = canvas;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
@@ -20,6 +28,8 @@ class Picture {
     this.scene.fog = new THREE.Fog(0, 40, 160);
     this.camera = new THREE.PerspectiveCamera(42, 1, 0.1, 400);
     this.ground = new Ground(this.scene);
+    this.surface = new RoadSurface(this.scene);
+    this.roads = roads;
     if (cones.length) conesAt(cones, this.scene);
     this.addLight();
     this.recordings = recordings;
@@ -53,6 +63,15 @@ class Picture {
     for (const each of this.vehicles || []) each.leave(this.scene);
     this.vehicles = this.recordings.map((each, k) => new VehicleModel(each, k !== index));
     this.vehicles.forEach((each) => this.scene.add(each.group));
+    this.layRoad();
+  }
+
+  /** Show the road of the followed run. */
+  layRoad() {
+    const road = this.roads[this.recordings[this.followed].road] || null;
+    if (road !== this.road) this.surface.hold(road);
+    this.road = road;
+    this.ground.appear(!road);
     this.paint();
   }
 
@@ -60,9 +79,12 @@ class Picture {
     return this.vehicles[this.followed];
   }
 
-  /** Draw the paths that the runs have by now. */
-  renew() {
+  /** Draw the paths that the runs have by now, and the road if it is another. */
+  renew(road) {
     for (const path of this.paths) path.renew();
+    if (road === undefined) return;
+    this.roads = [road];
+    this.layRoad();
   }
 
   /** Take the colours of the page's theme. */
@@ -72,6 +94,8 @@ class Picture {
     this.scene.background = new THREE.Color(colour("--sky"));
     this.scene.fog.color.set(colour("--sky"));
     this.ground.paint(colour);
+    this.surface.paint(colour);
+    surfaceLegend($("surfaces"), this.surface.kinds(colour));
     this.paths.forEach((path, k) => path.paint(colour(`--run-${k}`)));
     this.vehicles.forEach((each, k) => each.paint(colour(`--run-${k}`), colour("--glass")));
     this.draw();
@@ -109,20 +133,22 @@ class Picture {
     for (const vehicle of this.vehicles) vehicle.pose(time);
     for (const path of this.paths) path.show(time);
     const { chassis, group } = this.vehicle;
-    if (group.visible) this.look(chassis.position, chassis.rotation.z);
+    const { recording } = this.vehicle, tilt = recording.at("tilt", time) || 0;
+    if (group.visible) this.look(chassis.position, groundLevel(recording, time), chassis.rotation.z, tilt);
     this.draw();
   }
 
-  /** Move ground, sun and camera with the vehicle. */
-  look({ x, y }, yaw) {
+  /** Move ground, sun and camera with the vehicle. A table tilts by turning the camera the other way. */
+  look({ x, y }, z, yaw, tilt) {
     this.ground.follow(x, y);
-    this.sun.position.set(x - 6, y + 8, 16);
-    this.sun.target.position.set(x, y, 0);
+    this.sun.position.set(x - 6, y + 8, z + 16);
+    this.sun.target.position.set(x, y, z);
     this.sun.target.updateMatrixWorld();
-    const here = new THREE.Vector3(x, y, 0), camera = CAMERAS[this.view];
+    const here = new THREE.Vector3(x, y, z), camera = CAMERAS[this.view];
     if (camera) {
-      const turned = (place) => new THREE.Vector3(...place).applyAxisAngle(Z, yaw).add(here);
-      this.camera.up.set(...camera.up).applyAxisAngle(Z, yaw);
+      const along = (place) => new THREE.Vector3(...place).applyAxisAngle(Z, yaw).applyAxisAngle(X, -tilt);
+      const turned = (place) => along(place).add(here);
+      this.camera.up.copy(along(camera.up));
       this.camera.position.copy(turned(camera.from));
       this.controls.target.copy(turned(camera.to));
     } else {

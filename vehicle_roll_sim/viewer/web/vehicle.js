@@ -122,12 +122,13 @@ class VehicleModel {
   }
 
   /** Lowest point of a wheel's middle plane, not below the ground. */
-  contact(i) {
+  contact(i, time) {
     const axle = new THREE.Vector3(0, 1, 0).transformDirection(this.hubs[i].steered.matrixWorld);
     const down = new THREE.Vector3(0, 0, -1).addScaledVector(axle, axle.z);
     if (down.lengthSq() < 1e-6) down.set(0, 0, -1);
     const point = this.centre(i).addScaledVector(down.normalize(), this.recording.vehicle.wheels[i].radius);
-    point.z = Math.max(point.z, 0);
+    const ground = this.recording.at(`ground_${WHEELS[i]}`, time);
+    point.z = Math.max(point.z, Number.isFinite(ground) ? ground : 0);
     return point;
   }
 
@@ -141,7 +142,7 @@ class VehicleModel {
       arrow.visible = !this.isGhost && length > 0.01;
       if (!arrow.visible) return;
       force.normalize().applyAxisAngle(new THREE.Vector3(0, 0, 1), yaw);
-      arrow.position.copy(this.contact(i));
+      arrow.position.copy(this.contact(i, time));
       arrow.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), force);
       arrow.shaft.scale.z = length;
       arrow.shaft.position.z = length / 2;
