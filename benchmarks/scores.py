@@ -12,7 +12,10 @@ from pathlib import Path
 
 from vehicle_roll_sim.scoring.report import TEXT
 
-CONTROLLERS = ("active_roll_bar", "rear_steering", "roll_braking", "yaw_control")
+CONTROLLERS = (
+    *("active_roll_bar", "lqr_roll_bar", "rear_steering"),
+    *("roll_braking", "yaw_control", "stability_control", "rollover_mpc"),
+)
 BEGIN, END = "<!-- score -->\n", "<!-- end of score -->"
 FIRST, LAST = "## Summary", "## Worst runs"
 """Headings: from the first on, and before the last, the report goes into the page."""

@@ -24,7 +24,14 @@ from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.logs.quantities import QUANTITIES
 from vehicle_roll_sim.messages import topics
 from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariances
-from vehicle_roll_sim.messages.sets import COMMAND_LABELS, DEMAND_LABELS, MOTION_LABELS, ROAD_LABELS
+from vehicle_roll_sim.messages.sets import (
+    ACTUATOR_LABELS,
+    COMMAND_LABELS,
+    DEMAND_LABELS,
+    MOTION_LABELS,
+    ROAD_LABELS,
+)
+from vehicle_roll_sim.messages.stamped import SIGNAL_UNITS
 from vehicle_roll_sim.messages.topics import Topic
 from vehicle_roll_sim.model.layout import CORNERS
 from vehicle_roll_sim.model.records import WHEELS, element_names
@@ -114,9 +121,19 @@ def label_table() -> str:
     labels["`roll_centre`"] = ROLL_CENTRES
     labels["`body_loads`"] = CORNERS
     labels["`measurements`, of the devices that there are"] = ("time", *labels_of(MEASURED))
+    labels["`signals_stamped`"] = tuple(SIGNAL_UNITS)
+    labels["`actuators`"] = ACTUATOR_LABELS
     return table(
         ("topic", "values", "names"),
         *((name, str(len(each)), ", ".join(abridged(each))) for name, each in labels.items()),
+    )
+
+
+def signal_table() -> str:
+    """The values of `signals_stamped`, with their units."""
+    return table(
+        ("position", "name", "unit"),
+        *((f"[{k}]", f"`{name}`", unit) for k, (name, unit) in enumerate(SIGNAL_UNITS.items())),
     )
 
 
@@ -315,6 +332,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "stamped": lambda: topic_table(topics.STAMPED),
     "others": lambda: topic_table(t for t in topics.PUBLISHED if t not in SET),
     "labels": label_table,
+    "signals": signal_table,
     "services": service_table,
     "simulator": lambda: node_parameter_table({"": Settings}),
     "limits": lambda: node_parameter_table({"": CommandLimits}),

@@ -16,13 +16,14 @@ from vehicle_roll_sim.messages.covariances import (
     OdomCovariances,
 )
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, Messages
-from vehicle_roll_sim.messages.stamped import builder
+from vehicle_roll_sim.messages.stamped import SIGNAL_UNITS, builder
 from vehicle_roll_sim.messages.topics import (
     ARRAY,
     CLOCK,
     COMMANDS,
     FLOAT,
     PUBLISHED,
+    SIGNALS,
     STAMPED,
     STATE_SET,
     TRANSFORMS,
@@ -34,9 +35,11 @@ from vehicle_roll_sim.messages.topics import (
 from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.ros.encoding import encode
 from vehicle_roll_sim.ros.topics import message_class
+from vehicle_roll_sim.runs.derived_signals import SIGNALS as DERIVED
+from vehicle_roll_sim.runs.history import History, row_of
 
-OF_SENSORS = ("measurements_stamped",)
-"""See test_measured_messages.py."""
+OTHERS = ("measurements_stamped", "actuators_stamped", "signals_stamped")
+"""Of other vehicles, and the one without a plain version: see the tests of each."""
 OF_FOUR = ("wheel_torque", "brake_torque", "normal_force")
 ROUNDING = 1e-12
 """Of a few operations in double precision on numbers of order 1."""
@@ -201,7 +204,7 @@ def test_applied_command_names_every_element(messages):
     assert torques == list(range(1, 13))
 
 
-@pytest.mark.parametrize("topic", [each for each in STAMPED if each.name not in OF_SENSORS])
+@pytest.mark.parametrize("topic", [each for each in STAMPED if each.name not in OTHERS])
 def test_what_is_stamped_has_every_number_of_the_plain_one_by_name(session, topic):
     messages = Messages(session.simulation, "", encode)
     messages.applied = session.applied
@@ -216,6 +219,23 @@ def test_what_is_stamped_has_every_number_of_the_plain_one_by_name(session, topi
     if hasattr(plain, "layout"):
         assert stamped.name == [dimension.label for dimension in plain.layout.dim]
     assert (len(stamped.velocity), len(stamped.effort)) == (0, 0)
+
+
+def test_the_stamped_signals_are_those_of_the_csv_by_name(session):
+    """Also the loads and the other columns among them."""
+    simulation = session.simulation
+    build = builder(Messages(simulation, "", encode), encode, SIGNALS)
+    simulation.step(Command(steering=0.2), 0.3)
+    message = deserialize_message(build(), message_class(SIGNALS.type))
+    found = dict(zip(message.name, message.position, strict=True))
+    history = History([row_of(simulation)])
+    signals = dict(zip(DERIVED, history.signals()[0], strict=True))
+    assert {*DERIVED} < {*found}
+    for name, value in found.items():
+        assert value == (signals[name] if name in signals else history[name][0]), name
+    assert found["wheel_lift_lf"] > 0.01
+    assert found["wheel_lift_rf"] == 0.0
+    assert {*SIGNAL_UNITS} == {*found}
 
 
 def test_covariances_have_the_diagonals_that_were_given_and_0_beside_them(session):

@@ -16,6 +16,7 @@ from vehicle_roll_sim.bags.reading import recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.command_line.main import main as offline
 from vehicle_roll_sim.messages.topics import (
+    ACTUATORS,
     DIAGNOSTICS,
     MEASUREMENTS,
     ROLL_CENTRE,
@@ -24,6 +25,7 @@ from vehicle_roll_sim.messages.topics import (
 )
 from vehicle_roll_sim.simulation.description import described
 from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.vehicle.actuator_parameters import has_actuators
 from vehicle_roll_sim.vehicle.sensor_parameters import devices_of
 
 pytestmark = pytest.mark.unmeasured
@@ -34,15 +36,17 @@ MANOEUVRES = {
 }
 """Steered by the state; and with the speed held, with model 2."""
 MODELS = {"nhtsa_fishhook": "1", "step_steer": "2"}
-VEHICLES = {"nhtsa_fishhook": SENSORS, "step_steer": {}}
-"""What the reference vehicle does not have: sensors."""
+ACTUATED = {"steering_actuator_time_constant": 0.05}
+VEHICLES = {"nhtsa_fishhook": SENSORS, "step_steer": ACTUATED}
+"""What the reference vehicle does not have: sensors; and an actuator."""
 DESCRIBED = {"/simulation_description", "/robot_description"}
 """What comes before the first set."""
 
 
 def sets(name: str) -> list[str]:
-    devices = devices_of(preset().with_values(VEHICLES[name]))
-    return [topic.name for topic in set_of(Options(model=MODELS[name]), True, devices)]
+    vehicle = preset().with_values(VEHICLES[name])
+    parts = (devices_of(vehicle), has_actuators(vehicle))
+    return [topic.name for topic in set_of(Options(model=MODELS[name]), True, *parts)]
 
 
 def messages_of(bag) -> dict[str, list[bytes]]:
@@ -96,7 +100,8 @@ def test_both_hold_the_same_sets_and_either_is_replayed_to_the_bit(lockstep_bag,
     assert ours.keys() - theirs.keys() <= {"/tf", *commands}  # a type not installed everywhere
     assert theirs.keys() - ours.keys() <= {DIAGNOSTICS.name}
     assert (f"/{ROLL_CENTRE.name}" in ours) == (MODELS[name] == "2")
-    assert (f"/{MEASUREMENTS.name}" in ours) == bool(VEHICLES[name])
+    assert (f"/{MEASUREMENTS.name}" in ours) == (VEHICLES[name] == SENSORS)
+    assert (f"/{ACTUATORS.name}" in ours) == (VEHICLES[name] == ACTUATED)
     count = len(ours["/state"])
     assert count > 100
     for topic in sets(name):

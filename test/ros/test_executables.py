@@ -90,6 +90,7 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
     bag = tmp_path / "bag"
     words = ("publish_clock:=true", "publish_stamped:=true", "model:=2")
     words += tuple(f"vehicle.{device}_period:=0.01" for device in DEVICES)
+    words += ("vehicle.steering_actuator_time_constant:=0.05",)
     start("simulator", "--ros-args", *(part for word in words for part in ("-p", word)))
     recorder = start("recorder", "--output", str(bag), fresh=True)
     peer.listen("state", "applied_command", "/diagnostics")

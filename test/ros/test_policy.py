@@ -85,7 +85,9 @@ def test_the_policy_is_one_after_the_schema_and_denies_by_allowing_nothing_else(
 def test_what_live_nodes_use_is_what_the_policy_allows(start, peer, policy, tmp_path):
     sensors = ("imu_period", "odom_period", "steering_sensor_period")
     of_sensors = (f"vehicle.{name}:=0.01" for name in sensors)
-    every_topic = ("publish_clock:=true", "publish_stamped:=true", "model:='2'", *of_sensors)
+    actuated = "vehicle.steering_actuator_time_constant:=0.05"
+    further = ("publish_stamped:=true", "model:='2'", actuated, *of_sensors)
+    every_topic = ("publish_clock:=true", *further)
     start("simulator", "--ros-args", *(word for each in every_topic for word in ("-p", each)))
     start("recorder", "--output", str(tmp_path / "bag"))
     start("live_view", "--port", "0")

@@ -29,7 +29,7 @@ def make_setup(**values) -> Setup:
 def drive(ladder: Ladder, level: float, setup: Setup, answer: Answer) -> tuple[Driven, Simulation]:
     """Drive as the bench does: the answer to a set acts in the period after it."""
     manoeuvre = ladder.manoeuvre(setup, level)
-    simulation = setup.simulation(ladder.variant)
+    simulation = ladder.simulation(setup)
     simulation.reset(manoeuvre.speed)
     driver, given, warned = manoeuvre.driver(), [], []
     while True:

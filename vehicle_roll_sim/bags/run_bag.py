@@ -70,7 +70,8 @@ class RunBag:
         stamped: bool = False,
     ):
         self._simulation, self._bag = simulation, bag
-        in_set = set_of(simulation.options, stamped, simulation.sensors.devices)
+        parts = (simulation.sensors.devices, simulation.has_actuators)
+        in_set = set_of(simulation.options, stamped, *parts)
         absent = [
             *TOTAL_TORQUES,
             *(() if simulation.feels_wind else OF_WIND),

@@ -37,7 +37,7 @@ from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.offline.manoeuvre_argument import manoeuvre_of
 from vehicle_roll_sim.offline.run_result import RunResult
 from vehicle_roll_sim.offline.running import drive
-from vehicle_roll_sim.runs.history import WITH_COMMANDS, check_with_commands
+from vehicle_roll_sim.runs.history import WITH_COMMANDS, WITH_SIGNALS, check_with_csv
 from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD
 from vehicle_roll_sim.runs.summary import line
 from vehicle_roll_sim.simulation.simulation import SHORTEST_STEP, Simulation
@@ -83,7 +83,8 @@ def run_command(words: list[str], program: str) -> int:
     csv, plot, bag = _results(arguments)
     view = _page(arguments, csv, plot, bag)
     size = figure_size.named_size(arguments.size, "--size", plot)
-    check_with_commands(arguments.with_commands, csv)
+    check_with_csv("--with-commands", arguments.with_commands, csv)
+    check_with_csv("--with-signals", arguments.with_signals, csv)
     if plot:
         signals.import_interruptibly("analysis.plots")
     if bag:
@@ -99,7 +100,7 @@ def run_command(words: list[str], program: str) -> int:
             raise as_option(error) from None
         raise
     if csv:
-        result.write_csv(csv, arguments.with_commands)
+        result.write_csv(csv, arguments.with_commands, arguments.with_signals)
     if plot:
         result.plot(plot, arguments.manoeuvre or arguments.commands, size)
     if view:
@@ -131,6 +132,7 @@ def _parser(program: str, manoeuvre: Manoeuvre | None) -> argparse.ArgumentParse
     group = parser.add_argument_group("results")
     group.add_argument("--csv", metavar="FILE", help="write the samples to a CSV file")
     group.add_argument("--with-commands", action="store_true", help=WITH_COMMANDS)
+    group.add_argument("--with-signals", action="store_true", help=WITH_SIGNALS)
     group.add_argument(
         "--bag",
         metavar="DIR",

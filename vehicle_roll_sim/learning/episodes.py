@@ -15,6 +15,7 @@ from vehicle_roll_sim.learning.scenario import Scenario
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import COMMAND, WHEEL_COUNT
+from vehicle_roll_sim.runs.metrics import wheel_lift
 from vehicle_roll_sim.runs.run import HELD_PERIOD
 from vehicle_roll_sim.runs.run_metrics import metrics_of_series
 from vehicle_roll_sim.simulation.simulation import whole_steps
@@ -24,7 +25,7 @@ FACTORS = {"manoeuvre.speed": {"distribution": "uniform", "lowest": 14.0, "highe
 """What is drawn for each episode by default."""
 STEP = 0.0025
 """s: integration step."""
-TIME, LOADS, COMPRESSIONS, ROW_SIZE = 0, slice(1, 5), slice(5, 9), 9
+TIME, LOADS, LIFTS, ROW_SIZE = 0, slice(1, 5), slice(5, 9), 9
 """Columns of the rows, one for each period, from which the metrics are computed."""
 
 
@@ -151,7 +152,7 @@ class Episodes:
         rows = np.empty((len(places), ROW_SIZE))
         rows[:, TIME] = self._fleet.times[places]
         rows[:, LOADS] = self._fleet.outputs["normal_force"][places]
-        rows[:, COMPRESSIONS] = self._fleet.states["tire_compression"][places]
+        rows[:, LIFTS] = wheel_lift(self._fleet.states["tire_compression"][places])
         self._rows[places, self._counts[places]] = rows
         self._counts[places] += 1
 
@@ -167,7 +168,7 @@ class Episodes:
     def final_info(self, i: int) -> dict:
         """The condition and the metrics of an episode that has ended."""
         rows = self._rows[i, : self._counts[i]]
-        series = (rows[:, TIME], rows[:, LOADS], rows[:, COMPRESSIONS])
+        series = (rows[:, TIME], rows[:, LOADS], rows[:, LIFTS])
         metrics = metrics_of_series(*series, self._fleet.events[i], float(self._fleet.times[i]))
         condition = Condition(self._fleet.conditions[i])
         return {"condition": condition.name, "metrics": metrics}

@@ -14,22 +14,20 @@ ROUNDING = 1e-9
 def two_wheel_lift(history: History) -> float:
     """Time (s) of the first sample with both wheels of one side at least 2 inches off the ground.
 
-    nan if there is none, or if the model has no tire compression. Off the ground the tire
-    compression is negative: minus the height of the tire above the ground.
+    nan if there is none, or if the heights of the wheels are unknown.
     """
-    wheels = (history.wheels("tire_compression"), history.wheels("normal_force"))
-    return two_wheel_lift_time(history["time"], *wheels)
+    return two_wheel_lift_time(history["time"], history.wheel_lift())
 
 
 def has_wheel_heights(history: History) -> bool:
-    """Whether the model computes the height of its wheels above the ground."""
-    return not np.isnan(history.wheels("tire_compression")).all()
+    """Whether the heights of the wheels above the ground are known."""
+    return not np.isnan(history.wheel_lift()).all()
 
 
 def two_wheel_lift_line(history: History) -> dict[str, str]:
     """The line on two-wheel lift in the summary of a run."""
     if not has_wheel_heights(history):
-        return {"two-wheel lift": "unknown: the model does not compute wheel heights"}
+        return {"two-wheel lift": "unknown: no heights of the wheels"}
     time = two_wheel_lift(history)
     return {"two-wheel lift": "none" if math.isnan(time) else f"{time:.3f} s"}
 

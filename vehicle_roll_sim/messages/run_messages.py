@@ -73,7 +73,10 @@ class RunMessages:
         return all(_has_sent_after(sent, kept) for kept in (*self._others.values(), *added))
 
     def history(self, road: Road) -> History:
-        """One row for each complete set, driven on `road`; nan in columns that no topic carries."""
+        """One row for each complete set, driven on `road`; nan in columns that no topic carries.
+
+        On a road that is no plane the lift of wheels is unknown.
+        """
         sets = self._complete_sets()
         given, end = [command for _, command, *_ in sets.values()], len(COMMAND_LABELS)
         commands = np.array([values[end - len(COMMANDS) : end] for values in given])
@@ -83,7 +86,8 @@ class RunMessages:
         self._add_forces(rows, sets)
         centres = self._added_values(ROLL_CENTRE.name, len(ROLL_CENTRES), sets)
         loads = self._added_values(BODY_LOADS.name, len(CORNERS), sets)
-        return History(rows, commands, centres, wind, body_loads=loads)
+        lifts = np.full((len(rows), len(WHEELS)), np.nan) if road.has_heights else None
+        return History(rows, commands, centres, wind, body_loads=loads, lifts=lifts)
 
     def _add_forces(self, rows: list[np.ndarray], places: Iterable[int]) -> None:
         """Fill the horizontal tire forces of the rows, which belong to the states at some places.

@@ -11,6 +11,7 @@ from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, O
 from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
 from vehicle_roll_sim.messages.topics import (
+    ACTUATORS,
     BODY_LOADS,
     CLOCK,
     FLOAT,
@@ -64,7 +65,12 @@ EMPTY_LIST = 4
 """Bytes of an empty list: its length field."""
 FLAGS_MARK = (250, 251, 252, 253)
 """A placeholder that no lift-off flags contain otherwise."""
-TYPES = {topic.name: topic.type for topic in (*STATE_SET, ROLL_CENTRE, BODY_LOADS, MEASUREMENTS)}
+ACTUATOR_LABELS = (
+    "time",
+    *(f"{kind}_{name}" for kind in ("limited", "lag", "lag_rate") for name in COMMAND_LABELS[1:]),
+)
+OF_SOME = (ROLL_CENTRE, BODY_LOADS, MEASUREMENTS, ACTUATORS)
+TYPES = {topic.name: topic.type for topic in (*STATE_SET, *OF_SOME)}
 
 
 class Messages:
@@ -98,6 +104,7 @@ class Messages:
         self._motion = self._labelled("motion", MOTION_LABELS)
         self._roll_centre = self._labelled("roll_centre", ROLL_CENTRES)
         self._body_loads = self._labelled("body_loads", CORNERS)
+        self._actuators = self._labelled("actuators", ACTUATOR_LABELS)
         self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
         self._single = {
             topic.name: MessageTemplate(encode(topic.type, {"data": MARK}), 1)
@@ -260,6 +267,11 @@ class Messages:
     def body_loads(self) -> bytes:
         self._body_loads.numbers[:] = self.simulation.outputs["body_load"]
         return bytes(self._body_loads)
+
+    def actuators(self) -> bytes:
+        self._actuators.numbers[0] = self.simulation.time
+        self._actuators.numbers[1:] = self.simulation.actuation.states().ravel()
+        return bytes(self._actuators)
 
     def _attitude(self) -> tuple[float, ...]:
         roll, pitch, yaw = self.simulation.state_vector[ANGLES].tolist()

@@ -164,6 +164,13 @@ MEASUREMENTS = Topic(
     meaning="with sensors: time since the reset, then their last readings",
 )
 """Also part of the set if the vehicle has sensors."""
+ACTUATORS = Topic(
+    "actuators",
+    ARRAY,
+    meaning="with actuators: time since the reset, then their states: the output of the rate "
+    "limiters, that of the lags, and its rate",
+)
+"""Also part of the set if the vehicle has actuators."""
 MEASURED_BY = {"odom": (ODOMETRY,), "imu": (IMU,), "joint_states": (WHEEL_SPEEDS, STEERING)}
 """The topics that have the readings of devices, if the vehicle has these."""
 TRUTH = "ground_truth/"
@@ -177,23 +184,31 @@ GROUND_TRUTH = tuple(
     if topic.name in MEASURED_BY
 )
 """Also part of the set if devices measure what these topics have."""
-OF_SOME_SETS = (ROLL_CENTRE, BODY_LOADS, MEASUREMENTS, *GROUND_TRUTH)
+OF_SOME_SETS = (ROLL_CENTRE, BODY_LOADS, MEASUREMENTS, ACTUATORS, *GROUND_TRUTH)
 """The topics of a set that depend on model and vehicle, besides the stamped ones."""
 STAMPED_ENDING = "_stamped"
-STAMPED = tuple(
-    Topic(
-        topic.name + STAMPED_ENDING,
-        JOINTS,
-        unit=topic.unit,
-        meaning=f"`{topic.name}` with a header: values in `position`, their names in `name`",
-    )
-    for topic in (*STATE_SET, ROLL_CENTRE, BODY_LOADS, MEASUREMENTS)
-    if topic.type in (FLOAT, ARRAY, FLAGS)
+SIGNALS = Topic(
+    f"signals{STAMPED_ENDING}",
+    JOINTS,
+    meaning="the quantities that are plotted most, in `position`, with their names in `name`",
+)
+STAMPED = (
+    *(
+        Topic(
+            topic.name + STAMPED_ENDING,
+            JOINTS,
+            unit=topic.unit,
+            meaning=f"`{topic.name}` with a header: values in `position`, their names in `name`",
+        )
+        for topic in (*STATE_SET, ROLL_CENTRE, BODY_LOADS, MEASUREMENTS, ACTUATORS)
+        if topic.type in (FLOAT, ARRAY, FLAGS)
+    ),
+    SIGNALS,
 )
 """Also part of the set with `publish_stamped`: topics without a header, with a header and names.
 
-JointState is the only standard message with a header and named numbers, and plotting and bag tools
-show the numbers by these names."""
+The last one has no version without a header. JointState is the only standard message with a header
+and named numbers, and plotting and bag tools show the numbers by these names."""
 TRANSFORMS = Topic(
     "/tf",
     "tf2_msgs/msg/TFMessage",
@@ -234,10 +249,13 @@ PUBLISHED = (
 )
 
 
-def set_of(options: Options, stamped: bool, devices: Collection[str] = ()) -> tuple[Topic, ...]:
+def set_of(
+    options: Options, stamped: bool, devices: Collection[str] = (), actuated: bool = False
+) -> tuple[Topic, ...]:
     """The topics of a set of a model, in order.
 
     stamped: with those of `publish_stamped`. devices: names of those of the vehicle's sensors.
+    actuated: whether it has actuators.
     """
     measured = {TRUTH + name for name, by in MEASURED_BY.items() if not {*by}.isdisjoint(devices)}
     topics = (
@@ -245,7 +263,10 @@ def set_of(options: Options, stamped: bool, devices: Collection[str] = ()) -> tu
         *((ROLL_CENTRE,) if options.is_kinematic else ()),
         *((BODY_LOADS,) if options.body_contact else ()),
         *((MEASUREMENTS,) if devices else ()),
+        *((ACTUATORS,) if actuated else ()),
         *(topic for topic in GROUND_TRUTH if topic.name in measured),
     )
-    names = {topic.name + STAMPED_ENDING for topic in topics if stamped}
+    if not stamped:
+        return topics
+    names = {SIGNALS.name, *(topic.name + STAMPED_ENDING for topic in topics)}
     return (*topics, *(topic for topic in STAMPED if topic.name in names))

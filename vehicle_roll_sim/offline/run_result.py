@@ -12,6 +12,7 @@ from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
+from vehicle_roll_sim.runs.derived_signals import SIGNALS
 from vehicle_roll_sim.runs.history import COLUMNS, UNITS, History
 from vehicle_roll_sim.runs.run_metrics import metrics_of
 from vehicle_roll_sim.runs.summary import line, summary_lines
@@ -21,6 +22,9 @@ from vehicle_roll_sim.simulation.road import Road
 @dataclasses.dataclass(frozen=True)
 class RunResult:
     """The result of a run; `result["roll"]` is a column, shape (rows,), in SI units and radians.
+
+    So is `result["sideslip_angle"]`, like all SIGNALS of `runs.derived_signals`, though `columns`
+    does not have them.
 
     manoeuvre: as driven, completed for the vehicle. history: all rows. events: EVENTS record with
     lift-off and rollover times (s, nan for never) and peaks. condition: RUNNING if the run was
@@ -42,7 +46,10 @@ class RunResult:
     units = UNITS
 
     def __getitem__(self, name: str) -> np.ndarray:
-        return self.history.rows[:, known(name, COLUMNS)]
+        place = known(name, (*COLUMNS, *SIGNALS))
+        if place < len(COLUMNS):
+            return self.history.rows[:, place]
+        return self.history.signals()[:, place - len(COLUMNS)]
 
     def __len__(self) -> int:
         return len(self.history.rows)
@@ -76,9 +83,11 @@ class RunResult:
         """All rows as a pandas DataFrame, units in `.attrs["units"]`; requires pandas."""
         return data_frame(self.to_numpy(), UNITS)
 
-    def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
-        """Write all rows in full precision, like the options --csv and --with-commands."""
-        self.history.write_csv(path_of(path, "path"), with_commands)
+    def write_csv(
+        self, path: str | Path, with_commands: bool = False, with_signals: bool = False
+    ) -> None:
+        """Write all rows in full precision, like --csv, --with-commands and --with-signals."""
+        self.history.write_csv(path_of(path, "path"), with_commands, with_signals)
 
     def plot(self, path: str | Path, title: str = "", size: Size | str | None = None) -> None:
         """Write the standard figure (PNG, SVG or PDF, by the suffix of `path`).

@@ -24,6 +24,7 @@ from vehicle_roll_sim.model.integration.drive import (
 )
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import COMMAND
+from vehicle_roll_sim.runs.derived_signals import LIFT_PLACES, lifts_on_road
 from vehicle_roll_sim.runs.history import (
     COLUMNS,
     FURTHER_PLACES,
@@ -51,7 +52,8 @@ LONGEST_BLOCK = 20_000
 WRITABLE = ("C_CONTIGUOUS", "WRITEABLE")
 """The one form of an array that is compiled."""
 PLACES = np.concatenate((OUTPUT_PLACES, FURTHER_PLACES))
-"""Indices of the outputs in a row, those that not every model has last."""
+"""Indices of the outputs in a row, those that not every model has last; on a road with features
+LIFT_PLACES follow."""
 
 
 def compiled_run(
@@ -101,8 +103,11 @@ class _Loop:
         self.end = self.now + whole_steps(duration, step, "duration") * step
         self.steps_at = in_whole_steps(getattr(driver, "steps_at", ()), step)
         most = (self.end - self.now) // self.sample + 3
-        self.rows = np.empty((most, len(COLUMNS) + len(FURTHER_PLACES)))
-        self.rows[0] = np.concatenate((row_of(simulation), further_of(simulation)))
+        on_road = LIFT_PLACES if simulation.road.features else LIFT_PLACES[:0]
+        self.places = np.concatenate((PLACES, on_road))
+        self.rows = np.empty((most, len(COLUMNS) + len(FURTHER_PLACES) + len(on_road)))
+        further = (further_of(simulation), simulation.output_vector[on_road])
+        self.rows[0] = np.concatenate((row_of(simulation), *further))
         self.driven, self.held = np.zeros(most, COMMAND), np.zeros(1, COMMAND)
         if simulation.has_actuators:
             self.driven[0] = simulation.actuation.records()[0]
@@ -118,7 +123,7 @@ class _Loop:
             clock[[SAMPLE, PERIOD]] = self.sample, self.period
             rows, driven = self.rows[self.count :], self.driven[self.count :]
             count, has_dropped = drive_on(
-                self.simulation, commands, self.held, clock, watch, PLACES, rows, driven
+                self.simulation, commands, self.held, clock, watch, self.places, rows, driven
             )
             self.count, self.now = self.count + count, self.simulation.time_ns
             self._heed(watch, has_dropped)
@@ -166,7 +171,9 @@ class _Loop:
 
     def history(self) -> History:
         """The rows so far, without commands."""
-        rows, further = np.split(self.rows[: self.count], [len(COLUMNS)], axis=1)
+        ends = (len(COLUMNS), len(COLUMNS) + len(FURTHER_PLACES))
+        rows, further, outputs = np.split(self.rows[: self.count], ends, axis=1)
         history = History(rows)
         history.add_further(further, self.simulation.options)
+        history.lifts = lifts_on_road(outputs, self.simulation) if outputs.size else None
         return history

@@ -18,6 +18,8 @@ from vehicle_roll_sim.model.records import (
     STATE_NAMES,
     WHEELS,
 )
+from vehicle_roll_sim.runs.derived_signals import SIGNALS, signals_of
+from vehicle_roll_sim.runs.metrics import wheel_lift
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, field_of
 from vehicle_roll_sim.simulation.simulation import Simulation
@@ -80,13 +82,14 @@ FURTHER = {
 MEASURED = "measured_"
 """Begins the names of further columns of vehicles with sensors: the last reading of each."""
 WITH_COMMANDS = "add all commands to the CSV, not only the steering; `plot` then draws them"
-"""Help text of the option of that name."""
+WITH_SIGNALS = "add sideslip angle, load transfer and the lift of each wheel to the CSV"
+"""Help texts of the options of these names."""
 
 
-def check_with_commands(wanted: bool, csv: Path | None) -> None:
-    """Raise InputError if commands are requested without a CSV file to write them to."""
+def check_with_csv(option: str, wanted: bool, csv: Path | None) -> None:
+    """Raise InputError if further columns are requested without a CSV file to write them to."""
     if wanted and csv is None:
-        raise InputError("--with-commands", "", "together with --csv", "without a file")
+        raise InputError(option, "", "together with --csv", "without a file")
 
 
 def _places_of_outputs() -> tuple[np.ndarray, np.ndarray]:
@@ -135,6 +138,8 @@ class History:
     of WIND, shape (rows, 2), or None if the vehicle does not feel it or it is unknown. measured:
     the last readings of sensors, shape (rows, k), and `measured_names`, the k names of further
     columns; none without sensors. body_loads: values of BODY_LOADS, shape (rows, 8), or None.
+    lifts: of the wheels on a road with features (m), shape (rows, 4); None on a plane, where the
+    tire compressions have them.
     """
 
     def __init__(
@@ -146,7 +151,9 @@ class History:
         measured: np.ndarray | None = None,
         measured_names: tuple[str, ...] = (),
         body_loads: np.ndarray | None = None,
+        lifts: np.ndarray | None = None,
     ):
+        self.lifts = lifts
         self.rows, self.commands, self.roll_centres = np.asarray(rows), commands, roll_centres
         self.wind, self.measured_names, self.body_loads = wind, measured_names, body_loads
         self.measured = np.zeros((len(self.rows), 0)) if measured is None else measured
@@ -192,6 +199,16 @@ class History:
         first = COLUMNS.index(f"{quantity}_{WHEELS[0]}")
         return self.rows[:, first : first + len(WHEELS)]
 
+    def wheel_lift(self) -> np.ndarray:
+        """Distance of the tires from the road, shape (rows, 4) (m), see SIGNALS; nan if unknown."""
+        return wheel_lift(self.wheels("tire_compression")) if self.lifts is None else self.lifts
+
+    def signals(self) -> np.ndarray:
+        """The values of SIGNALS, shape (rows, len(SIGNALS))."""
+        velocity = (self["u"], self["v"], self["w"])
+        parts = (self["roll"], self["pitch"], self.wheels("normal_force"), self.wheel_lift())
+        return signals_of(velocity, *parts)
+
     def command(self, name: str) -> np.ndarray:
         """One column of COMMANDS or WIND, shape (rows,); nan if it is unknown.
 
@@ -215,16 +232,20 @@ class History:
 
     def part(self, chosen: np.ndarray) -> "History":
         """The selected rows; chosen: a boolean for each row, shape (rows,)."""
-        found = {name: getattr(self, name) for name in FURTHER.values()}
+        names = (*FURTHER.values(), "lifts")
+        found = {name: getattr(self, name) for name in names}
         found = {name: None if v is None else v[chosen] for name, v in found.items()}
         measured = {"measured": self.measured[chosen], "measured_names": self.measured_names}
         return History(self.rows[chosen], **found, **measured)
 
-    def write_csv(self, path: str | Path, with_commands: bool = False) -> None:
+    def write_csv(
+        self, path: str | Path, with_commands: bool = False, with_signals: bool = False
+    ) -> None:
         """Write all rows in full precision; the file is written completely or not at all.
 
         Columns of ROLL_CENTRES and BODY_LOADS follow if they are known. with_commands: append
-        COMMANDS, nan if they are unknown, and WIND if it is known. What sensors measured is last.
+        COMMANDS, nan if they are unknown, and WIND if it is known. with_signals: append SIGNALS.
+        What sensors measured comes last.
         """
         names, rows = COLUMNS, self.rows
         if self.roll_centres is not None:
@@ -235,6 +256,8 @@ class History:
             names, rows = (*names, *COMMANDS), np.hstack((rows, self._known_commands()))
             if self.wind is not None:
                 names, rows = (*names, *WIND), np.hstack((rows, self.wind))
+        if with_signals:
+            names, rows = (*names, *SIGNALS), np.hstack((rows, self.signals()))
         if self.measured_names:
             names, rows = (*names, *self.measured_names), np.hstack((rows, self.measured))
         with replaced_file(path) as partial, partial.open("w", encoding="utf-8") as file:

@@ -115,14 +115,20 @@ def load_transfer_ratio(loads: np.ndarray) -> float | np.ndarray:
     return np.divide(right - left, total, out=np.zeros(np.shape(total)), where=total != 0.0)[()]
 
 
-def two_wheel_lift_time(time: np.ndarray, tire_compression: np.ndarray, loads: np.ndarray) -> float:
+def wheel_lift(tire_compression: np.ndarray) -> np.ndarray:
+    """Distance (m) of each tire from the road, 0 in contact; the same shape.
+
+    tire_compression: against the road (m), negative off it; nan gives nan.
+    """
+    return np.maximum(-tire_compression, 0.0) + 0.0  # without the sign of a negative zero
+
+
+def two_wheel_lift_time(time: np.ndarray, wheel_lift: np.ndarray) -> float:
     """Time (s) of the first sample with both wheels of one side at least 2 inches off the ground.
 
-    tire_compression: (n, 4) (m), off the ground minus the height of the tire above it; nan in a
-    model without it, which gives nan. It is that above the plane of the road: on a road with
-    heights, a wheel counts that is 2 inches above the plane and has no load. loads: (n, 4) (N).
+    wheel_lift: (n, 4) (m), nan in a model without it, which gives nan.
     """
-    is_off = (-tire_compression >= TWO_INCHES) & (loads <= 0.0)
+    is_off = wheel_lift >= TWO_INCHES
     lifted = (is_off[:, LF] & is_off[:, LR]) | (is_off[:, RF] & is_off[:, RR])
     return float(time[np.argmax(lifted)]) if lifted.any() else math.nan
 

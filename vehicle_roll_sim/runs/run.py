@@ -9,6 +9,7 @@ import numpy as np
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import LR
+from vehicle_roll_sim.runs.derived_signals import wheel_lifts_of
 from vehicle_roll_sim.runs.history import History, further_of, measured_names, row_of
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
@@ -58,7 +59,7 @@ def run(
     end = simulation.time_ns + whole_steps(duration, step_ns, "duration") * step_ns
     steps_at = [] if period else in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
     rows, held = [row_of(simulation)], None
-    further = [further_of(simulation)]
+    further, lifts = [further_of(simulation)], [wheel_lifts_of(simulation)]
     readings = [simulation.sensors.readings()]
     driven = [_driven(simulation, Command() if period else None)]
     if observer:
@@ -78,6 +79,7 @@ def run(
         if has_moved and (ended or simulation.time_ns % every == 0):
             rows.append(row_of(simulation))
             further.append(further_of(simulation))
+            lifts.append(wheel_lifts_of(simulation))
             readings.append(simulation.sensors.readings())
             driven.append(_driven(simulation, held))
         if observer and (ended or simulation.time_ns % period == 0):
@@ -85,6 +87,8 @@ def run(
         progress((simulation.time_ns - now) / NANOSECONDS)
     history = History(rows)
     history.add_further(np.array(further), simulation.options)
+    if simulation.road.features:
+        history.lifts = np.array(lifts)
     history.measured, history.measured_names = np.array(readings), measured_names(simulation)
     if driven[0] is None:
         records = records_by_time(history, driver)

@@ -18,6 +18,8 @@ METRIC_UNITS = {
     "peak_load_transfer_ratio_time": "s",
     **{f"lift_off_time_{wheel}": "s" for wheel in WHEELS},
     "two_wheel_lift_time": "s",
+    "peak_wheel_lift": "m",
+    "peak_wheel_lift_time": "s",
     "rollover_time": "s",
     "end_time": "s",
 }
@@ -29,28 +31,28 @@ def metrics_of(history: History, events: np.record, time: float) -> dict[str, fl
 
     events: EVENTS record of all integration steps. time: end of the run (s).
     """
-    series = (history.wheels("normal_force"), history.wheels("tire_compression"))
+    series = (history.wheels("normal_force"), history.wheel_lift())
     return metrics_of_series(history["time"], *series, events, time)
 
 
 def metrics_of_series(
     times: np.ndarray,
     loads: np.ndarray,
-    compressions: np.ndarray,
+    lifts: np.ndarray,
     events: np.record,
     time: float,
 ) -> dict[str, float]:
     """The metrics of a run by name, in SI units and radians; times (s) are nan for never.
 
-    times: of the rows (s), shape (n,). loads, compressions: of the tires (N, m), shape (n, 4).
-    events: EVENTS record of all integration steps. time: end of the run (s). Peaks are signed
-    values of the largest magnitude. Those of roll and lateral acceleration are taken over all
-    integration steps; that of the load transfer ratio (-1 to 1) and the time of the two-wheel lift,
-    which models without tire compression do not have, over the rows.
+    times: of the rows (s), shape (n,). loads, lifts: of the wheels (N, m), shape (n, 4). events:
+    EVENTS record of all integration steps. time: end of the run (s). Peaks are signed values of the
+    largest magnitude. Those of roll and lateral acceleration are taken over all integration steps;
+    that of the load transfer ratio (-1 to 1), the largest lift of a wheel and the time of the
+    two-wheel lift over the rows. Models without tire compression do not have the last two: nan.
     """
     roll, acceleration = events.peak_roll, events.peak_lateral_acceleration
     ratio, ratio_time = peak(times, load_transfer_ratio(loads))
-    lift = two_wheel_lift_time(times, compressions, loads)
+    lift, lift_time = peak(times, lifts.max(axis=1))
     lift_offs = zip(WHEELS, events.lift_off_time.tolist(), strict=True)
     return {
         "peak_roll": float(roll[VALUE]),
@@ -62,7 +64,9 @@ def metrics_of_series(
         "peak_load_transfer_ratio": ratio,
         "peak_load_transfer_ratio_time": ratio_time,
         **{f"lift_off_time_{wheel}": time for wheel, time in lift_offs},
-        "two_wheel_lift_time": lift,
+        "two_wheel_lift_time": two_wheel_lift_time(times, lifts),
+        "peak_wheel_lift": lift,
+        "peak_wheel_lift_time": lift_time if lift else math.nan,
         "rollover_time": float(events.rollover_time[0]),
         "end_time": time,
     }

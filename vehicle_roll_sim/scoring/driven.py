@@ -91,7 +91,7 @@ class Outcome:
 def drive_alone(ladder: Ladder, level: float, setup: Setup) -> Outcome:
     """A run without a controller, its commands held as a node holds them."""
     manoeuvre = ladder.manoeuvre(setup, level)
-    simulation = setup.simulation(ladder.variant)
+    simulation = ladder.simulation(setup)
     driver, duration = manoeuvre.driver(), manoeuvre.duration
     return _outcome(ladder, manoeuvre, simulation, NOBODY_WARNS, driver, duration, setup.period)
 
@@ -109,7 +109,7 @@ def drive_again(
     simulation: to drive, by default a new one. observer: as for `run`.
     """
     manoeuvre = ladder.manoeuvre(setup, level)
-    simulation = simulation or setup.simulation(ladder.variant)
+    simulation = simulation or ladder.simulation(setup)
     driver, duration = GivenCommands(driven.commands), len(driven.commands) * setup.period
     parts = (ladder, manoeuvre, simulation, driven.warned)
     return _outcome(*parts, driver, duration, setup.period, observer)

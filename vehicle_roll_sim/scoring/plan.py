@@ -4,9 +4,11 @@ import dataclasses
 import functools
 from collections.abc import Iterable, Iterator
 
-from vehicle_roll_sim.declaration import unknown_name
+from vehicle_roll_sim.declaration import InputError, unknown_name
 from vehicle_roll_sim.manoeuvres.base import SIDES, Manoeuvre
 from vehicle_roll_sim.manoeuvres.double_lane_change import DoubleLaneChange
+from vehicle_roll_sim.manoeuvres.on_roads.own_road import road_for
+from vehicle_roll_sim.manoeuvres.on_roads.split_friction import SplitFrictionBraking
 from vehicle_roll_sim.manoeuvres.series.speed_search import to_the
 from vehicle_roll_sim.scoring.catalogue import TESTS, ScoredTest
 from vehicle_roll_sim.scoring.spread import SPREAD
@@ -40,16 +42,6 @@ class Setup:
             self._variants[name] = SPREAD[name].of(self.vehicle)
         return self._variants[name]
 
-    def simulation(self, variant: str) -> Simulation:
-        """A new simulation of the vehicle of a variant."""
-        return Simulation(
-            self.variant(variant),
-            self.options,
-            step=self.step,
-            rollover_angle=self.rollover_angle,
-            road=self.road,
-        )
-
 
 @dataclasses.dataclass(frozen=True)
 class Ladder:
@@ -72,12 +64,35 @@ class Ladder:
         """The manoeuvre at a level; raises InputError if the vehicle cannot be driven so."""
         return self.of_test.at(_ready(self, setup), level)
 
+    def road(self, setup: Setup) -> Road:
+        """The road of the test, else that of the setup.
+
+        Raises InputError if the test has one and the setup another than the level plane.
+        """
+        own = road_for(_ready(self, setup), None) or self.of_test.road
+        if own is None:
+            return setup.road
+        if setup.road not in (Road(), own):
+            allowed = "a level road, or --only with tests that have no road of their own"
+            raise InputError("road", "", allowed, f"{self.test} brings its own")
+        return own
+
+    def simulation(self, setup: Setup) -> Simulation:
+        """A new simulation of the vehicle of the variant, on the road of the test."""
+        return Simulation(
+            setup.variant(self.variant),
+            setup.options,
+            step=setup.step,
+            rollover_angle=setup.rollover_angle,
+            road=self.road(setup),
+        )
+
 
 @functools.lru_cache(maxsize=KEPT)
 def _ready(ladder: Ladder, setup: Setup) -> Manoeuvre:
     """The manoeuvre of a ladder, completed for its vehicle."""
     manoeuvre = ladder.of_test.manoeuvre
-    if isinstance(manoeuvre, DoubleLaneChange):
+    if isinstance(manoeuvre, DoubleLaneChange | SplitFrictionBraking):
         manoeuvre = dataclasses.replace(manoeuvre, side=ladder.side)
     else:
         manoeuvre = to_the(ladder.side, manoeuvre)

@@ -112,7 +112,7 @@ def _write_bag(report: Report, worst: Worst, folder: Path) -> None:
     """The bag of the worst run, as a recording of the node; an earlier one is replaced."""
     if folder.exists():
         shutil.rmtree(folder)
-    simulation = report.setup.simulation(worst.ladder.variant)
+    simulation = worst.ladder.simulation(report.setup)
     period = round(report.setup.period * NANOSECONDS)
     fields = [field.name for field in dataclasses.fields(Command)]
     with run_bag(simulation, fields, folder, period, "--out") as observer:
@@ -158,6 +158,10 @@ def _of_results(report: Report):
         yield made_of.Text(f"The limit is the {TESTS[name].limit}.")
         yield tables.table_of_test(name, report.scores)
         yield tables.spread_table(name, report.scores)
+    if braking := tables.braking_table(report.scores):
+        yield made_of.Heading("Stops on split friction")
+        yield braking
+        yield made_of.Text(LEGEND_OF_BRAKING)
     if responses := tables.response_table(report.scores):
         yield made_of.Heading("Responses to steering")
         yield responses
@@ -182,6 +186,10 @@ LEGEND_OF_TESTS = (
     "The first table of each test has the figures of the nominal vehicle at the level compared, "
     "the lower limit or the highest level, on the side with the larger roll angle. The second "
     "table has the limits of all variants or, of a test with one level, the largest roll angles."
+)
+LEGEND_OF_BRAKING = (
+    "Nominal vehicle, at the level compared. Yaw angle and deviation from the course are the "
+    "largest ones up to the stop."
 )
 LEGEND_OF_WARNINGS = (
     "A danger is a two-wheel lift, rollover or stop, in the run itself or without the controller. "

@@ -5,6 +5,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 
 from vehicle_roll_sim.scoring.alarms import Alarm, Alarms, alarm_of
+from vehicle_roll_sim.scoring.braking import Braking, braking_of
 from vehicle_roll_sim.scoring.driven import Driven, Outcome
 from vehicle_roll_sim.scoring.figures import Cost, Figures, cost_of, figures_of
 from vehicle_roll_sim.scoring.plan import Ladder
@@ -21,6 +22,7 @@ class Result:
     end: float
     figures: Figures
     response: Response
+    braking: Braking = Braking()  # noqa: RUF009 - it cannot be changed
     cost: Cost | None = None
     alarm: Alarm | None = None
     notes: tuple[str, ...] = ()
@@ -35,6 +37,7 @@ def result_alone(level: float, outcome: Outcome) -> Result:
         float(outcome.history["time"][-1]),
         figures_of(outcome),
         response_of(outcome),
+        braking_of(outcome.manoeuvre, outcome.history),
     )
 
 

@@ -5,19 +5,22 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 
 from vehicle_roll_sim.scoring.alarms import Alarm
+from vehicle_roll_sim.scoring.braking import Braking
 from vehicle_roll_sim.scoring.figures import Cost, Figures
 from vehicle_roll_sim.scoring.results import Result, Score
 
 FIGURES = tuple(field.name for field in dataclasses.fields(Figures))
 COSTS = {"distance": "distance", "speed": "speed_lost", "energy": "additional_energy"}
 ALARMS = {"first": "first_warning", "danger": "danger"}
+STOPS = {"distance": "stopping_distance", "yaw": "largest_yaw", "deviation": "course_deviation"}
 COLUMNS = (
     *("controller", "test", "variant", "side", "level", "failed", "ending", "end"),
     *FIGURES,
     *COSTS.values(),
     *ALARMS.values(),
+    *STOPS.values(),
 )
-"""Those of costs and alarms are empty where there are none."""
+"""Those of costs, alarms and stops are empty where there are none."""
 WITHOUT = "without"
 
 
@@ -48,6 +51,7 @@ def _values(result: Result) -> Sequence:
         *dataclasses.astuple(result.figures),
         *_fields(cost, Cost, COSTS),
         *_fields(alarm, Alarm, ALARMS),
+        *_fields(result.braking, Braking, STOPS),
     ]
 
 

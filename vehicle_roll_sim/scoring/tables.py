@@ -11,6 +11,7 @@ from vehicle_roll_sim.scoring.results import Climb, Result, Score
 from vehicle_roll_sim.scoring.spread import NOMINAL, SPREAD
 
 ARROW = " → "
+SPLIT = "split_friction"
 SUMMARY = (
     *("controller", "limits raised", "unchanged", "lowered", "largest distance"),
     *("most speed lost", "most energy", "largest command"),
@@ -24,6 +25,7 @@ RESPONSES = (
     *("controller", "yaw response time", "roll overshoot"),
     *("largest roll gain", "at a frequency of"),
 )
+STOPS = ("controller", "compared at", "stopping distance", "yaw angle", "deviation")
 NEGLIGIBLE = 0.5
 """J: less energy than this is rounding."""
 
@@ -154,6 +156,29 @@ def _responses(score: Score) -> list[str]:
         texts = ["none" if math.isnan(v) else text.format(factor * v) for p in known[:1] for v in p]
         row.append(f"{ARROW.join(texts)} {unit}".strip() if texts else "")
     return row
+
+
+def braking_table(scores: Sequence[Score]) -> Table | None:
+    """How the nominal vehicle stops on split friction, on the side with the larger yaw angle."""
+    rows = [_stop(score) for score in scores if not score.failure and score.of_test(SPLIT)]
+    return Table(STOPS, rows) if rows else None
+
+
+def _stop(score: Score) -> list[str]:
+    climbs = score.of_test(SPLIT, NOMINAL)
+    shown = max(climbs, key=lambda climb: climb.pair[1].braking.yaw)
+    alone, found = shown.pair
+    return [
+        _code(score.controller),
+        level_text(shown.compared, TESTS[SPLIT]),
+        _pair(alone, found, lambda run: _way(run.braking.distance)),
+        _pair(alone, found, lambda run: f"{math.degrees(run.braking.yaw):.1f}") + " deg",
+        _pair(alone, found, lambda run: f"{run.braking.deviation:.2f}") + " m",
+    ]
+
+
+def _way(distance: float) -> str:
+    return "no stop" if math.isnan(distance) else f"{distance:.1f} m"
 
 
 def spread_table(name: str, scores: Sequence[Score]) -> Table:

@@ -8,9 +8,12 @@ from vehicle_roll_sim.input_errors import InputError
 from vehicle_roll_sim.model.actuators import (
     ACTUATORS,
     BRAKE_TORQUE,
+    CHANNELS,
     COMMAND_SIZE,
     END,
     INSTANTS,
+    LAG_RATE,
+    LIMITED,
     QUEUE,
 )
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
@@ -53,6 +56,14 @@ class Actuation:
     def records(self) -> np.ndarray:
         """What acts at the end of the last step: an array of one COMMAND record, a copy."""
         return self.memory[END : END + 1].copy()
+
+    def states(self) -> np.ndarray:
+        """Output of the rate limiters, state of the lags and its rate (per s), shape (3, CHANNELS).
+
+        A view, at the end of the last step. Rates of lags of first order are 0, as they have none
+        of their own; so are values without a lag.
+        """
+        return self.arguments[-1][LIMITED : LAG_RATE + 1, :CHANNELS]
 
 
 def actuators_of(vehicle: Vehicle, step_ns: int) -> np.ndarray:

@@ -14,6 +14,7 @@ from vehicle_roll_sim.model.road.layout import PLANE, ground_of
 from vehicle_roll_sim.model.road.surface import surface
 from vehicle_roll_sim.roads.commanded import Commanded
 from vehicle_roll_sim.roads.kinds import NAMES, feature_of, values_of
+from vehicle_roll_sim.roads.surfaces import Chessboard, Patch
 from vehicle_roll_sim.roads.tilt import TiltTable
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road_tables import with_table
@@ -23,6 +24,8 @@ STEEPEST = 1.0
 LARGEST_FILE = 20_000_000
 """Bytes of a road file."""
 FEATURES = "features"
+OF_A_PLANE = (Patch, Chessboard, TiltTable)
+"""Features that leave the road a plane."""
 A_ROAD = "expected a YAML mapping with grade, bank and features"
 
 
@@ -115,6 +118,11 @@ class Road:
     def is_commanded(self) -> bool:
         """Whether commands give heights and frictions of the road under the wheels."""
         return any(isinstance(each, Commanded) for each in self.features)
+
+    @property
+    def has_heights(self) -> bool:
+        """Whether the road is no plane, so that heights over z = 0 are not those over the road."""
+        return not all(isinstance(each, OF_A_PLANE) for each in self.features)
 
     def gravity(self, gravity: float, time: float = 0.0) -> tuple[float, float, float]:
         """Components of gravity into the road, along its x axis and along its y axis (m/s^2).

@@ -15,7 +15,7 @@ COMPLETE, REFUSED = "complete", "refused"
 CONDITION, REASON = "condition", "reason"
 RESULTS = (CONDITION, REASON, *METRIC_UNITS)
 """Columns after the inputs. Metrics are nan for never, None if they are unknown: the run failed."""
-UNKNOWN_WITHOUT_HEIGHTS = ("two_wheel_lift_time",)
+UNKNOWN_WITHOUT_HEIGHTS = ("two_wheel_lift_time", "peak_wheel_lift", "peak_wheel_lift_time")
 """Metrics that models without wheel heights do not have."""
 Chunk = tuple[int, Sequence[dict]]
 """The number of a chunk, and the points of its runs: values by name of the input."""

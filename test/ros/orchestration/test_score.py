@@ -69,6 +69,29 @@ run(Steers)
 """
 
 
+BRAKES = """
+from vehicle_roll_sim.controller import Controller, Topic, run
+
+class Brakes(Controller):
+    node_name = "brakes"
+    heard = (Topic("driver_brake_torque", "std_msgs/msg/Float64MultiArray"),)
+    said = ("brake_torque_cmd",)
+
+    def answer(self, demand):
+        return [0.5 * torque for torque in demand.data]
+
+run(Brakes)
+"""
+SHORT_STOP = dataclasses.replace(
+    catalogue.TESTS["split_friction"],
+    manoeuvre=dataclasses.replace(
+        catalogue.TESTS["split_friction"].manoeuvre, start=0.1, duration=0.3
+    ),
+    quick=(60.0,),
+    at=catalogue.TESTS["step"].at,
+)
+
+
 PATIENCE_OF_SCORE = "20"
 """s: on a busy machine a controller may need some to end, or to answer its first set."""
 
@@ -116,6 +139,28 @@ def call(tmp_path, domain, monkeypatch, capsys):
     for node in nodes:
         if node.poll() is None:
             node.kill()
+
+
+def test_the_drivers_brakes_add_to_those_of_a_controller_unless_it_hears_them(
+    call, tmp_path, monkeypatch
+):
+    """And the run is driven on the road of the test."""
+    monkeypatch.setitem(catalogue.TESTS, "fishhook", SHORT_STOP)
+    own = "return [0.0, 100.0, 0.0, 0.0]"
+    text = {"adds": MINE.replace("{name}", "adds").replace("{answer}", own), "hears": BRAKES}
+    for name, script in text.items():
+        (tmp_path / f"{name}.py").write_text(script)
+    scripts, out = [str(tmp_path / f"{name}.py") for name in text], tmp_path / "out"
+    status, said, _ = call(*scripts, "--patience", PATIENCE_OF_SCORE, "--out", str(out))
+    assert status == 0, said
+    for name, (before, braking) in {
+        "adds": ([0.0, 100.0, 0.0, 0.0], [900.0, 1000.0, 450.0, 450.0]),
+        "hears": ([0.0] * 4, [450.0, 450.0, 225.0, 225.0]),
+    }.items():
+        driven = kept(out, name, 60.0)
+        torques = driven.commands["brake_torque"].tolist()
+        assert torques == [before] * 10 + [braking] * 20, name
+    assert driven.commands["steering"][-1] > 1e-4, "no side is slippery, so nothing is to steer"
 
 
 def write_text(written: report.Report, folder: Path) -> None:

@@ -24,7 +24,7 @@ from vehicle_roll_sim.ros import signals
 from vehicle_roll_sim.ros.clients.manoeuvre_player import ROUNDING, ManoeuvrePlayer
 from vehicle_roll_sim.ros.clients.simulator_client import NoAnswerError, SimulatorClient
 from vehicle_roll_sim.ros.node_main import lifetime, node_main
-from vehicle_roll_sim.runs.history import WITH_COMMANDS, History, check_with_commands
+from vehicle_roll_sim.runs.history import WITH_COMMANDS, WITH_SIGNALS, History, check_with_csv
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.runs.summary import line, summary_lines
 
@@ -45,11 +45,12 @@ def late_commands(history: History, sent_at: dict[float, float]) -> int:
 
 @dataclasses.dataclass(frozen=True)
 class Files:
-    """The files to write: CSV, with or without commands, and figure, with its size."""
+    """The files to write: CSV, with or without further columns, and figure, with its size."""
 
     csv: Path | None
     plot: Path | None
     with_commands: bool = False
+    with_signals: bool = False
     size: figure_size.Size | None = None
 
 
@@ -77,7 +78,7 @@ def _tell(name: str, driver: ManoeuvrePlayer, files: Files) -> int:
         raise NoAnswerError("the simulator sent no complete set of messages")
     events = events_of(history, driver.rollover_angle)
     if files.csv:
-        history.write_csv(files.csv, files.with_commands)
+        history.write_csv(files.csv, files.with_commands, files.with_signals)
     if files.plot:
         from vehicle_roll_sim.analysis import plots  # takes 0.5 s: only if a figure is wanted
 
@@ -111,6 +112,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--csv", metavar="FILE", help="write a CSV row for each set received")
     parser.add_argument("--with-commands", action="store_true", help=WITH_COMMANDS)
+    parser.add_argument("--with-signals", action="store_true", help=WITH_SIGNALS)
     parser.add_argument("--plot", metavar="FILE", help="plot the run (PNG, SVG or PDF)")
     parser.add_argument("--size", metavar="WIDTHxHEIGHT", help=figure_size.HELP)
     return parser
@@ -132,8 +134,9 @@ def main() -> int:
             check_figure_format(plot, "--plot")
         check_distinct({"--csv": csv, "--plot": plot})
         size = figure_size.named_size(arguments.size, "--size", plot)
-        check_with_commands(arguments.with_commands, csv)
-        files = Files(csv, plot, arguments.with_commands, size)
+        check_with_csv("--with-commands", arguments.with_commands, csv)
+        check_with_csv("--with-signals", arguments.with_signals, csv)
+        files = Files(csv, plot, arguments.with_commands, arguments.with_signals, size)
         return drive(arguments.manoeuvre, manoeuvre, arguments.simulator, files)
 
     return node_main(_parser(), body, sys.argv)

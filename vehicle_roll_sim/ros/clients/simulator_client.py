@@ -67,22 +67,33 @@ class SimulatorClient:
     def _call(self, client, request, what: str, before: Callable[[], None] = lambda: None):
         """Call a service until it answers; the request must be idempotent.
 
-        A server that has not discovered its new client yet drops the answer. `before` is called
-        before each request.
+        A server that has not discovered its new client yet drops the answer, so that the request
+        is repeated. On a busy machine the answer to an earlier one may come first: all later ones
+        are then on their way, in order, and the last counts. `before` is called before each.
         """
         self.wait(client.service_is_ready, f"its service for {what}")
-        until = time.monotonic() + PATIENCE
-        while True:
-            before()
-            future = client.call_async(request)
-            try:
-                self.wait(future.done, what, min(ASK_AGAIN, until - time.monotonic()))
-            except NoAnswerError:
+        until, asked = time.monotonic() + PATIENCE, []
+        try:
+            while not any(future.done() for future in asked):
+                before()
+                asked.append(client.call_async(request))
+                self._await_any(asked, what, until)
+            first = next(k for k, future in enumerate(asked) if future.done())
+            for future in asked[first:]:
+                self.wait(future.done, what)
+            return asked[-1].result()
+        finally:
+            for future in asked:
                 client.remove_pending_request(future)
-                if time.monotonic() >= until:
-                    raise
-            else:
-                return future.result()
+
+    def _await_any(self, asked: Sequence, what: str, until: float) -> None:
+        """Wait for an answer until it is time to ask again; raises NoAnswerError after `until`."""
+        patience = min(ASK_AGAIN, until - time.monotonic())
+        try:
+            self.wait(lambda: any(future.done() for future in asked), what, patience)
+        except NoAnswerError:
+            if time.monotonic() >= until:
+                raise
 
     def wait(self, done: Callable[[], bool], what: str, patience: float = PATIENCE) -> None:
         """Spin until `done()`. what: what is awaited, for the error message."""

@@ -20,14 +20,15 @@ from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.ros.node_main import LOOK, find_log_folder, lifetime
 from vehicle_roll_sim.ros.orchestration.controller_processes import ControllerFailedError
-from vehicle_roll_sim.ros.orchestration.driver import DEMANDS, STEERING, TORQUE, Driver
+from vehicle_roll_sim.ros.orchestration.driver import BRAKE, DEMANDS, STEERING, TORQUE, Driver
 from vehicle_roll_sim.ros.simulator.lockstep import LAST_LOOK, LONGEST_RECEIPT, SETTLING
 from vehicle_roll_sim.ros.simulator.node import NAME, Simulator
 from vehicle_roll_sim.ros.simulator.session import session_of
 from vehicle_roll_sim.scoring.driven import ROUNDING, Driven
 from vehicle_roll_sim.scoring.options import WARNING
 from vehicle_roll_sim.scoring.plan import Setup
-from vehicle_roll_sim.simulation.command import Command, command_at
+from vehicle_roll_sim.simulation.command import NO_FORCE, Command, command_at
+from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 FIELDS = {name: channel.field for name, channel in channels().items()}
@@ -87,12 +88,15 @@ class Bench:
             missing.append(WARNING)
         return missing
 
-    def drive(self, manoeuvre: Manoeuvre, vehicle: Vehicle, is_first: bool) -> Driven:
+    def drive(
+        self, manoeuvre: Manoeuvre, vehicle: Vehicle, is_first: bool, road: Road | None = None
+    ) -> Driven:
         """Drive a manoeuvre, completed by `for_vehicle`, with the controller.
 
-        is_first: whether the controller was connected just before. Raises ControllerFailedError.
+        is_first: whether the controller was connected just before. road: by default that of the
+        simulator. Raises ControllerFailedError.
         """
-        session = session_of(self.simulator.declared, vehicle, manoeuvre.speed)
+        session = session_of(self.simulator.declared, vehicle, manoeuvre.speed, road)
         self._driver.warnings.clear()
         self._sets, given = 1, []
         self.simulator.begin(session)
@@ -101,11 +105,12 @@ class Bench:
         driver = manoeuvre.driver()
         while True:
             now = session.simulation.time
-            self._demand(manoeuvre, command_at(driver, now, session.simulation.state))
+            demand = command_at(driver, now, session.simulation.state)
+            self._demand(manoeuvre, demand)
             self._wait(self._is_answered, self._silent)
             if session.stopped or now >= manoeuvre.duration - ROUNDING:
                 break
-            with self.simulator.lock:
+            with self.simulator.lock, self._braked(manoeuvre, demand):
                 self.simulator.run_period()
             self._sets += 1
             given.append(session.applied.records())
@@ -122,7 +127,11 @@ class Bench:
     def _demand(self, manoeuvre: Manoeuvre, command: Command) -> None:
         """Give the driver's commands for the next period, and publish them."""
         session = self.simulator.session
-        data = {STEERING: command.steering, TORQUE: list(command.wheel_torque)}
+        data = {
+            STEERING: command.steering,
+            TORQUE: list(command.wheel_torque),
+            BRAKE: list(command.brake_torque),
+        }
         for name, values in data.items():
             if FIELDS[name] not in manoeuvre.commanded:
                 continue
@@ -130,6 +139,23 @@ class Bench:
                 numbers = values if isinstance(values, list) else [values]
                 session.inbox.receive(name, numbers, session.simulation.time_ns)
             self._driver.say(name, values)
+
+    @contextlib.contextmanager
+    def _braked(self, manoeuvre: Manoeuvre, demand: Command) -> Iterator[None]:
+        """Within the block, the driver's brake torques add to those of the controller.
+
+        As both press on the same brakes. A controller that hears the driver's decides on its own.
+        """
+        session, brakes = self.simulator.session, FIELDS[BRAKE]
+        is_left = BRAKE not in self._answers or self._driver.is_heard(BRAKE)
+        if is_left or brakes not in manoeuvre.commanded:
+            yield
+            return
+        channel, now = session.inbox.channels[BRAKE], session.simulation.time_ns
+        own = channel.value if session.inbox.is_in_force(BRAKE, now) else NO_FORCE
+        channel.value, channel.arrival_ns = tuple(np.add(own, demand.brake_torque).tolist()), now
+        yield
+        channel.value = own
 
     def _counts(self) -> dict[str, int]:
         """The number of messages received on each topic of the controller in this run."""

@@ -9,8 +9,12 @@ from std_msgs.msg import Bool, Float64, Float64MultiArray
 from vehicle_roll_sim.messages.set_synchronizer import KEPT
 from vehicle_roll_sim.scoring.options import WARNING
 
-STEERING, TORQUE = "steering_cmd", "wheel_torque_cmd"
-DEMANDS = {STEERING: "driver_steering", TORQUE: "driver_wheel_torque"}
+STEERING, TORQUE, BRAKE = "steering_cmd", "wheel_torque_cmd", "brake_torque_cmd"
+DEMANDS = {
+    STEERING: "driver_steering",
+    TORQUE: "driver_wheel_torque",
+    BRAKE: "driver_brake_torque",
+}
 """Topics of the driver's demand where the controller commands the same quantity."""
 EVERY_MESSAGE = QoSProfile(depth=KEPT)
 
@@ -23,7 +27,7 @@ class Driver(Node):
 
     def __init__(self, answers: Sequence[str]):
         super().__init__("manoeuvre", use_global_arguments=False)
-        kinds = {STEERING: Float64, TORQUE: Float64MultiArray}
+        kinds = {STEERING: Float64, TORQUE: Float64MultiArray, BRAKE: Float64MultiArray}
         names = {each: DEMANDS[each] if each in answers else each for each in kinds}
         self._publishers_of = {
             each: self.create_publisher(kind, names[each], EVERY_MESSAGE)
@@ -39,6 +43,10 @@ class Driver(Node):
 
     def say(self, topic: str, data) -> None:
         """Publish a demand (rad, N m) if somebody hears it."""
-        publisher = self._publishers_of[topic]
-        if publisher.get_subscription_count():
+        if self.is_heard(topic):
+            publisher = self._publishers_of[topic]
             publisher.publish(publisher.msg_type(data=data))
+
+    def is_heard(self, topic: str) -> bool:
+        """Whether somebody hears the demand."""
+        return self._publishers_of[topic].get_subscription_count() > 0

@@ -90,8 +90,8 @@ class _Done:
         """Score a controller."""
         if self._setup is None:
             self._setup = rig.setup
-            for variant in {ladder.variant for ladder in self._planned}:
-                self._setup.variant(variant)  # raises InputError before anything is driven
+            for ladder in self._planned:
+                ladder.simulation(self._setup)  # raises InputError before anything is driven
             session = rig.simulator.session
             described = describe(session.simulation, session.period_ns)
             identity = identity_of(self._controllers, self._planned, described)

@@ -107,7 +107,8 @@ class Scoring:
         if is_first:
             self._processes.start()
             self._bench.connect()
-        return self._bench.drive(manoeuvre, self._setup.variant(ladder.variant), is_first)
+        vehicle, road = self._setup.variant(ladder.variant), ladder.road(self._setup)
+        return self._bench.drive(manoeuvre, vehicle, is_first, road)
 
     def _check_reset(self) -> None:
         """Drive the first run again, after others; raises ControllerFailedError if it differs.

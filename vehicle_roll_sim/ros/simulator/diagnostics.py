@@ -85,7 +85,8 @@ class Reporter:
         """One warning for each other node that publishes topics of the set."""
         topics_of: dict[str, list[str]] = {}
         simulation = self._node.session.simulation
-        for topic in set_of(simulation.options, stamped=False, devices=simulation.sensors.devices):
+        parts = (simulation.sensors.devices, simulation.has_actuators)
+        for topic in set_of(simulation.options, False, *parts):
             if self._node.count_publishers(self._node.resolve_topic_name(topic.name)) > 1:
                 for name in other_publishers(self._node, topic):
                     topics_of.setdefault(name, []).append(topic.name)

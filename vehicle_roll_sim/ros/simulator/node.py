@@ -33,6 +33,7 @@ from vehicle_roll_sim.ros.simulator.session import session_of
 from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.ros.simulator.standard_services import StandardServices
 from vehicle_roll_sim.ros.topics import EVERY_ANSWER, NEWEST_ONLY, heard_commands, message_class
+from vehicle_roll_sim.vehicle.actuator_parameters import has_actuators
 from vehicle_roll_sim.vehicle.sensor_parameters import devices_of
 
 NAME = "simulator"
@@ -188,7 +189,9 @@ class Simulator(Node):
 
 
 def _published(declared: parameters.Declared) -> tuple[Topic, ...]:
-    return published_topics(declared.settings, declared.options, devices_of(declared.vehicle))
+    vehicle = declared.vehicle
+    parts = (devices_of(vehicle), has_actuators(vehicle))
+    return published_topics(declared.settings, declared.options, *parts)
 
 
 def _driver(settings: Settings, period_ns: int) -> Lockstep | RealTime:

@@ -16,6 +16,7 @@ from vehicle_roll_sim.ros.simulator.descriptors import descriptor_of
 from vehicle_roll_sim.ros.simulator.settings import Settings
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.vehicle.actuator_parameters import has_actuators
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import plausibility
 from vehicle_roll_sim.vehicle.sensor_parameters import devices_of
@@ -77,7 +78,7 @@ def declare(node: Node) -> Declared:
         _declare(node, VEHICLE_PREFIX + name, value)
     options = options_for(vehicle, **_given_of(node, Options)).for_vehicle(vehicle)
     _check_speed(settings.initial_speed, options)
-    settings.check(options, devices_of(vehicle))
+    settings.check(options, devices_of(vehicle), has_actuators(vehicle))
     for name, value in dataclasses.asdict(options).items():
         _declare(node, name, value, is_resolved=True)
     _heed(plausibility(vehicle), node, settings.strict)

@@ -42,19 +42,25 @@ Asking for the subscription count costs as much as publishing.
 """
 
 
-def set_topics(settings: Settings, options: Options, devices: Collection[str]) -> tuple[Topic, ...]:
-    """The topics that are published every period, in order. devices: of the vehicle's sensors."""
+def set_topics(
+    settings: Settings, options: Options, devices: Collection[str], actuated: bool
+) -> tuple[Topic, ...]:
+    """The topics that are published every period, in order.
+
+    devices: of the vehicle's sensors. actuated: whether it has actuators.
+    """
     clock = (CLOCK,) if settings.has_own_clock else ()
-    topics = set_of(options, settings.publish_stamped, devices)
+    topics = set_of(options, settings.publish_stamped, devices, actuated)
     return (*clock, *topics, *filter(is_installed, (TRANSFORMS,)))
 
 
 def published_topics(
-    settings: Settings, options: Options, devices: Collection[str]
+    settings: Settings, options: Options, devices: Collection[str], actuated: bool
 ) -> tuple[Topic, ...]:
     """Every topic that a simulator publishes; arguments as for `set_topics`."""
     beside = (ROLLOVER, ROBOT_DESCRIPTION, SIMULATION_DESCRIPTION, DIAGNOSTICS)
-    return (*set_topics(settings, options, devices), *beside, *filter(is_installed, (ROAD,)))
+    topics = set_topics(settings, options, devices, actuated)
+    return (*topics, *beside, *filter(is_installed, (ROAD,)))
 
 
 class Publications:
@@ -95,7 +101,8 @@ class Publications:
         self._session, simulation = session, session.simulation
         prefix = self._settings.frame_prefix
         self._messages = messages_of(simulation, prefix, encode, self._covariances)
-        topics = set_topics(self._settings, simulation.options, simulation.sensors.devices)
+        parts = (simulation.sensors.devices, simulation.has_actuators)
+        topics = set_topics(self._settings, simulation.options, *parts)
         for topic in topics:
             if topic not in self._publishers:
                 self._publishers[topic] = self.publisher(topic)

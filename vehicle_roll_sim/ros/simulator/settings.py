@@ -182,10 +182,10 @@ class Settings:
         for name in KEPT_WITH_SNAPSHOTS:
             setattr(self, name, memory[name])
 
-    def check(self, options: Options, devices: Collection[str]) -> None:
+    def check(self, options: Options, devices: Collection[str], actuated: bool) -> None:
         """Raise InputError for a combination of values that is not allowed.
 
-        devices: of the vehicle's sensors.
+        devices: of the vehicle's sensors. actuated: whether it has actuators.
         """
         if AS_FAST_AS_POSSIBLE < self.real_time_factor < SLOWEST_FACTOR:
             allowed = f"0, or from {SLOWEST_FACTOR:g} to {FASTEST_FACTOR:g}"
@@ -195,11 +195,12 @@ class Settings:
                 package = topic.type.partition("/")[0]
                 problem = f"{topic.name} needs {package}, which is not installed"
                 raise InputError("lockstep_topics", "", "other topics", problem)
-        published = {topic.name for topic in set_of(options, self.publish_stamped, devices)}
+        topics = set_of(options, self.publish_stamped, devices, actuated)
+        published = {topic.name for topic in topics}
         if not published.issuperset(self.lockstep_wait):
             allowed = f"topics that end in _stamped only with publish_stamped, {ROLL_CENTRE.name} "
             allowed += f"only with model 2, {BODY_LOADS.name} only with body_contact, those of "
-            allowed += "sensors only with these"
+            allowed += "sensors and actuators only with these"
             raise InputError("lockstep_wait", self.lockstep_wait, allowed)
 
     def steps_in_a_period(self, step_ns: int) -> int:
