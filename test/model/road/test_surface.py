@@ -7,6 +7,7 @@ import pytest
 from road_kinds import ROADS, TILT, road
 from scipy.integrate import quad
 
+from vehicle_roll_sim.model.road.shapes import cell_of
 from vehicle_roll_sim.model.road.surface import tilt_angle
 
 DIFFERENCE = 1e-6
@@ -141,6 +142,11 @@ def test_a_grid_has_the_heights_and_frictions_of_its_points_and_keeps_those_of_i
             assert found[3] == pytest.approx(heights[row, column], abs=ROUNDING)
     assert surface(11.0, -1.0)[3] == pytest.approx(heights[:2, 0].mean())
     assert surface(0.0, -9.0)[0] == pytest.approx(heights[0, 0])
+
+
+def test_a_place_that_is_not_a_number_is_not_looked_up_outside_a_table():
+    for place, cell in ((math.nan, 0), (-math.inf, 0), (math.inf, 3)):
+        assert cell_of(place, 5, 0.5)[0] == cell
 
 
 def test_the_angle_of_a_tilt_table_is_that_of_its_table():

@@ -77,8 +77,11 @@ def between(before, here, after, beyond, part, per_spacing):
 
 @term
 def cell_of(s, count, spacing):
-    """The point of a table below s, and the part (0 to 1) of the way to the next one."""
-    if s <= 0.0:
+    """The point of a table below s, and the part (0 to 1) of the way to the next one.
+
+    The first point for nan: states may diverge within a step, before this is noticed.
+    """
+    if not s > 0.0:
         return 0, 0.0
     if s >= (count - 1) * spacing:
         return count - 2, 1.0
