@@ -41,7 +41,7 @@ from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, Argument
 from vehicle_roll_sim.ros.services import SERVICES
 from vehicle_roll_sim.ros.simulator.parameters import IMU_PREFIX, ODOM_PREFIX
 from vehicle_roll_sim.ros.simulator.settings import Settings
-from vehicle_roll_sim.runs.history import ROLL_CENTRES, WIND
+from vehicle_roll_sim.runs.columns import ROLL_CENTRES, WIND
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.signals import as_markdown

@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 from vehicle_roll_sim.analysis.plots import DrawnRun
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.sampled_events import events_of
 
 DEGREES = math.degrees(1)

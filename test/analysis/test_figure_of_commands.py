@@ -11,7 +11,8 @@ from vehicle_roll_sim import WHEELS, InputError
 from vehicle_roll_sim.analysis.drawing import drawn_at, save_figure
 from vehicle_roll_sim.analysis.figure_size import named_size
 from vehicle_roll_sim.analysis.plots import standard_figure
-from vehicle_roll_sim.runs.history import COMMANDS, History
+from vehicle_roll_sim.runs.columns import COMMANDS
+from vehicle_roll_sim.runs.history import History
 
 pytestmark = [pytest.mark.filterwarnings("error"), pytest.mark.unmeasured]
 

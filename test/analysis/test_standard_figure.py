@@ -23,7 +23,8 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from vehicle_roll_sim import WHEELS
 from vehicle_roll_sim.analysis.drawing import DrawnFigure, save_figure
 from vehicle_roll_sim.analysis.plots import plot_run, standard_figure
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio, sideslip_angle
 from vehicle_roll_sim.runs.sampled_events import events_of
 

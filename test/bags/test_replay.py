@@ -15,7 +15,7 @@ from vehicle_roll_sim.bags.encoding import TYPES, decode
 from vehicle_roll_sim.bags.reading import last_run, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.command_line.main import main
-from vehicle_roll_sim.runs.history import roll_centres_of
+from vehicle_roll_sim.runs.columns import roll_centres_of
 from vehicle_roll_sim.simulation.description import described
 
 ARRAY = "std_msgs/msg/Float64MultiArray"

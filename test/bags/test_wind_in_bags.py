@@ -9,7 +9,8 @@ from vehicle_roll_sim.bags.reading import last_run, recorded_runs
 from vehicle_roll_sim.bags.replay import replay
 from vehicle_roll_sim.bags.run_bag import run_bag
 from vehicle_roll_sim.manoeuvres.command_file import command_table, load_commands
-from vehicle_roll_sim.runs.history import WIND, History
+from vehicle_roll_sim.runs.columns import WIND
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.description import described
 

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim.analysis import drawing
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 
 BEGINNINGS = {".png": b"\x89PNG\r\n\x1a\n", ".svg": b"<?xml", ".pdf": b"%PDF-"}
 SAMPLES = 31

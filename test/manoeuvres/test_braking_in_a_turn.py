@@ -8,7 +8,8 @@ import pytest
 
 from vehicle_roll_sim import InputError, preset, run
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 
 GENTLE = {"speed": 10.0, "lateral_acceleration": 1.0, "deceleration": 0.5, "duration": 27.0}
 ANGLE = {"handwheel_angle": 27.485}

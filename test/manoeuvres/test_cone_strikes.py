@@ -7,7 +7,8 @@ import pytest
 
 from vehicle_roll_sim import InputError, preset
 from vehicle_roll_sim.manoeuvres.body_outline import BodySettings, Outline
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 
 OUTLINE = Outline(width=1.8, ahead=2.0, behind=2.5)
 SPEED = 15.0

@@ -9,7 +9,8 @@ import pytest
 from vehicle_roll_sim import WHEELS, Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift, two_wheel_lift_line, value_at
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run
 
 TIMES = np.round(np.arange(0.0, 6.0, 0.01), 9)

@@ -8,7 +8,8 @@ import pytest
 
 from vehicle_roll_sim import Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run
 
 WHEELBASE = 1.016 + 1.524

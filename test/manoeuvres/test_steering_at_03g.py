@@ -9,7 +9,8 @@ import pytest
 from vehicle_roll_sim import InputError, Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.manoeuvres.slowly_increasing_steer import angle_at_level, steering_at_03g
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run
 
 GRAVITY = 9.81

@@ -11,7 +11,8 @@ from vehicle_roll_sim.analysis.linear_model import linearize
 from vehicle_roll_sim.analysis.trim import find_trim
 from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.manoeuvres.swept_steer import SWEPT_STEER, frequency_response
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 
 SMALL = 0.02
 """deg: the tires stay linear to a thousandth."""

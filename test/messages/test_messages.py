@@ -10,11 +10,7 @@ from scipy.spatial.transform import Rotation
 from vehicle_roll_sim import LF, LR, RF, RR, WHEELS, Command, Options, Simulation, preset
 from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.live.session import Session
-from vehicle_roll_sim.messages.covariances import (
-    Covariances,
-    ImuCovariances,
-    OdomCovariances,
-)
+from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, Messages
 from vehicle_roll_sim.messages.stamped import SIGNAL_UNITS, builder
 from vehicle_roll_sim.messages.topics import (
@@ -35,8 +31,9 @@ from vehicle_roll_sim.messages.topics import (
 from vehicle_roll_sim.messages.urdf import robot_description
 from vehicle_roll_sim.ros.encoding import encode
 from vehicle_roll_sim.ros.topics import message_class
+from vehicle_roll_sim.runs.columns import row_of
 from vehicle_roll_sim.runs.derived_signals import SIGNALS as DERIVED
-from vehicle_roll_sim.runs.history import History, row_of
+from vehicle_roll_sim.runs.history import History
 
 OTHERS = ("measurements_stamped", "actuators_stamped", "signals_stamped")
 """Of other vehicles, and the one without a plain version: see the tests of each."""

@@ -8,7 +8,7 @@ import pytest
 
 import vehicle_roll_sim
 from vehicle_roll_sim.model.records import OUTPUTS, STATE
-from vehicle_roll_sim.runs.history import COLUMNS, UNITS
+from vehicle_roll_sim.runs.columns import COLUMNS, UNITS
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS
 
 FIRST_TERM = "strut_length"

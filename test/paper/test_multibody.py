@@ -12,7 +12,8 @@ from programmes import Evaluation, ramp_and_hold, with_moments
 from random_states import attitude, random_command, random_state, wheel_positions
 
 from vehicle_roll_sim import LF, LR, Condition, InputError, Simulation, Vehicle, preset
-from vehicle_roll_sim.runs.history import COLUMNS, OUTPUT_QUANTITIES, History
+from vehicle_roll_sim.runs.columns import COLUMNS, OUTPUT_QUANTITIES
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.options import MULTIBODY
 from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED

@@ -14,8 +14,8 @@ from vehicle_roll_sim.manoeuvres.nhtsa import FishhookDriver
 from vehicle_roll_sim.model.compiled.jit import CACHE
 from vehicle_roll_sim.model.integration.drive import drive
 from vehicle_roll_sim.runs import compiled_run as module
+from vehicle_roll_sim.runs.columns import COMMANDS
 from vehicle_roll_sim.runs.compiled_run import compiled_run
-from vehicle_roll_sim.runs.history import COMMANDS
 from vehicle_roll_sim.runs.run import run
 
 AT_03G = {"steering_at_03g": 20.0}

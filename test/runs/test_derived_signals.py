@@ -10,9 +10,10 @@ from vehicle_roll_sim.model.records import COMMAND, LF
 from vehicle_roll_sim.roads.commanded import Commanded
 from vehicle_roll_sim.roads.surfaces import Patch
 from vehicle_roll_sim.roads.tilt import TiltTable
+from vehicle_roll_sim.runs.columns import COLUMNS, COMMANDS
 from vehicle_roll_sim.runs.compiled_run import compiled_run
 from vehicle_roll_sim.runs.derived_signals import SIGNALS
-from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, History
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run as stepwise
 from vehicle_roll_sim.simulation.road import Road
 

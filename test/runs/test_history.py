@@ -9,7 +9,8 @@ import pytest
 from signals import turn
 
 from vehicle_roll_sim import WHEELS, InputError
-from vehicle_roll_sim.runs.history import COLUMNS, History, row_of
+from vehicle_roll_sim.runs.columns import COLUMNS, row_of
+from vehicle_roll_sim.runs.history import History
 
 PROMISED = [
     *("time", "x", "y", "z", "roll", "pitch", "yaw"),

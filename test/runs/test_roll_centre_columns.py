@@ -4,7 +4,8 @@ import numpy as np
 
 from vehicle_roll_sim import Command, Options, Simulation, preset
 from vehicle_roll_sim.files.table_file import read_table
-from vehicle_roll_sim.runs.history import COLUMNS, ROLL_CENTRES, History
+from vehicle_roll_sim.runs.columns import COLUMNS, ROLL_CENTRES
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import Feedback
 

@@ -8,7 +8,7 @@ from signals import everything, turn
 
 from vehicle_roll_sim import Command, Condition, InputError, Simulation, preset
 from vehicle_roll_sim.model.records import COMMAND
-from vehicle_roll_sim.runs.history import row_of
+from vehicle_roll_sim.runs.columns import row_of
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.command import command_at
 

@@ -7,7 +7,8 @@ import pytest
 
 from vehicle_roll_sim import Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import lift_off_times
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.runs.sampled_events import events_of

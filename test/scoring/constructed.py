@@ -7,7 +7,8 @@ import numpy as np
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.model.integration.events import Condition, no_events
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, History
+from vehicle_roll_sim.runs.columns import COLUMNS, COMMANDS
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import peak
 from vehicle_roll_sim.scoring.driven import Outcome
 

@@ -8,7 +8,8 @@ import pytest
 
 from vehicle_roll_sim import Command, Condition, InputError, Options, Simulation, preset, run
 from vehicle_roll_sim.messages.urdf import urdf
-from vehicle_roll_sim.runs.history import BODY_LOADS, COLUMNS, History
+from vehicle_roll_sim.runs.columns import BODY_LOADS, COLUMNS
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.body_modes import largest_step_on_body
 from vehicle_roll_sim.simulation.description import describe, described
 from vehicle_roll_sim.simulation.options import MODELS

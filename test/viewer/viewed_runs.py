@@ -6,7 +6,8 @@ import numpy as np
 
 from vehicle_roll_sim import preset, run
 from vehicle_roll_sim.offline.run_result import RunResult
-from vehicle_roll_sim.runs.history import COLUMNS, History
+from vehicle_roll_sim.runs.columns import COLUMNS
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road

@@ -11,7 +11,7 @@ from vehicle_roll_sim.live.command_limits import LARGEST_LIMIT
 from vehicle_roll_sim.manoeuvres.base import LONGEST
 from vehicle_roll_sim.model.integration.events import plausible_magnitudes
 from vehicle_roll_sim.model.records import STATE, WHEELS
-from vehicle_roll_sim.runs.history import ACCELERATIONS, MEASURED, OUTPUT_QUANTITIES
+from vehicle_roll_sim.runs.columns import ACCELERATIONS, MEASURED, OUTPUT_QUANTITIES
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio, sideslip_angle
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS, Signal
 from vehicle_roll_sim.vehicle.sensor_parameters import QUANTITIES, Quantity

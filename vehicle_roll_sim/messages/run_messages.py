@@ -20,7 +20,8 @@ from vehicle_roll_sim.messages.topics import (
 )
 from vehicle_roll_sim.model.frames import body_to_yawed
 from vehicle_roll_sim.model.layout import CORNERS, WHEELS
-from vehicle_roll_sim.runs.history import COLUMNS, COMMANDS, ROLL_CENTRES, WIND, History
+from vehicle_roll_sim.runs.columns import COLUMNS, COMMANDS, ROLL_CENTRES, WIND
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 

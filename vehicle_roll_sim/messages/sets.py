@@ -25,7 +25,7 @@ from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.frames import quaternion
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.layout import CORNERS, WHEELS
-from vehicle_roll_sim.runs.history import ROLL_CENTRES, WIND, roll_centres_of
+from vehicle_roll_sim.runs.columns import ROLL_CENTRES, WIND, roll_centres_of
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.simulation import Simulation

@@ -9,12 +9,12 @@ from vehicle_roll_sim.messages.sets import EMPTY_LIST, Messages
 from vehicle_roll_sim.messages.topics import SIGNALS, STAMPED, STAMPED_ENDING, Topic
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.runs import derived_signals, history
+from vehicle_roll_sim.runs import columns, derived_signals
 from vehicle_roll_sim.runs.derived_signals import signals_of, wheel_lifts_of
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 SIGNAL_UNITS = {
-    name: (history.UNITS | derived_signals.SIGNALS)[name]
+    name: (columns.UNITS | derived_signals.SIGNALS)[name]
     for name in (
         *("u", "roll", "roll_rate", "yaw_rate", "lateral_acceleration"),
         *(f"normal_force_{wheel}" for wheel in WHEELS),

@@ -12,8 +12,9 @@ from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.offline.tables import data_frame, known, path_of, structured
+from vehicle_roll_sim.runs.columns import COLUMNS, UNITS
 from vehicle_roll_sim.runs.derived_signals import SIGNALS
-from vehicle_roll_sim.runs.history import COLUMNS, UNITS, History
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run_metrics import metrics_of
 from vehicle_roll_sim.runs.summary import line, summary_lines
 from vehicle_roll_sim.simulation.road import Road

@@ -16,7 +16,7 @@ from vehicle_roll_sim.analysis.panels import DEGREES
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
 from vehicle_roll_sim.paper.figures import IN_WORDS, write_table
 from vehicle_roll_sim.paper.study import J_TURN, RAMP_STEER, Response
-from vehicle_roll_sim.runs.history import ROLL_CENTRES
+from vehicle_roll_sim.runs.columns import ROLL_CENTRES
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.simulation import Simulation

@@ -24,15 +24,9 @@ from vehicle_roll_sim.model.integration.drive import (
 )
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import COMMAND
+from vehicle_roll_sim.runs.columns import COLUMNS, FURTHER_PLACES, OUTPUT_PLACES, further_of, row_of
 from vehicle_roll_sim.runs.derived_signals import LIFT_PLACES, lifts_on_road
-from vehicle_roll_sim.runs.history import (
-    COLUMNS,
-    FURTHER_PLACES,
-    OUTPUT_PLACES,
-    History,
-    further_of,
-    row_of,
-)
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import (
     DEFAULT_SAMPLE,
     HELD_PERIOD,

@@ -9,8 +9,9 @@ import numpy as np
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import LR
+from vehicle_roll_sim.runs.columns import further_of, measured_names, row_of
 from vehicle_roll_sim.runs.derived_signals import wheel_lifts_of
-from vehicle_roll_sim.runs.history import History, further_of, measured_names, row_of
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
 from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
 

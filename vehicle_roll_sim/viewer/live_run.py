@@ -10,7 +10,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from vehicle_roll_sim.analysis.panels import COMMANDS, Signal, signals_of
-from vehicle_roll_sim.runs.history import FURTHER, History
+from vehicle_roll_sim.runs.columns import FURTHER
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.road_mesh import has_mesh, road_mesh

@@ -9,7 +9,8 @@ import numpy as np
 from vehicle_roll_sim.analysis.panels import LOAD_TRANSFER, Signal, signals_of
 from vehicle_roll_sim.model.integration.events import TIME, VALUE
 from vehicle_roll_sim.model.records import WHEELS
-from vehicle_roll_sim.runs.history import ROLL_CENTRES, History
+from vehicle_roll_sim.runs.columns import ROLL_CENTRES
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.viewer.decimation import MOST_ROWS, kept_rows
 from vehicle_roll_sim.viewer.packing import packed

@@ -9,14 +9,7 @@ import numpy as np
 import pytest
 from forked import fork_nodes
 
-from benchmarks.controllers import (
-    CONTROLLERS,
-    SCENARIOS,
-    WITHOUT,
-    program,
-    row,
-    warning_line,
-)
+from benchmarks.controllers import CONTROLLERS, SCENARIOS, WITHOUT, program, row, warning_line
 from vehicle_roll_sim import Options, Simulation, preset
 from vehicle_roll_sim.analysis.panels import SIDESLIP
 from vehicle_roll_sim.batch.case import Case
@@ -30,8 +23,9 @@ from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.ros.orchestration.comparison import Chain, Outcome, Scenario, drive
 from vehicle_roll_sim.ros.topics import message_class
+from vehicle_roll_sim.runs.columns import COLUMNS
 from vehicle_roll_sim.runs.control_law import ControlLaw, Controlled
-from vehicle_roll_sim.runs.history import COLUMNS, MODEL_STATE_SIZE, History
+from vehicle_roll_sim.runs.history import MODEL_STATE_SIZE, History
 from vehicle_roll_sim.runs.run import run
 
 pytestmark = pytest.mark.unmeasured

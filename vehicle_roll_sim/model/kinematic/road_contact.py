@@ -11,8 +11,9 @@ from vehicle_roll_sim.model.contact import normal_force
 from vehicle_roll_sim.model.frames import body_to_yawed, yawed_to_body, yawed_to_ground
 from vehicle_roll_sim.model.kinematic.contact import NEARLY_FLAT
 from vehicle_roll_sim.model.records import WHEEL_COUNT
-from vehicle_roll_sim.model.road.contact import in_plane, look_under_wheels, normal_of, sink
+from vehicle_roll_sim.model.road.contact import look_under_wheels, sink
 from vehicle_roll_sim.model.road.layout import SIDES
+from vehicle_roll_sim.model.road.plane_axes import in_plane, normal_of
 from vehicle_roll_sim.model.road.resistance import side_forces
 from vehicle_roll_sim.model.road.surface import place_wheel
 from vehicle_roll_sim.model.tire.spring import spring_force

@@ -20,6 +20,7 @@ from vehicle_roll_sim.model.frames import (
 from vehicle_roll_sim.model.records import LF, LR, WHEEL_COUNT
 from vehicle_roll_sim.model.road.layout import SIDES
 from vehicle_roll_sim.model.road.plane import planes_under_wheels
+from vehicle_roll_sim.model.road.plane_axes import from_plane, in_plane, normal_of
 from vehicle_roll_sim.model.road.resistance import side_forces
 from vehicle_roll_sim.model.road.surface import place_wheel, softness
 from vehicle_roll_sim.model.tire.spring import spring_force
@@ -58,38 +59,6 @@ def look_under_wheels(heading, command, vehicle, ground, outputs):
         terms.normal_z[i] = upright
         terms.deflection[i] = radius - (z - height) * upright
         terms.sinkage[i] = terms.side_x[i] = terms.side_y[i] = terms.side_height[i] = 0.0
-
-
-@term
-def normal_of(i, terms):
-    """The normal of the road at wheel i in frame 2."""
-    return terms.normal_x[i], terms.normal_y[i], terms.normal_z[i]
-
-
-@term
-def in_plane(i, x, y, z, terms):
-    """Components of a vector of frame 2 along the axes of the plane of the road at wheel i.
-
-    Forward along the plane in the direction of the x axis, to the left in the plane, and along the
-    normal.
-    """
-    a, b = terms.along[i], terms.across[i]
-    nx, ny, nz = normal_of(i, terms)
-    level = terms.level[i]
-    ahead = level * (x + a * z)
-    left = level * nz * ((1.0 + a * a) * y + b * z - a * b * x)
-    return ahead, left, nx * x + ny * y + nz * z
-
-
-@term
-def from_plane(i, ahead, left, up, terms):
-    """The vector in frame 2 from its components of `in_plane`."""
-    a, b = terms.along[i], terms.across[i]
-    nx, ny, nz = normal_of(i, terms)
-    level = terms.level[i]
-    aside = left * level * nz
-    x = ahead * level - aside * a * b + up * nx
-    return x, aside * (1.0 + a * a) + up * ny, a * ahead * level + aside * b + up * nz
 
 
 @term
