@@ -86,12 +86,16 @@ def run(steps: int, options: Options = FULL):
     return record_run(simulation, ramp_and_hold(0.1, 40.0, 10.0, **HELD), steps * STEP)
 
 
+SCRAPING = {"body_floor_height": 0.0, "body_friction": 0.4}
+"""A body that scrapes along the road, with friction for which STEP is not too long."""
+
+
 def vehicle_for(options: Options) -> Vehicle:
     """The reference vehicle; model 2 on swing axles, so that it looks up tables."""
     if options.wheel_gyroscopics:
         return preset().with_values(DETAILS)
     if options.body_contact:
-        return preset().with_values({"body_floor_height": 0.0})  # it scrapes along the road
+        return preset().with_values(SCRAPING)
     return on_swing_axles(preset()) if options.is_kinematic else preset()
 
 

@@ -11,7 +11,7 @@ from vehicle_roll_sim.model.records import OUTPUTS, STATE
 from vehicle_roll_sim.runs.columns import COLUMNS, UNITS
 from vehicle_roll_sim.simulation.signals import OUTPUT_SIGNALS, STATE_SIGNALS
 
-FIRST_TERM = "strut_length"
+TERMS = ("strut_length", "road_terms")
 
 
 @pytest.fixture(scope="module")
@@ -24,9 +24,15 @@ def test_every_field_is_explained_in_order(signals, dtype):
     assert tuple(signals) == dtype.names
 
 
-def test_terms_of_the_equations_begin_where_the_page_says(page):
-    assert f"The fields from `{FIRST_TERM}` on are intermediate terms of the equations" in page
-    assert FIRST_TERM in OUTPUTS.names
+def test_terms_of_the_equations_are_where_the_page_says(page):
+    first, last = TERMS
+    assert (
+        f"The fields from `{first}` to `{last}`, and the last two, are intermediate terms" in page
+    )
+    names = OUTPUTS.names
+    assert set(names[: names.index(first)]) >= {"normal_force", "slip_angle", "steering"}
+    outside = ("body_load", "acceleration", "specific_force", "slope_gravity")
+    assert names[names.index(last) + 1 : -2] == outside
 
 
 @pytest.mark.parametrize("name", ["run", "series", "linearize", "replay"])

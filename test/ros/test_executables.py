@@ -88,7 +88,7 @@ def test_a_wrong_manoeuvre_ends_with_one_line_and_status_2(start, words, named):
 
 def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp_path):
     bag = tmp_path / "bag"
-    words = ("publish_clock:=true", "publish_stamped:=true", "model:=2")
+    words = ("publish_clock:=true", "publish_stamped:=true", "model:=2", "body_contact:=true")
     words += tuple(f"vehicle.{device}_period:=0.01" for device in DEVICES)
     words += ("vehicle.steering_actuator_time_constant:=0.05",)
     start("simulator", "--ros-args", *(part for word in words for part in ("-p", word)))

@@ -86,7 +86,8 @@ def test_what_live_nodes_use_is_what_the_policy_allows(start, peer, policy, tmp_
     sensors = ("imu_period", "odom_period", "steering_sensor_period")
     of_sensors = (f"vehicle.{name}:=0.01" for name in sensors)
     actuated = "vehicle.steering_actuator_time_constant:=0.05"
-    further = ("publish_stamped:=true", "model:='2'", actuated, *of_sensors)
+    kinds = ("model:='2'", "body_contact:=true")
+    further = ("publish_stamped:=true", *kinds, actuated, *of_sensors)
     every_topic = ("publish_clock:=true", *further)
     start("simulator", "--ros-args", *(word for each in every_topic for word in ("-p", each)))
     start("recorder", "--output", str(tmp_path / "bag"))

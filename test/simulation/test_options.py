@@ -126,6 +126,7 @@ def test_the_default_is_model_1_of_the_source_on_tires_with_transient_slip():
         "wheel_gyroscopics": False,
         "tire_moments": "auto",
         "contact_patch_shift": "auto",
+        "body_contact": False,
     }
     assert flags(options) == set()
     named, unnamed = Simulation(preset(), options), Simulation(preset())

@@ -52,9 +52,6 @@ OUTPUT_SIGNALS = {
     "longitudinal_slip_rate": Signal("1/s", WHEEL, "rate of the state longitudinal_slip"),
     "lateral_slip_rate": Signal("1/s", WHEEL, "rate of the state lateral_slip"),
     "turning": Signal("", WHEEL, "direction of the spin: 1, -1, or 0 for a stationary wheel"),
-    "acceleration": Signal("m/s^2", ROAD, "acceleration of the sprung c.g.: forward, left, up"),
-    "specific_force": Signal("m/s^2", BODY, "reading of an accelerometer at the sprung c.g."),
-    "slope_gravity": Signal("m/s^2", BODY, "component of gravity along the road surface"),
     "strut_length": Signal("m", BODY, "distance from the c.g. plane down to the wheel centre"),
     "loaded_radius": Signal("m", WHEEL, "distance from the wheel centre to the contact point"),
     "unsprung_u": Signal("m/s", BODY, "velocity of the wheel centre, forward"),
@@ -106,12 +103,6 @@ OUTPUT_SIGNALS = {
     "roll_centre_height": Signal("m", ROAD, "model 2: roll centre of each axle above the road"),
     "roll_centre_place": Signal("m", BODY, "model 2: the same, to the left of the c.g."),
     "suspension_terms": Signal("", BODY, "model 2: path and carrier of the wheels (work space)"),
-    "body_acceleration": Signal(
-        "m/s^2, rad/s^2", BODY, "derivatives of u, v, w and of the three body rates"
-    ),
-    "mass_matrix": Signal(
-        "kg, kg m, kg m^2", BODY, "mass matrix of these six after elimination (work space)"
-    ),
     "compliance_terms": Signal("", WHEEL, "compliance of the wheels (work space)"),
     "commanded_steering": Signal("rad", BODY, "steering commands, front and rear"),
     "air_velocity": Signal(
@@ -121,6 +112,15 @@ OUTPUT_SIGNALS = {
     "road_friction": Signal("", WHEEL, "factor of the road on the friction of the tire"),
     "road_terms": Signal("", ROAD, "the road under the wheels (work space)"),
     "body_load": Signal("N", ROAD, "with body_contact: normal load on each corner of the body"),
+    "acceleration": Signal("m/s^2", ROAD, "acceleration of the sprung c.g.: forward, left, up"),
+    "specific_force": Signal("m/s^2", BODY, "reading of an accelerometer at the sprung c.g."),
+    "slope_gravity": Signal("m/s^2", BODY, "component of gravity along the road surface"),
+    "body_acceleration": Signal(
+        "m/s^2, rad/s^2", BODY, "derivatives of u, v, w and of the three body rates"
+    ),
+    "mass_matrix": Signal(
+        "kg, kg m, kg m^2", BODY, "mass matrix of these six after elimination (work space)"
+    ),
 }
 """Every field of an OUTPUTS record, in its order; fields of four values are lf, rf, lr, rr."""
 
