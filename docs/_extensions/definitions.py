@@ -35,23 +35,23 @@ DEFINITIONS = {
     "while the speed rises from {speed:g} m/s at {acceleration:g} m/s²",
     "tilt_table": "after SAE J2180, on its own road: parked on a table whose {side} side is raised "
     "at {rate:g}°/s to at most {steepest:g}°",
-    "braking_in_a_turn": "after ISO 7975: {km_per_h:g} km/h held, handwheel to the angle for a "
-    "steady {lateral_acceleration:g} m/s²; from {brakes_from:g} s on, brake torques for "
+    "braking_in_a_turn": "after ISO 7975: {km_per_h:g} km/h held, handwheel turned to the angle "
+    "for a steady {lateral_acceleration:g} m/s²; from {brakes_from:g} s on, brake torques for "
     "{deceleration:g} m/s² with the handwheel held and the throttle dropped",
-    "wind_gust": "a gust of {wind_speed:g} m/s from the side that lasts {gust_time:g} s, with the "
-    "handwheel held straight; {km_per_h:g} km/h held; for vehicles with air forces",
+    "wind_gust": "a gust of {wind_speed:g} m/s from the side for {gust_time:g} s, with the "
+    "handwheel held straight ahead; {km_per_h:g} km/h held; for vehicles with air forces",
     "soil_trip": "on its own road: slides sideways from ice into soft soil, at {sliding_speed:g} "
     "m/s",
     "corkscrew_ramp": "on its own road: the {side} wheels drive up a ramp {ramp_height:g} m high "
     "and {ramp_length:g} m long, and drop from its end; {km_per_h:g} km/h held",
-    "side_slope": "on its own road: along a slope of {slope:g}° that rises to the {side}, by a "
-    "driver who keeps the course; {km_per_h:g} km/h held",
+    "side_slope": "on its own road: along a slope of {slope:g}° that rises to the {side}, with a "
+    "driver who keeps to the course; {km_per_h:g} km/h held",
     "random_road": "on its own road: straight ahead on a random road of class {roughness} after "
     "ISO 8608; {km_per_h:g} km/h held",
     "curb_trip": "on its own road: slides sideways on ice, at {sliding_speed:g} m/s, against a "
     "curb {curb_height:g} m high",
-    "split_friction_braking": "on its own road: brakes on a straight road whose {side} side is "
-    "slippery (friction times {low_friction:g}), by a driver who follows it; {km_per_h:g} km/h",
+    "split_friction_braking": "on its own road: braking from {km_per_h:g} km/h on a straight road "
+    "whose {side} side is slippery (friction times {low_friction:g}), with a driver who follows it",
 }
 
 

@@ -113,7 +113,7 @@ def label_table() -> str:
     labels |= {
         "`applied_command`": COMMAND_LABELS,
         "`applied_command` of vehicles with air forces": (*COMMAND_LABELS, *WIND),
-        "`applied_command` on a road that is commanded": (*COMMAND_LABELS, *ROAD_LABELS),
+        "`applied_command` on a commanded road": (*COMMAND_LABELS, *ROAD_LABELS),
         "`applied_command` of vehicles with actuators, after these": DEMAND_LABELS,
         "`motion`": MOTION_LABELS,
     }

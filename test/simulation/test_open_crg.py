@@ -183,7 +183,7 @@ def test_heights_may_be_missing_at_the_edges_where_the_next_ones_are_held(tmp_pa
     heights = np.array(road_of(tmp_path, "file: a.crg").features[0].heights)
     assert heights[7, :3] == pytest.approx([WAVES[7, 2]] * 3, abs=EXACT)
     write_crg(tmp_path / "a.crg", EDGE, 0.5, ACROSS, modifiers=["GRID_NAN_MODE = 0"])
-    with refused("a.crg: heights are missing at u = 3.5 m", "with GRID_NAN_MODE 1 or 2 only"):
+    with refused("a.crg: heights are missing at u = 3.5 m", "only with GRID_NAN_MODE 1 or 2"):
         road_of(tmp_path, "file: a.crg")
 
 

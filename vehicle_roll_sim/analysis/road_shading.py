@@ -8,9 +8,9 @@ from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.road_mesh import has_mesh, sampled
 
 POINTS = 160
-"""In either direction of a panel."""
+"""Number of samples in either direction of a panel."""
 BESIDE = 3.0
-"""m on each side of the path that are shown at least."""
+"""m: smallest distance shown on each side of the path."""
 DARKEST = 0.5
 """Grey of a road without friction: 0 is white, 1 black."""
 LINES = 6
@@ -22,9 +22,9 @@ COLOUR, WIDTH = "#8c510a", 0.5
 
 
 def shade_road(axis, road: Road | None, x: np.ndarray, y: np.ndarray) -> None:
-    """Draw the road around a path (m), behind everything else: where it is slippery, and heights.
+    """Draw the friction and the heights of the road around a path (m), behind everything else.
 
-    Nothing is drawn of a plane.
+    Nothing is drawn for a plane.
     """
     known = np.isfinite(x) & np.isfinite(y)
     if not has_mesh(road) or not known.any():

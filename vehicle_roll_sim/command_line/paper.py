@@ -52,7 +52,7 @@ def paper_command(words: list[str], program: str) -> int:
     more.add_argument(
         "--published",
         action="store_true",
-        help="rerun numbers of other sources instead, with tolerances and differences",
+        help="rerun published numbers of other sources instead; print differences and tolerances",
     )
     arguments = parser.parse_args(words)
     folder = named_file(arguments.out, "--out")

@@ -108,7 +108,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
     )
     add_pictures(parser)
     add_vehicle_options(parser)
-    about = "road file (YAML) of CSV files, whose features are shown"
+    about = "road file (YAML) for CSV files; its features are shown"
     parser.add_argument_group("road").add_argument("--road", metavar="FILE", help=about)
     others = [name for name in parameters_of(Options) if name != "model"]
     add_declared(parser, Options, "vehicle", without=others)

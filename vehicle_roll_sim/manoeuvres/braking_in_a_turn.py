@@ -1,4 +1,4 @@
-"""Braking in a turn, after ISO 7975: how a braking action alone alters a steady turn.
+"""Braking in a turn, after ISO 7975: how braking alone disturbs a steady turn.
 
 The text of the standard was not at hand. From public descriptions: an open-loop test, in which the
 handwheel is held while the throttle is released and the brakes are applied. The lateral
@@ -37,9 +37,7 @@ class BrakingInATurn(TurnIn):
         "deceleration that the brake torques would give without slip", "m/s^2", 0.0, 20.0
     )
     brakes_from: float = parameter("time at which braking begins", "s", 0.0, LONGEST)
-    brake_rise: float = parameter(
-        "time in which the brake torques rise", "s", 1e-3, LONGEST, default=0.2
-    )
+    brake_rise: float = parameter("rise time of the brake torques", "s", 1e-3, LONGEST, default=0.2)
     brake_torques: tuple[float, ...] = NO_FORCE
 
     def __post_init__(self):
@@ -92,7 +90,7 @@ class BrakingInATurn(TurnIn):
         return float((speed[0] - speed[end]) / (time[end] - time[0])) if end else math.nan
 
     def after_a_second(self, history: History) -> tuple[float, float, float]:
-        """Radius of the turn (m), and what has become of it after LOOKED_AT seconds of braking.
+        """Radius of the turn (m), and the state of the turn after LOOKED_AT seconds of braking.
 
         The yaw rate over that on the circle at the present speed, and how far the vehicle is inside
         the circle (m). The circle is that of the velocity and the yaw rate when braking begins.

@@ -38,11 +38,11 @@ class WindGust(OpenLoop):
         choices=(COSINE, TRAPEZOID),
         default=COSINE,
     )
-    gust_time: float = parameter("time that it lasts", "s", 0.01, LONGEST, default=2.0)
+    gust_time: float = parameter("duration of the gust", "s", 0.01, LONGEST, default=2.0)
     ramp_time: float = parameter(
-        "time of each ramp of a trapezoid", "s", 1e-3, LONGEST, default=0.2
+        "duration of each ramp of a trapezoid", "s", 1e-3, LONGEST, default=0.2
     )
-    start: float = parameter("time at which it begins", "s", 0.0, LONGEST, default=1.0)
+    start: float = parameter("time at which the gust begins", "s", 0.0, LONGEST, default=1.0)
 
     needs_vehicle = True
 

@@ -7,7 +7,7 @@ from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.road_mesh import has_mesh, road_mesh
 
 MOST_CELLS = 1500
-"""Of the mesh; a message of it has at most about 1 MB."""
+"""Limit on the cells of the mesh; its message then has at most about 1 MB."""
 REACH = 40.0
 """m around the features that are shown."""
 TRIANGLE_LIST = 11
@@ -20,9 +20,9 @@ USUAL, SLIPPERY, ROUGH, SOIL = (
 
 
 def road_marker(road: Road, frame_prefix: str = "") -> dict:
-    """The fields of a Marker; empty if there is nothing to see but a plane.
+    """The fields of a Marker; empty if the road looks like a plane.
 
-    It does not depend on the run: it shows the first 200 m of each feature and what is around them.
+    It does not depend on the run: it shows the first 200 m of each feature and their surroundings.
     """
     if not has_mesh(road):
         return {}

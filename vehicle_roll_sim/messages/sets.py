@@ -288,7 +288,7 @@ class Messages:
 
 
 def _of_road(command: Command) -> tuple[float, ...]:
-    """What ROAD_LABELS name."""
+    """The values named by ROAD_LABELS."""
     return (*command.road_height, *command.road_friction)
 
 

@@ -51,7 +51,7 @@ def builder(messages: Messages, encode: Encode, topic: Topic) -> Callable[[], by
 
 
 def _signals(simulation: Simulation) -> np.ndarray:
-    """What SIGNAL_UNITS names, at the present simulated time."""
+    """The values named by SIGNAL_UNITS, at the present simulated time."""
     state, outputs = simulation.state_vector, simulation.outputs
     loads = outputs["normal_force"]
     velocity, attitude = state[[at.U, at.V, at.W]], state[[at.ROLL, at.PITCH]]

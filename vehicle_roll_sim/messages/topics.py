@@ -57,7 +57,7 @@ COMMAND_MEANINGS = {
     "vehicle has no air forces",
     "road_height_cmd": "height of the road under each wheel; ignored unless the road has the "
     "feature commanded",
-    "road_friction_cmd": "factor of the friction of each tire, not below 0; likewise",
+    "road_friction_cmd": "friction factor of each tire, not below 0; likewise",
 }
 COMMANDS = tuple(
     Topic(
@@ -167,8 +167,8 @@ MEASUREMENTS = Topic(
 ACTUATORS = Topic(
     "actuators",
     ARRAY,
-    meaning="with actuators: time since the reset, then their states: the output of the rate "
-    "limiters, that of the lags, and its rate",
+    meaning="with actuators: time since the reset, then their states: outputs of the rate "
+    "limiters, outputs of the lags, and rates of the latter",
 )
 """Also part of the set if the vehicle has actuators."""
 MEASURED_BY = {"odom": (ODOMETRY,), "imu": (IMU,), "joint_states": (WHEEL_SPEEDS, STEERING)}
@@ -190,7 +190,7 @@ STAMPED_ENDING = "_stamped"
 SIGNALS = Topic(
     f"signals{STAMPED_ENDING}",
     JOINTS,
-    meaning="the quantities that are plotted most, in `position`, with their names in `name`",
+    meaning="the most frequently plotted quantities: values in `position`, their names in `name`",
 )
 STAMPED = (
     *(

@@ -7,9 +7,9 @@ From RISING on, the tire therefore becomes the disc that it is in model 2, of wh
 is r0 c below the centre: its compression is then x = xt - b r0 (1 - c), where b goes from 0 at the
 cosine RISING to 1 at DISC. In both models the load fades out before the disc lies flat.
 
-Wheels that spin in the air wind up their tires when they land on a vehicle that slides sideways:
-above walking pace, slip decays as the wheel rolls only. When the slip velocity turns round, what
-exceeds the peak is therefore released, as it is at standstill.
+Wheels that spin in the air wind up their tires when they land while the vehicle slides sideways:
+above walking pace, slip decays only as the wheel rolls. When the slip velocity reverses, the slip
+beyond the peak is therefore released, as at standstill.
 """
 
 from vehicle_roll_sim.model import records as at
@@ -23,7 +23,7 @@ from vehicle_roll_sim.model.tire.transient_slip import RELEASE_TIME
 RISING, DISC = 0.7, 0.4
 """Cosines (46 and 66 degrees) between which the tire of model 1 becomes a disc."""
 LEANING, FLAT = 0.5, 0.1
-"""Cosines (60 and 84 degrees) between which the load of a wheel fades from all to nothing."""
+"""Cosines (60 and 84 degrees) between which the load of a wheel fades from full to zero."""
 SMALLEST = 0.5
 """Lower limit of the loaded radius over the unloaded one: there a tire has reached its rim."""
 
@@ -89,9 +89,9 @@ def contact_of_fallen_wheels(state, vehicle, attitude, outputs):
 def release_lying_wheels(vehicle, ground, outputs):
     """Model 2: wheels that lie on their sides carry no load; after the contact is known.
 
-    The load F(r0 - zc / c) / c of a disc at the cosine c has no limit when it falls flat: from
-    LEANING on it is that of the same depth r0 c - zc with LEANING in place of c, and fades. Upside
-    down the disc meets the road as well, and may carry the vehicle.
+    The load F(r0 - zc / c) / c of a disc at the cosine c grows without limit as it falls flat. From
+    LEANING on, c is therefore replaced by LEANING at the same depth r0 c - zc, and the load fades.
+    Upside down the disc meets the road as well, and may carry the vehicle.
     """
     for i in range(WHEEL_COUNT):
         cosine, radius = outputs.inclination_cosine[i], vehicle.tire_radius[i]

@@ -24,8 +24,8 @@ from vehicle_roll_sim.simulation.road import Road
 class RunResult:
     """The result of a run; `result["roll"]` is a column, shape (rows,), in SI units and radians.
 
-    So is `result["sideslip_angle"]`, like all SIGNALS of `runs.derived_signals`, though `columns`
-    does not have them.
+    So is `result["sideslip_angle"]`, and so are all SIGNALS of `runs.derived_signals`, although
+    they are not among `columns`.
 
     manoeuvre: as driven, completed for the vehicle. history: all rows. events: EVENTS record with
     lift-off and rollover times (s, nan for never) and peaks. condition: RUNNING if the run was

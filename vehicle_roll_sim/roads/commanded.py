@@ -3,13 +3,13 @@
 import dataclasses
 
 NOT_COMMANDED = "no value, since the road has no feature `commanded`"
-"""What is allowed on other roads."""
+"""The allowed value on other roads."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Commanded:
-    """The heights under the wheels and their friction are commands, as on a test rig with posts.
+    """Heights and friction under the wheels are commands, as on a four-post test rig.
 
-    They are added to those of the other features, and multiplied with them. The road is level under
-    each wheel.
+    The heights are added to those of the other features, the friction factors are multiplied. The
+    road is level under each wheel.
     """

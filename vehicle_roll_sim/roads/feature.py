@@ -14,7 +14,7 @@ Row = tuple[int, list[float], np.ndarray | None]
 """A feature for `model.road.layout.ground_of`: kind, numbers and table."""
 UNBOUNDED = "unbounded"
 SHOWN = 200.0
-"""m of a feature that a picture shows which does not follow a vehicle."""
+"""m: length of a feature that is shown in a picture that does not follow a vehicle."""
 
 
 def place(description: str, **settings):
@@ -29,21 +29,21 @@ def size(description: str, **settings):
 
 def edge(**settings):
     """Declare the length over which the edges of a feature are rounded."""
-    about = "length over which its edges are rounded, as the contact patch of a tire does"
+    about = "length over which its edges are rounded, as by the contact patch of a tire"
     return parameter(about, "m", 0.01, 10.0, **{"default": 0.1} | settings)
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Feature:
-    """A part of a road in coordinates of its own, s along it and n to the left, from its start.
+    """A part of a road in its own coordinates from its start: s along it and n to the left.
 
     Raises InputError for a value that is not allowed.
     """
 
-    start: float = place("where it begins, along the initial heading")
+    start: float = place("distance to its start, along the initial heading")
     offset: float = place("where it begins, to the left of the initial heading", default=0.0)
     heading: float = parameter(
-        "direction in which it runs, to the left of the initial heading",
+        "direction of its s axis, counterclockwise from the initial heading",
         "deg",
         -360.0,
         360.0,
@@ -63,7 +63,7 @@ class Feature:
         raise NotImplementedError
 
     def edges(self) -> tuple[Sequence[float], Sequence[float]]:
-        """Where it has edges: values of s, across it, and of n, along it (m); for pictures."""
+        """Its edges (m), for pictures: the s of those across it, and the n of those along it."""
         return (0.0,), ()
 
     def placed(self, points: np.ndarray) -> np.ndarray:
@@ -85,11 +85,9 @@ class Rectangle(Feature):
     """A feature that is bounded by a rectangle."""
 
     length: float | None = size("length along its heading", default=None, none=UNBOUNDED)
-    left: float | None = place(
-        "its left edge, to the left of its start", default=None, none=UNBOUNDED
-    )
+    left: float | None = place("lateral position n of its left edge", default=None, none=UNBOUNDED)
     right: float | None = place(
-        "its right edge, also to the left of its start", default=None, none=UNBOUNDED
+        "lateral position n of its right edge", default=None, none=UNBOUNDED
     )
 
     @property

@@ -23,11 +23,9 @@ class Ramp(Rectangle):
 
     length: float = size("length of the rise")
     height: float = parameter("height of its top; negative for a descent", "m", -100.0, 100.0)
-    top: float | None = size(
-        "length of its level top", least=0.0, default=None, none="it does not end"
-    )
+    top: float | None = size("length of its level top", least=0.0, default=None, none="no end")
     descent: float | None = size(
-        "length of the way down after the top", default=None, none="a drop over the rounding"
+        "length of the descent after the top", default=None, none="a drop over the rounding"
     )
     rounding: float = edge()
 
@@ -50,10 +48,12 @@ class CorkscrewRamp(Feature):
     """A ramp that only the wheels of one side drive up: it rises along and to its raised side."""
 
     length: float = size("length of the rise")
-    height: float = parameter("height of its end at its raised edge", "m", 0.001, 10.0)
-    width: float = size("distance from its edge at height 0, at n = 0, to its raised edge")
+    height: float = parameter("height of the raised edge at its end", "m", 0.001, 10.0)
+    width: float = size("distance from its low edge, at n = 0, to its raised edge")
     raised: str = parameter("the side that is raised", choices=(LEFT, RIGHT), default=LEFT)
-    top: float = size("length after the rise, at the end of which it drops", least=0.0, default=0.0)
+    top: float = size(
+        "length of its level part after the rise, before the drop", least=0.0, default=0.0
+    )
     rounding: float = edge()
 
     def rows(self) -> list[Row]:
@@ -76,7 +76,7 @@ class Wave(Feature):
 
     length: float = size("length of one crest or dip", least=0.1)
     height: float = parameter("height of a crest, negative for a dip", "m", -100.0, 100.0)
-    count: float = parameter("how many follow each other", "", 1.0, 1e5, default=1.0)
+    count: float = parameter("number of crests or dips in a row", "", 1.0, 1e5, default=1.0)
 
     def __post_init__(self):
         super().__post_init__()
@@ -92,9 +92,9 @@ class Wave(Feature):
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Curb(Feature):
-    """A curb along its heading: a step with an inclined face, which also meets the side walls.
+    """A curb along its heading: a step with an inclined face, which also pushes on sidewalls.
 
-    The face begins at n = 0 and rises to one side. A tire whose side wall comes into contact with
+    The face begins at n = 0 and rises to one side. A tire whose sidewall comes into contact with
     it is pushed back by a spring and a damper; see `model.road.resistance`. Wheels and rims do not
     touch the road.
     """
@@ -102,19 +102,25 @@ class Curb(Feature):
     length: float = size("length of the curb", default=1000.0)
     height: float = parameter("height of its top above the road", "m", 0.01, 1.0, default=0.15)
     raised: str = parameter("the side that is raised", choices=(LEFT, RIGHT), default=LEFT)
-    face_angle: float = parameter("angle of its face to the road", "deg", 10.0, 90.0, default=75.0)
+    face_angle: float = parameter(
+        "angle between its face and the road", "deg", 10.0, 90.0, default=75.0
+    )
     side_distance: float = parameter(
-        "distance from the middle plane of a tire to its side wall", "m", 0.01, 1.0, default=0.1
+        "distance from the wheel plane to the sidewall of the tire", "m", 0.01, 1.0, default=0.1
     )
     stiffness: float = parameter(
-        "force of the face on a side wall, which it presses against the rim, over its deflection",
+        "stiffness of a sidewall that the face presses against the rim",
         "N/m",
         0.0,
         1e8,
         default=1e6,
     )
     damping: float = parameter(
-        "force of the face on a side wall over its rate", "N s/m", 0.0, 1e6, default=2e3
+        "damping of a sidewall that the face presses against the rim",
+        "N s/m",
+        0.0,
+        1e6,
+        default=2e3,
     )
     rounding: float = edge()
 
@@ -165,9 +171,9 @@ class BankedCurve(Feature):
     arc: float = size("length of the arc along the centreline")
     transition: float = size("length of each clothoid", least=1.0, default=50.0)
     bank: float = parameter(
-        "slope across the road in the arc, positive with the outer side raised", "m/m", -1.0, 1.0
+        "cross slope in the arc, positive with the outer side raised", "m/m", -1.0, 1.0
     )
-    width: float = size("width of the road; beyond it the height is that of its edge", default=12.0)
+    width: float = size("width of the road; beyond it, the edge height continues", default=12.0)
     rounding: float = edge(default=5.0)
 
     def __post_init__(self):

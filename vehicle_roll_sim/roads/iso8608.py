@@ -14,7 +14,7 @@ LOWEST, HIGHEST = 0.011, 2.83
 ROUGHNESS = {name: 16e-6 * 4.0**k for k, name in enumerate("ABCDEFGH")}
 """m^3: Gd(n0), the geometric means of the classes."""
 PRECISION = 9
-"""Decimals of a height in m: machines that round sines differently give the same road."""
+"""Decimals of a height in m, so that machines that round sines differently give the same road."""
 GOLDEN, FIRST_MIX, SECOND_MIX = 0x9E3779B97F4A7C15, 0xBF58476D1CE4E5B9, 0x94D049BB133111EB
 """Of the generator splitmix64 (Steele, Lea and Flood, 2014)."""
 

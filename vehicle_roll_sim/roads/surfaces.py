@@ -12,7 +12,7 @@ from vehicle_roll_sim.roads.feature import Rectangle, Row, edge, size
 
 LARGEST_FRICTION = 10.0
 MOST_SQUARES = 1000
-"""In either direction of a chessboard with edges of its squares in pictures."""
+"""Largest number of squares in either direction whose edges are shown in pictures."""
 
 
 def factor(description: str):
@@ -31,7 +31,7 @@ def _check_sides(rectangle: Rectangle) -> None:
 class Patch(Rectangle):
     """A rectangle with friction of its own, such as one half of a split-friction road."""
 
-    friction: float = factor("factor of LMUX and LMUY of the tires")
+    friction: float = factor("factor on LMUX and LMUY of the tires")
 
     def __post_init__(self):
         super().__post_init__()
@@ -43,10 +43,10 @@ class Patch(Rectangle):
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Chessboard(Rectangle):
-    """Squares of two kinds of friction, in turn along and across."""
+    """Squares of two frictions, alternating along and across."""
 
-    friction: float = factor("factor of LMUX and LMUY on the first square, at its right edge")
-    other_friction: float = factor("the same on its neighbours")
+    friction: float = factor("factor on LMUX and LMUY on the first square, at the right edge")
+    other_friction: float = factor("the same on the adjacent squares")
     square_length: float = size("length of a square", least=0.01)
     square_width: float = size("width of a square", least=0.01)
 
@@ -71,7 +71,7 @@ class Chessboard(Rectangle):
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Soil:
-    """What soft soil is like: how far wheels sink, and what resists them sideways.
+    """Properties of soft soil: how far wheels sink in, and the lateral resistance of furrows.
 
     A wheel sinks by its load over the stiffness. The furrow resists a wheel that slides sideways
     with Rankine's passive earth pressure over the length of the contact patch,
@@ -79,13 +79,13 @@ class Soil:
         F = L (2 C sqrt(K) z + gamma K z^2 / 2),  K = tan(45 deg + phi / 2)^2.
     """
 
-    stiffness: float = parameter("load of a wheel over its sinkage", "N/m", 1e3, 1e9, default=1e5)
+    stiffness: float = parameter("wheel load per unit of sinkage", "N/m", 1e3, 1e9, default=1e5)
     cohesion: float = parameter("cohesion of the soil, C", "Pa", 0.0, 1e7, default=5e3)
     friction_angle: float = parameter(
         "angle of internal friction of the soil, phi", "deg", 0.0, 60.0, default=30.0
     )
     unit_weight: float = parameter(
-        "weight of the soil by volume, gamma", "N/m^3", 0.0, 1e5, default=1.6e4
+        "unit weight of the soil, gamma", "N/m^3", 0.0, 1e5, default=1.6e4
     )
     contact_length: float = parameter("length of the contact patch, L", "m", 0.01, 2.0, default=0.2)
 
@@ -103,7 +103,7 @@ class Soil:
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class SoftSoil(Soil, Rectangle):
-    """Soil into which wheels sink, and in whose furrows they are held sideways."""
+    """Soil into which wheels sink, and whose furrows resist them sideways."""
 
     rounding: float = edge(default=0.5)
 

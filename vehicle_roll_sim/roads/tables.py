@@ -26,15 +26,15 @@ class Tracks(Feature):
     stays the same. It is averaged over the length of the contact patch.
     """
 
-    track: float = size("distance of the two tracks, half of it to each side", default=1.5)
+    track: float = size("distance between the two tracks, half of it to each side", default=1.5)
     contact_length: float = parameter(
-        "length of the contact patch of a tire, over which heights are averaged; 0: not at all",
+        "length of the contact patch, over which heights are averaged; 0: no averaging",
         "m",
         0.0,
         2.0,
         default=0.1,
     )
-    spacing: float = size("distance of two points of the table in use", least=0.005, default=0.05)
+    spacing: float = size("spacing of the resampled heights", least=0.005, default=0.05)
 
     def tracks(self) -> np.ndarray:
         """Heights of the left and the right track at their points, shape (2, n) (m)."""
@@ -139,13 +139,13 @@ class Profile(Tracks):
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Roughness:
-    """What a random road is like."""
+    """Properties of a random road."""
 
     roughness: str = parameter("class of roughness", choices=tuple(ROUGHNESS), default="B")
-    seed: float = parameter("number of the road", "", 0.0, 2.0**53, default=1.0)
-    length: float = size("its length, after which it is level", least=1.0, default=1000.0)
+    seed: float = parameter("seed of the random numbers", "", 0.0, 2.0**53, default=1.0)
+    length: float = size("its length; after it, the road is level", least=1.0, default=1000.0)
     incoherence: float = parameter(
-        "length L of the coherence exp(-n L) of the tracks at the spatial frequency n; 0: both "
+        "length L in the coherence exp(-n L) of the tracks at the spatial frequency n; 0: both "
         "tracks are the same",
         "m",
         0.0,
@@ -194,10 +194,10 @@ class Grid(Feature):
     friction changes linearly; beyond the grid both stay as at its edge.
     """
 
-    spacing: float = size("distance of two rows along the heading", least=0.01)
-    side_spacing: float = size("distance of two points of a row", least=0.01)
-    right: float = place("where the rows begin, to the left of the start")
-    ahead: float = place("where the first row is, along the heading from the start", default=0.0)
+    spacing: float = size("spacing of the rows along the heading", least=0.01)
+    side_spacing: float = size("spacing of the points of a row", least=0.01)
+    right: float = place("lateral position n of the right end of the rows")
+    ahead: float = place("position s of the first row", default=0.0)
     heights: tuple[tuple[float, ...], ...] = ()
     frictions: tuple[tuple[float, ...], ...] = ()
 

@@ -16,11 +16,11 @@ class TiltTable:
     """A road that tilts sideways with time, such as the table of SAE J2180.
 
     The table and everything on it are described in its own frame, in which gravity turns. Its own
-    acceleration is left out: at the rates of a test, below 1 deg/s, it is far below 0.001 g.
+    acceleration is neglected: at the rates of a test, below 1 deg/s, it is far below 0.001 g.
     """
 
     angles: Table = parameter(
-        "angle of the table over time, positive with the left side raised; straight between the "
+        "angle of the table over time, positive with the left side raised; linear between the "
         "points, constant before and after them",
         "deg",
         -STEEPEST,

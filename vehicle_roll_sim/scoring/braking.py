@@ -1,4 +1,4 @@
-"""How a vehicle stops that brakes on split friction."""
+"""How a vehicle stops when it brakes on split friction."""
 
 import dataclasses
 import math
@@ -9,9 +9,9 @@ from vehicle_roll_sim.manoeuvres.on_roads.split_friction import STOPPED, SplitFr
 from vehicle_roll_sim.runs.history import History
 
 WIDEST = 0.5
-"""m: a vehicle that leaves its course by more comes onto one of the surfaces as a whole."""
+"""m: with a larger deviation, all wheels come onto the same surface."""
 MOST_TURNED = math.radians(15.0)
-"""rad: larger yaw angles a driver does not catch."""
+"""rad: a driver does not recover from larger yaw angles."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Braking:
 
 
 def braking_of(manoeuvre, history: History) -> Braking:
-    """How the vehicle of a run stopped; nothing of other manoeuvres."""
+    """How the vehicle of a run stopped; empty for other manoeuvres."""
     if not isinstance(manoeuvre, SplitFrictionBraking):
         return Braking()
     moves = np.hypot(history["u"], history["v"]) >= STOPPED

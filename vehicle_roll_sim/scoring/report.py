@@ -183,18 +183,19 @@ def _of_worst(name: str, worst: Worst):
 
 
 LEGEND_OF_TESTS = (
-    "The first table of each test has the figures of the nominal vehicle at the level compared, "
-    "the lower limit or the highest level, on the side with the larger roll angle. The second "
-    "table has the limits of all variants or, of a test with one level, the largest roll angles."
+    "The first table of each test has the figures of the nominal vehicle, on the side with the "
+    "larger roll angle, at the level compared: the lower limit, or the highest level if there is "
+    "none. The second table has the limits of all variants or, for a test with one level, the "
+    "largest roll angles."
 )
 LEGEND_OF_BRAKING = (
     "Nominal vehicle, at the level compared. Yaw angle and deviation from the course are the "
-    "largest ones up to the stop."
+    "largest values up to the stop."
 )
 LEGEND_OF_WARNINGS = (
     "A danger is a two-wheel lift, rollover or stop, in the run itself or without the controller. "
-    "A false alarm is a warning without danger; missed is a danger that occurs without a warning "
-    "before it. The lead time is from the first warning to the danger."
+    "A false alarm is a warning without danger. A danger is missed if there was no warning before "
+    "it. The lead time is from the first warning to the danger."
 )
 
 

@@ -1,6 +1,6 @@
 """The largest step for a body on its corners: its modes on the ground, in closed form.
 
-The modes at the start of a run, on its wheels, do not contain them.
+The modes at the start of a run, with the vehicle on its wheels, do not contain these.
 """
 
 import itertools
@@ -16,11 +16,11 @@ UNITS = {"stiffness": "N/m", "damping": "N s/m", "friction": "(-)"}
 
 
 def largest_mobility(vehicle: np.record) -> float:
-    """Largest eigenvalue of M^-1 sum(g g^T), over all ways in which the box may lie (1/kg).
+    """Largest eigenvalue of M^-1 sum(g g^T), over all contacts of the box with the ground (1/kg).
 
-    vehicle: a VEHICLE record. M: mass matrix of the sprung mass alone, which the wheels could only
-    make heavier. g = (n, P x n): a normal force at each corner P that touches the ground, which are
-    the four of one face with their common normal, or a single one with any normal.
+    vehicle: a VEHICLE record. M: mass matrix of the sprung mass alone, to which the wheels could
+    only add. g = (n, P x n): a normal force at each corner P that touches the ground, which are the
+    four of one face with their common normal, or a single one with any normal.
     """
     body = vehicle["body"]
     axes, faces = np.eye(3), (("ahead", "behind"), ("left", "right"), ("top", "bottom"))

@@ -11,7 +11,7 @@ from vehicle_roll_sim.simulation.road import Road
 UNIT = 2.0**-10
 """m: all corners are at whole numbers of it, so that those of neighbours meet exactly."""
 NEAR = 4.0
-"""m from a place: up to here a cell is as exact as it gets; twice as far away half as exact."""
+"""m: up to this distance from a place cells are finest; at twice the distance, half as fine."""
 DEVIATION = 0.004
 """m that the road may be off the straight line from one side of a near cell to the other."""
 SIDE = 3.0
@@ -21,9 +21,9 @@ EDGE = 0.25
 SHORTEST = 20
 """UNITs: no side is halved to less."""
 POINTS = 9
-"""In either direction of a cell, at which it is looked at."""
+"""Number of points in either direction at which a cell is checked."""
 CHANGE = 0.02
-"""Of friction, that is seen."""
+"""Smallest change of friction that counts."""
 CLOSE = 1e-6
 """Of a side: how far the outermost points are inside the cell, on its side of an edge."""
 
@@ -31,8 +31,8 @@ CLOSE = 1e-6
 def cells_of(road: Road, places: np.ndarray, most: int, reach: float) -> np.ndarray:
     """West, east, south and north side of each rectangle, in UNITs, shape (n, 4).
 
-    Arguments as for `road_mesh`. Rectangles are divided, the worst first, until all are good or
-    there are as many as there may be.
+    Arguments as for `road_mesh`. Rectangles are divided, the worst first, until all are good enough
+    or their largest number is reached.
     """
     low, high = places.min(axis=0) - reach, places.max(axis=0) + reach
     box = [*np.floor((low[0], high[0], low[1], high[1])) / UNIT]
@@ -60,7 +60,7 @@ def _divided(cells: np.ndarray, axis: np.ndarray, cut: np.ndarray) -> np.ndarray
 
 
 def _judged(cells: np.ndarray, road: Road, places: np.ndarray, edges: tuple) -> tuple:
-    """Of each cell how bad it is (above 1: to be divided), along which axis, and where."""
+    """Score of each cell (above 1: to be divided), the axis along which to divide it, and where."""
     scale = np.maximum(1.0, _distance(cells * UNIT, places) / NEAR)
     sizes = np.column_stack((cells[:, 1] - cells[:, 0], cells[:, 3] - cells[:, 2]))
     scores = _scores(cells * UNIT, road, scale[:, np.newaxis])
@@ -77,7 +77,7 @@ def _judged(cells: np.ndarray, road: Road, places: np.ndarray, edges: tuple) -> 
 
 
 def _distance(cells: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Of each cell from the nearest place (m)."""
+    """Distance of each cell from the nearest place (m)."""
     x0, x1, y0, y1 = (each[:, np.newaxis] for each in cells.T)
     ahead = np.maximum(np.maximum(x0 - places[:, 0], places[:, 0] - x1), 0.0)
     aside = np.maximum(np.maximum(y0 - places[:, 1], places[:, 1] - y1), 0.0)
@@ -116,8 +116,8 @@ def _scores(cells: np.ndarray, road: Road, scale: np.ndarray) -> np.ndarray:
 def _edges(road: Road, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Edges across x and across y: where, from and to, each of shape (n, 3), in UNITs.
 
-    Those of features whose heading is along an axis, as far as they are in the box; others are
-    found by looking.
+    Those of features whose heading is along an axis, as far as they are in the box; other edges are
+    found by sampling.
     """
     found = ([], [])
     for feature in road.features:

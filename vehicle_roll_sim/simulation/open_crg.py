@@ -2,8 +2,8 @@
 
 A file has heights over u, along a reference line, and v, to the left of it. They are taken at the
 points of a grid with the coordinates s and n: along the direction in which the reference line
-begins, and to the left. The surface has the height 0 there, and goes on beyond its data as at its
-edge. A file of friction has factors in place of heights.
+begins, and to the left. The surface has the height 0 there, and keeps the height of its edge beyond
+the data. A file of friction has factors in place of heights.
 """
 
 import math
@@ -25,7 +25,7 @@ SPACINGS = ("spacing", "side_spacing")
 MOST_MEANS = 5
 """Points in each direction of which the mean is taken where a grid is coarser than its file."""
 SAME = 1e-3
-"""m: how far the reference lines of heights and of friction may be apart."""
+"""m: largest distance between the reference lines of heights and of friction."""
 ROUNDING = 1e-6
 """Of a spacing."""
 HELD = 2
@@ -107,7 +107,7 @@ def _check_gaps(stored, road, path: Path) -> None:
     gaps = np.abs(np.diff(known)).sum(axis=1) != 2
     gaps |= np.isnan(road.z).any(axis=1)
     if gaps.any():
-        allowed = "none missing between others, and at the edges with GRID_NAN_MODE 1 or 2 only"
+        allowed = "no gap between heights, and gaps at the edges only with GRID_NAN_MODE 1 or 2"
         problem = f"heights are missing at u = {stored.u[np.argmax(gaps)]:g} m"
         raise InputError(f"file {path}", "", allowed, problem)
 

@@ -121,7 +121,7 @@ class Road:
 
     @property
     def has_heights(self) -> bool:
-        """Whether the road is no plane, so that heights over z = 0 are not those over the road."""
+        """Whether the road is not plane, so that heights over z = 0 are not those over the road."""
         return not all(isinstance(each, OF_A_PLANE) for each in self.features)
 
     def gravity(self, gravity: float, time: float = 0.0) -> tuple[float, float, float]:

@@ -44,7 +44,7 @@ class RoadMesh:
 
 
 def has_mesh(road: Road | None) -> bool:
-    """Whether a road is anything else to see than a plane; it may still tilt or be commanded."""
+    """Whether a road looks different from a plane; a plane may still tilt or be commanded."""
     return road is not None and road.ground()[COUNT] > 0
 
 
@@ -89,7 +89,7 @@ def sampled(road: Road, points: np.ndarray) -> np.ndarray:
 
 
 def thinned(places: np.ndarray) -> np.ndarray:
-    """Those of some places that are known and apart from each other, at most MOST_PLACES."""
+    """The places that are known and apart from each other, at most MOST_PLACES."""
     known, spacing = places[(np.abs(places) < FURTHEST).all(axis=1)], 1.0
     while True:
         _, first = np.unique(np.floor(known / spacing), axis=0, return_index=True)
@@ -132,6 +132,6 @@ def _lines(corners: np.ndarray, axis: int) -> dict[int, np.ndarray]:
 
 
 def _between(line: np.ndarray, low: int, high: int, shift: int = 0) -> list[int]:
-    """The points of a line from `low` to before `high`, or so many later."""
+    """The points of a line from `low` to before `high`; shift: of both ends, in points."""
     first, last = np.searchsorted(line, (low, high)) + shift
     return line[first:last].tolist()

@@ -1,4 +1,4 @@
-"""Parameters of the body: the box as which it touches the ground, and is drawn."""
+"""Parameters of the body: the box that touches the ground and is drawn."""
 
 import dataclasses
 import math
@@ -42,7 +42,7 @@ class BodyBox:
         default=None,
     )
     body_width: float | None = parameter(
-        f"width of the body; by default the larger track and {TIRE_WIDTH:g}, but at most "
+        f"width of the body; by default the larger track plus {TIRE_WIDTH:g}, but at most "
         f"{1 + WIDEST_TIRE:g} times the track",
         "m",
         0.01,
@@ -62,7 +62,7 @@ class BodyBox:
         default=None,
     )
     body_stiffness: float | None = parameter(
-        "load on a corner of the body over its depth in the ground; by default the body, lying on "
+        "stiffness of a corner of the body in the ground; by default the body, lying on "
         f"four corners, sinks in by {SINKAGE:.0%} of its height",
         "N/m",
         1e-3,
@@ -70,7 +70,7 @@ class BodyBox:
         default=None,
     )
     body_damping: float | None = parameter(
-        "load on a corner of the body over the rate of its depth; by default the damping ratio of "
+        "damping of a corner of the body in the ground; by default the damping ratio of "
         f"the bounce on four corners is {DAMPING_RATIO:g}",
         "N s/m",
         0.0,

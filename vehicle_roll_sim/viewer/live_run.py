@@ -24,7 +24,7 @@ WINDOW = 30.0
 EVERY = 0.1
 """Wall time (s) after which there is an update, with or without new samples."""
 MESH_EVERY, MESH_AHEAD = 25.0, 60.0
-"""m: way after which the road is told anew, and how far ahead of the vehicle it is told closely."""
+"""m: distance after which the road is sent again, and how far ahead it is sent in detail."""
 MESH_CELLS = 1500
 NOTE = f"The last {WINDOW:g} s of a running simulator; this address works on this machine only."
 
@@ -86,7 +86,7 @@ class LiveRun:
             self._changed.notify_all()
 
     def _mesh_around(self, history: History) -> dict | None:
-        """The road around the window and ahead of it; another one whenever it has gone on."""
+        """The road around the window and ahead of it, renewed as the vehicle moves on."""
         path, heading = path_of(history), float(history["yaw"][-1])
         here = path[-1]
         if not has_mesh(self._road) or not np.isfinite((*here, heading)).all():

@@ -1,4 +1,4 @@
-"""The road of a run as the page gets it: a mesh, and what a run knows of the road under it."""
+"""The road of a run as the page gets it: a mesh, and columns of the road under the vehicle."""
 
 from collections.abc import Sequence
 
@@ -18,9 +18,9 @@ from vehicle_roll_sim.simulation.road_mesh import (
 from vehicle_roll_sim.viewer.packing import packed
 
 LEAST_CELLS = 250
-"""Of each mesh of a page with runs on many roads."""
+"""Smallest limit on the cells of each mesh, on a page with runs on many roads."""
 PER_FRICTION, MOST_FRICTION = 100, 655.0
-"""Friction is told in whole hundredths of 16 bits."""
+"""Friction is sent in hundredths, as integers of 16 bits."""
 
 
 def roads_of(runs: Sequence) -> list[Road]:

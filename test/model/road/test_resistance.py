@@ -52,7 +52,7 @@ def test_a_furrow_resists_with_the_passive_earth_pressure_of_rankine(reference):
 @pytest.mark.parametrize("raised", ["left", "right"])
 def test_the_face_of_a_curb_is_a_spring_against_the_side_wall(reference, raised):
     side = 1.0 if raised == "left" else -1.0
-    foot = side * (reference.front_track / 2 + 0.06)  # 40 mm less than the side wall is away
+    foot = side * (reference.front_track / 2 + 0.06)  # 40 mm less than the sidewall is away
     curb = {**CURB, "raised": raised, "offset": foot, "stiffness": 2e5}
     simulation = Simulation(reference, road=road(curb))
     terms = simulation.outputs["road_terms"]
@@ -87,7 +87,7 @@ def critical_speed(vehicle) -> float:
 
 @pytest.mark.parametrize("model", ["1", "2"])
 def test_a_curb_trips_a_sliding_vehicle_at_about_the_critical_speed_of_a_block(reference, model):
-    """Springs and side walls give back what the impact of a block would lose: a little sooner."""
+    """Springs and sidewalls give back what the impact of a block would lose: a little sooner."""
     critical = critical_speed(reference)
     assert critical == pytest.approx(5.0, abs=0.1)
     trips = {}

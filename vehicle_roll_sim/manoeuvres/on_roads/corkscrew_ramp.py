@@ -25,7 +25,7 @@ class CorkscrewRampDrive(StraightCourse):
     ramp_height: float = parameter("height of the end of the ramp", "m", 0.001, 10.0, default=0.6)
     ramp_length: float = parameter("length of its rise", "m", 0.1, 1000.0, default=8.0)
     ramp_top: float = parameter(
-        "length of its level top, at the end of which it drops", "m", 0.0, 1000.0, default=0.0
+        "length of its level top, before the drop", "m", 0.0, 1000.0, default=0.0
     )
     ramp_edge: float = parameter(
         "distance from the course at which its full height is reached; less than half the track",

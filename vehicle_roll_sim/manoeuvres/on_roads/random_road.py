@@ -15,7 +15,7 @@ from vehicle_roll_sim.simulation.road import Road
 ROUGH_FROM = 10.0
 """m: where the road begins."""
 SETTLING = 20.0
-"""m: driven on the whole roughness before figures count; they end as far before its end."""
+"""m: parts at the beginning and end of the full roughness that do not count in the figures."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""Critical speeds of a rigid block that slides sideways: the oldest estimates of a trip.
+"""Critical speeds of a rigid block that slides sideways: the oldest estimates for trips.
 
 The block has the mass and the dimensions of a vehicle: half track T, height h of its c.g. and
 radius of gyration k in roll. It turns over its leading edge, r = sqrt(T^2 + h^2) from the c.g.

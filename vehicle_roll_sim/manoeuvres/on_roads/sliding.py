@@ -22,9 +22,9 @@ from vehicle_roll_sim.vehicle.parameters import Vehicle
 PHASE = 1.0
 """s: the ice tilts for this time, stays tilted for as long, and tilts back in the same time."""
 AHEAD = 4.0
-"""m: from the c.g. where the ice is level again to what trips; no vehicle is wider than twice."""
+"""m: from the c.g. to what trips it when the ice is level again; above half of any width."""
 BEHIND, LONG = -1000.0, 2000.0
-"""m: where the ice and what trips begin, and their length."""
+"""m: where the ice and the curb or soil begin, and their length."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -33,11 +33,11 @@ class SlidingTrip(OnOwnRoad, OpenLoop):
 
     The ice tilts for 3 s, by the angle at which gravity gives the sliding speed, and is level again
     before the vehicle reaches what trips it. `for_vehicle` sets the critical speed of a rigid block
-    with the mass and the dimensions of the vehicle, and the least one by its energy (m/s; nan
+    with the mass and the dimensions of the vehicle, and the least speed from its energy (m/s; nan
     before).
     """
 
-    sliding_speed: float = parameter("speed sideways when it is tripped", "m/s", 0.5, 15.0)
+    sliding_speed: float = parameter("lateral speed when it is tripped", "m/s", 0.5, 15.0)
     side: str = parameter("side to which the vehicle slides", choices=tuple(SIDES), default="left")
     critical: float = math.nan
     least: float = math.nan

@@ -30,7 +30,7 @@ class SplitFrictionBraking(StraightCourse):
     """Straight ahead at the entry speed, then constant brake torques until the vehicle stops."""
 
     low_friction: float = parameter(
-        "factor of LMUX and LMUY of the tires on the slippery side",
+        "factor on LMUX and LMUY of the tires on the slippery side",
         "",
         0.0,
         LARGEST_FRICTION,
@@ -56,7 +56,7 @@ class SplitFrictionBraking(StraightCourse):
             commands["brake_torque"] = np.repeat(axles, len(WHEELS) // len(axles))
 
     def distance(self, history: History) -> float:
-        """The way (m) from the beginning of braking to the stop; nan if it does not stop."""
+        """Distance (m) from the beginning of braking to the stop; nan if it does not stop."""
         time, stopped = history["time"], np.hypot(history["u"], history["v"]) < STOPPED
         if not stopped.any():
             return np.nan

@@ -27,12 +27,12 @@ BEHIND = -1000.0
 class TiltTableTest(OnOwnRoad, OpenLoop):
     """A parked vehicle on a table whose one side is raised slowly until the vehicle falls."""
 
-    rate: float = parameter("rate of the angle of the table", "deg/s", 1e-3, 1.0, default=0.25)
+    rate: float = parameter("tilt rate of the table", "deg/s", 1e-3, 1.0, default=0.25)
     steepest: float = parameter(
         "angle at which the table stops", "deg", 0.1, STEEPEST, default=60.0
     )
     friction: float = parameter(
-        "factor of LMUX and LMUY of the tires, in place of the rail that keeps them from sliding",
+        "factor on LMUX and LMUY of the tires, in place of the rail that prevents sliding",
         "",
         0.0,
         LARGEST_FRICTION,
@@ -83,7 +83,7 @@ class TiltTableTest(OnOwnRoad, OpenLoop):
 
 
 def _first(time: np.ndarray):
-    """A function that returns the first time (s) at which something is so; nan for never."""
+    """A function that returns the first time (s) at which a condition holds; nan for never."""
     return lambda is_so: float(time[np.argmax(is_so)]) if is_so.any() else math.nan
 
 

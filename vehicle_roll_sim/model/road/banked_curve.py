@@ -10,7 +10,7 @@ from vehicle_roll_sim.model.compiled.jit import kernel, math, term
 from vehicle_roll_sim.model.road.shapes import lift
 
 STRIDE = 8
-"""Points of the table from one looked at to the next, before all those around the nearest are."""
+"""Every so many points of the table are checked first, then all those around the nearest."""
 ITERATIONS = 4
 """Of Newton's method, for the foot of the perpendicular: exact to rounding."""
 POINT = 2

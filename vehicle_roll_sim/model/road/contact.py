@@ -84,7 +84,7 @@ def lean(attitude, vehicle, terms):
 
 @kernel
 def lighten_sides(attitude, terms):
-    """Leave the forces on the sides of wheels the share that their loads have."""
+    """Scale the forces on the sides of wheels by the share of their loads that remains."""
     for i in range(WHEEL_COUNT):
         nx, ny, nz = normal_of(i, terms)
         _, _, bz = yawed_to_body(attitude, nx, ny, nz)
@@ -122,8 +122,8 @@ def contact_on_road(state, command, heading, vehicle, options, attitude, ground,
     """Normal load (N), loaded radius (m) and contact velocity in the plane of the road (m/s).
 
     The contact point is the loaded radius along the body's z axis below the wheel centre, as in the
-    paper, but turned about the axis of the wheel by the slope of the road along it: a normal force
-    turns neither the wheel nor, through it, the body.
+    paper, but rotated about the spin axis of the wheel by the slope of the road along it: a normal
+    force has no moment about this axis, neither on the wheel nor, through it, on the body.
     """
     terms, wu = outputs.road_terms, state[at.UNSPRUNG_VELOCITY]
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]

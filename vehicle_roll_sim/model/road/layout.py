@@ -9,9 +9,9 @@ import numpy as np
 
 HEADER = 5
 USED, COUNT, TILT, TILT_COUNT, SIDES = range(HEADER)
-"""Elements of the header: whether the ground is anything but a plane, number of features, index of
-the table of the tilt angle over time, and its number of points, 0 if the ground does not tilt, and
-whether there are features that push wheels from the side."""
+"""Elements of the header: whether the ground is more than a plane, number of features, index of the
+table of the tilt angle over time, its number of points (0 if the ground does not tilt), and whether
+there are features that push wheels from the side."""
 FEATURE_SIZE = 16
 KIND, ORIGIN_X, ORIGIN_Y, COSINE, SINE, OWN = range(6)
 OWN_COUNT = FEATURE_SIZE - OWN

@@ -30,10 +30,10 @@ def distance_to(height, along, across, z):
 def planes_under_wheels(vehicle, ground, terms):
     """Height below every wheel centre (m), slopes along x and y, and friction of its plane.
 
-    It touches the road vertically below the wheel centre. Where the road falls away behind an edge,
-    such a plane would cut off the edge, and lift a wheel that rolls over it: if the road is steep
-    and the plane through the foot of the perpendicular is further away from the wheel, that plane
-    counts instead, with a smooth transition. On a road that is plane both are the same.
+    The plane touches the road vertically below the wheel centre. Where the road drops behind an
+    edge, such a plane would cut off the edge and lift a wheel that rolls over it. If the road is
+    steep and the plane through the foot of the perpendicular is further from the wheel, that plane
+    is therefore used instead, with a smooth transition. On a plane road both are the same.
     """
     surface_under_wheels(ground, terms)
     for i in range(WHEEL_COUNT):

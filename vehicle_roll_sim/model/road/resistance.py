@@ -31,13 +31,13 @@ def side_forces(heading, ground, outputs):
 
 @kernel
 def strike(i, x, y, ahead, left, heading, row, ground, outputs):
-    """Force of the face of a curb on the side wall of a tire.
+    """Force of the face of a curb on the sidewall of a tire.
 
-    Its own numbers: length of the curb, its height (m), distance from the middle plane of the tire
-    to its side wall (m), stiffness (N/m) and damping (N s/m) of the side wall, rounding, and length
-    of the face across (m). The low side is at n < 0. The force is that of a spring and a damper
-    that never pull, in proportion to the part of the face that the tire covers: nothing once the
-    wheel has climbed it. It acts in the middle of this part.
+    Its own numbers: length of the curb, its height (m), distance from the wheel plane to the
+    sidewall (m), stiffness (N/m) and damping (N s/m) of the sidewall, rounding, and length of the
+    face across (m). The low side is at n < 0. The force is that of a spring and a damper that never
+    pull, in proportion to the part of the face that the tire covers: zero when the wheel has
+    climbed the curb. It acts in the middle of this part.
     """
     terms, at = outputs.road_terms, row + OWN
     length, height, reach = ground[at], ground[at + 1], ground[at + 2]

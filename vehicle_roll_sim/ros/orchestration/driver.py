@@ -48,5 +48,5 @@ class Driver(Node):
             publisher.publish(publisher.msg_type(data=data))
 
     def is_heard(self, topic: str) -> bool:
-        """Whether somebody hears the demand."""
+        """Whether the demand has a subscriber."""
         return self._publishers_of[topic].get_subscription_count() > 0
