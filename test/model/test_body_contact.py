@@ -149,6 +149,23 @@ def test_a_whole_turn_changes_nothing(boxed, options):
         np.testing.assert_allclose(other.outputs["normal_force"], loads, rtol=1e-9, atol=1e-6)
 
 
+@pytest.mark.parametrize("options", [EXACT, GUIDED], ids=["model 1", "model 2"])
+def test_on_a_road_whose_features_are_elsewhere_everything_is_as_on_a_plane(boxed, options):
+    """Also where tires are pressed to the limit of their loaded radius, which differs from the
+    distance of the contact point: the same point counts in all equations."""
+    on_road, pressed = Evaluation(boxed, options, ELSEWHERE), 0
+    for state, command, rates, outputs in cases(boxed, options):
+        on_road.outputs["turning"] = outputs["turning"]
+        again = on_road.rates(state, command)
+        for name in STATE.names:
+            scale = 1e-9 * (1.0 + np.abs(rates[name]).max())
+            np.testing.assert_allclose(again[name], rates[name], rtol=0, atol=scale, err_msg=name)
+        limit = SMALLEST * boxed.per_wheel("tire_radius")
+        is_pressed = (outputs["loaded_radius"] <= limit) & (outputs["normal_force"] > 0.0)
+        pressed += is_pressed.sum()
+    assert pressed > 3
+
+
 def loads_at(vehicle, options: Options, cosine: float, height: float, road: Road = Road()):  # noqa: B008
     """Normal loads and loaded radii at this cosine, with the lower wheels at a height (m)."""
     evaluation = Evaluation(vehicle, options, road)

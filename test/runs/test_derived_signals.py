@@ -71,6 +71,17 @@ def test_on_a_road_with_features_it_is_the_same_in_both_loops_and_as_on_a_plane(
     np.testing.assert_allclose(compiled, plane[: len(compiled)], atol=1e-6)
 
 
+def test_a_wheel_of_model_1_that_lies_beside_the_body_is_as_high_as_on_a_plane():
+    """With `body_contact` its tire is a disc there; the lift is that of its centre all the same."""
+    fallen = Options(body_contact=True)
+    on_plane, on_road = (
+        compiled_run(Simulation(preset(), fallen, road=road), steers_hard, 4.0)
+        for road in (None, SAME_AS_A_PLANE)
+    )
+    assert np.abs(on_plane["roll"]).max() > np.radians(80.0)
+    np.testing.assert_allclose(on_road.wheel_lift(), on_plane.wheel_lift(), atol=1e-6)
+
+
 @pytest.mark.parametrize("model", ["1", "2"])
 def test_it_is_that_above_the_road_under_the_wheel(model):
     """A road that drops under one wheel leaves it in the air."""

@@ -7,11 +7,14 @@ import pytest
 
 from vehicle_roll_sim import Options, Simulation, preset
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
+from vehicle_roll_sim.model.records import COMMAND
+from vehicle_roll_sim.roads.heights import CorkscrewRamp
 from vehicle_roll_sim.runs.columns import COLUMNS
 from vehicle_roll_sim.runs.history import History
-from vehicle_roll_sim.runs.metrics import lift_off_times
+from vehicle_roll_sim.runs.metrics import LEFT, lift_off_times
 from vehicle_roll_sim.runs.run import run
 from vehicle_roll_sim.runs.sampled_events import events_of
+from vehicle_roll_sim.simulation.road import Road
 
 SAMPLE = 0.01
 """s"""
@@ -40,6 +43,22 @@ def test_samples_show_the_events_of_the_run(name):
     for event in ("peak_roll", "peak_lateral_acceleration"):
         assert seen[event][0] == pytest.approx(happened[event][0], **PEAKS)
         assert seen[event][1] == pytest.approx(happened[event][1], abs=SAMPLE)
+
+
+@pytest.mark.parametrize("model", ["1", "2"])
+def test_on_a_road_with_heights_a_wheel_lifts_at_its_first_sample_without_load(model):
+    """A wheel that climbs is not off the road, though higher than its radius over z = 0."""
+    climb = CorkscrewRamp(start=5.0, length=8.0, height=0.4, width=0.5, top=200.0)
+    jump = CorkscrewRamp(start=5.0, length=8.0, height=0.4, width=0.5)
+    for ramp in (climb, jump):
+        simulation = Simulation(preset(), Options(model=model), road=Road(features=(ramp,)))
+        simulation.reset(8.0)
+        history = run(simulation, lambda times: np.zeros(len(times), COMMAND), 3.0, sample=SAMPLE)
+        compressions, seen = history.wheels("tire_compression"), events_of(history, ROLLOVER)
+        assert (compressions.min(axis=0)[LEFT] < 0.0).all()
+        happened = simulation.events["lift_off_time"]
+        assert np.isnan(happened).all() == (ramp is climb)
+        assert seen["lift_off_time"] == pytest.approx(happened, abs=SAMPLE, nan_ok=True)
 
 
 def test_a_model_without_tire_compression_lifts_at_its_first_sample_without_load():

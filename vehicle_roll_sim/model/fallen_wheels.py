@@ -96,6 +96,8 @@ def release_lying_wheels(vehicle, ground, outputs):
     for i in range(WHEEL_COUNT):
         cosine, radius = outputs.inclination_cosine[i], vehicle.tire_radius[i]
         outputs.loaded_radius[i] = max(outputs.loaded_radius[i], SMALLEST * radius)
+        if ground is not None:
+            outputs.road_terms.arm_z[i] = -outputs.loaded_radius[i]  # the contact point stays
         if cosine >= LEANING:
             continue
         if ground is None:

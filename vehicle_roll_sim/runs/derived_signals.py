@@ -28,8 +28,9 @@ from the road, 0 in contact. The angle is that of the point that the states desc
 def _places_of_lifts() -> np.ndarray:
     """Where the outputs are from which the lift of wheels on a road with features follows."""
     places = np.arange(OUTPUTS.itemsize // 8).astype(np.float64).view(OUTPUTS)[0]
-    found = (places["road_terms"]["deflection"], places["inclination_cosine"])
-    return np.concatenate(found).astype(int)
+    terms = places["road_terms"]
+    found = (terms["place_z"], places["road_height"], terms["normal_z"])
+    return np.concatenate((*found, places["inclination_cosine"])).astype(int)
 
 
 LIFT_PLACES = _places_of_lifts()
@@ -45,11 +46,13 @@ def wheel_lifts_of(simulation: Simulation) -> np.ndarray:
 def lifts_on_road(outputs: np.ndarray, simulation: Simulation) -> np.ndarray:
     """Distance of each tire from a road with features (m), from the outputs at LIFT_PLACES.
 
-    outputs: (..., 8). Deflections are normal to the road, with model 2 along the wheel, which is
-    inclined to it.
+    outputs: (..., 16). Normal to the plane under the wheel. With model 2 that of the lowest point
+    of the inclined wheel, else that of the wheel centre less the unloaded radius, as on a plane.
     """
-    deflection, cosine = outputs[..., : len(WHEELS)], outputs[..., len(WHEELS) :]
-    return wheel_lift(deflection * cosine if simulation.options.is_kinematic else deflection)
+    centre, road, upright, cosine = np.split(outputs, 4, axis=-1)
+    radius = simulation.vehicle.per_wheel("tire_radius")
+    reach = radius * cosine if simulation.options.is_kinematic else radius
+    return wheel_lift(reach - (centre - road) * upright)
 
 
 def signals_of(

@@ -6,7 +6,7 @@ from programmes import Evaluation, ramp_and_hold, record_run, with_tire
 from random_states import attitude, mirrored, random_command, random_state
 from road_kinds import FEATURES, ROADS, road
 
-from vehicle_roll_sim import Options, Simulation
+from vehicle_roll_sim import Options, Simulation, run
 from vehicle_roll_sim.simulation.road import Road
 
 FAR = {"kind": "wave", "start": 9e4, "length": 1.0, "height": 0.1}
@@ -72,6 +72,38 @@ def test_in_model_2_a_plane_made_of_heights_is_the_same_as_gravity_that_is_turne
             assert over_earth.outputs[name] == pytest.approx(expected, abs=1e-9 * size), name
         own, other = in_plane.outputs["body_acceleration"], over_earth.outputs["body_acceleration"]
         assert other == pytest.approx(own, abs=1e-9 * np.abs(own).max())
+
+
+def climbing(vehicle, options: Options, road: Road, slope: float) -> tuple[float, np.ndarray]:
+    """Pitch (rad) and loads normal to the road (N) after 8 s at a speed that is held."""
+    history = run(
+        "step_steer",
+        vehicle=vehicle,
+        options=options,
+        road=road,
+        amplitude=0.0,
+        speed=15.0,
+        duration=8.0,
+    ).history
+    along, up = (history.wheels(f"{name}_force")[-1] for name in ("longitudinal", "normal"))
+    return history["pitch"][-1], (up - slope * along) / np.hypot(1.0, slope)
+
+
+def test_on_a_long_slope_of_heights_the_load_of_model_1_has_the_lever_of_a_pitched_body(reference):
+    """r sin(pitch), from which pitch to which does not matter; that of model 2 has none."""
+    height, length, rounding, slope = 20.0, 210.0, 10.0, 0.1
+    ramp = {"kind": "ramp", "start": 20.0, "length": length, "height": height, "rounding": rounding}
+    grade = Road(grade=slope)
+    for options in (LAGGED, EXACT):
+        flat, on_grade = climbing(reference, options, grade, 0.0)
+        pitch, loads = climbing(reference, options, road(ramp), slope)
+        moved = (loads - on_grade)[2:]
+        if options is EXACT:
+            assert moved == pytest.approx(0.0, abs=0.1)
+            continue
+        lever = reference.static_loaded_radius[0] * (np.sin(flat) - np.sin(pitch))
+        base = reference.cg_to_front_axle + reference.cg_to_rear_axle
+        assert moved == pytest.approx(loads.sum() * lever / base / 2, rel=0.05)
 
 
 MIRRORED = {

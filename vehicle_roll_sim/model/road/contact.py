@@ -122,8 +122,9 @@ def contact_on_road(state, command, heading, vehicle, options, attitude, ground,
     """Normal load (N), loaded radius (m) and contact velocity in the plane of the road (m/s).
 
     The contact point is the loaded radius along the body's z axis below the wheel centre, as in the
-    paper, but rotated about the spin axis of the wheel by the slope of the road along it: a normal
-    force has no moment about this axis, neither on the wheel nor, through it, on the body.
+    paper, but rotated about the spin axis of the wheel by the slope of the road along it. Without
+    pitch, a normal force has no moment about this axis, neither on the wheel nor, through it, on
+    the body; with pitch it has the lever of the paper, r sin(pitch).
     """
     terms, wu = outputs.road_terms, state[at.UNSPRUNG_VELOCITY]
     wx, wy, wz = state[at.ROLL_RATE], state[at.PITCH_RATE], state[at.YAW_RATE]
