@@ -52,8 +52,10 @@ WRONG = {
     "heights: [['0', 0], [0, 0]]}]": ("heights: '0'", "a number"),
     "features: [{kind: grid, start: 0, spacing: 1, side_spacing: 1, right: 0, "
     "heights: [[0, 0], [0]]}]": ("heights: not a table", "all of a length"),
-    "features: [{kind: grid, start: 0, spacing: 1, side_spacing: 1, right: 0, "
-    "heights: 3}]": ("heights: not a table", "2 or more rows"),
+    "features: [{kind: grid, start: 0, spacing: 1, side_spacing: 1, right: 0, heights: 3}]": (
+        "heights: not a table",
+        "2 or more rows",
+    ),
     "features: [{kind: random_profile, start: 0, roughness: Z}]": ("roughness: 'Z'", "A, B, C"),
     "features: [{kind: random_profile, start: 0, spacing: 0.2}]": ("spacing: 0.2", "at most 0.175"),
     "features: [{kind: commanded, start: 0}]": ("name: 'start' is unknown", "there are none"),
