@@ -98,6 +98,6 @@ def unknown_name(name, known: Iterable[str], field: str) -> InputError:
     """The error for a name not among the `known` ones; it suggests the closest match."""
     known = {each.casefold(): each for each in known}
     nearest = difflib.get_close_matches(str(name).casefold(), known, n=1)
-    every = "one of " + ", ".join(known.values())
+    every = "one of " + ", ".join(known.values()) if known else "there are none"
     allowed = f"did you mean {known[nearest[0]]}?" if nearest else every
     return InputError(field, name, allowed, f"{shown(name)} is unknown")

@@ -107,3 +107,8 @@ def test_what_does_not_fit_is_refused_or_unknown():
         dataclasses.replace(STANDARD["braking_in_a_turn"], brakes_from=1.2)
     short = run("braking_in_a_turn", duration=6.5, **ANGLE)
     assert short.report["braking"] == "unknown: the run is too short"
+
+
+def test_a_vehicle_that_is_too_slow_for_the_turn_is_refused_by_what_was_asked():
+    with pytest.raises(InputError, match="lateral_acceleration: no handwheel angle gives"):
+        run("braking_in_a_turn", speed=1.0)

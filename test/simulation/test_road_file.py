@@ -27,6 +27,8 @@ WRONG = {
     "grad: 0.1": ("line 1", "did you mean grade?"),
     "grade: 2": ("line 1: grade: 2", "from -1 to 1 m/m"),
     "features: 3": ("line 1: features", "a list of features"),
+    "features: {}": ("line 1: features", "a list of features"),
+    "features: false": ("line 1: features: False", "a list of features"),
     "features: [3]": ("line 1: feature 1", "a mapping with kind"),
     "features: [{start: 3}]": ("feature 1: kind: missing", "one of patch, chessboard"),
     "features: [{kind: cub}]": ("feature 1: kind", "did you mean curb?"),
@@ -44,7 +46,19 @@ WRONG = {
     "features: [{kind: profile, start: 0}]": ("points: missing", "2 to 200000 lists"),
     "features: [{kind: grid, start: 0, spacing: 1, side_spacing: 1, right: 0, "
     "heights: [[1, 2]]}]": ("heights: a table of 1 x 2", "2 or more rows"),
+    "features: [{kind: grid, start: 0, spacing: 1, side_spacing: 1, right: 0, "
+    "heights: [[0, 0], [0, true]]}]": ("heights: True", "a number"),
+    "features: [{kind: grid, start: 0, spacing: 1, side_spacing: 1, right: 0, "
+    "heights: [['0', 0], [0, 0]]}]": ("heights: '0'", "a number"),
+    "features: [{kind: grid, start: 0, spacing: 1, side_spacing: 1, right: 0, "
+    "heights: [[0, 0], [0]]}]": ("heights: not a table", "all of a length"),
+    "features: [{kind: grid, start: 0, spacing: 1, side_spacing: 1, right: 0, heights: 3}]": (
+        "heights: not a table",
+        "2 or more rows",
+    ),
     "features: [{kind: random_profile, start: 0, roughness: Z}]": ("roughness: 'Z'", "A, B, C"),
+    "features: [{kind: random_profile, start: 0, spacing: 0.2}]": ("spacing: 0.2", "at most 0.175"),
+    "features: [{kind: commanded, start: 0}]": ("name: 'start' is unknown", "there are none"),
     "features: [{kind: tilt_table, angles: [[0, 0], [1, 95]]}]": ("angles", "from -89 to 89 deg"),
     "grade: 0.1\nfeatures: [{kind: tilt_table, angles: [[0, 0], [1, 5]]}]": (
         "line 1: grade: 0.1",
@@ -118,6 +132,33 @@ def test_two_tilt_tables_are_refused():
         road(TILT, TILT)
 
 
+@pytest.mark.parametrize(
+    ("values", "fault"),
+    [
+        ({"features": 3}, "features: 3"),
+        ({"features": {}}, "features: {}"),
+        ({"feature": []}, "did you mean features?"),
+        (3, "road: 3"),
+    ],
+)
+def test_values_that_are_no_road_are_refused(values, fault):
+    with refused(fault):
+        Road.from_values(values)
+
+
+def test_features_without_a_value_are_none():
+    assert Road.from_values({"features": None}) == Road()
+
+
+def test_no_wheel_starts_with_its_centre_in_the_ground():
+    """The left wheels on the top of a curb, which is higher than their centres, or lower."""
+    curb = {"kind": "curb", "start": -20, "length": 50, "raised": "left"}
+    high, low = (Simulation(preset(), road=road(curb | {"height": h})) for h in (1.0, 0.1))
+    with refused("road: 1 m high under the wheel lf at the start", "less than the height"):
+        high.reset(10.0)
+    low.reset(10.0)
+
+
 def test_another_road_is_another_simulation_for_a_snapshot():
     first, second = (Simulation(preset(), road=ROADS[name]) for name in ("ramp", "dip"))
     snapshot = first.snapshot()
@@ -136,6 +177,20 @@ def test_a_profile_follows_its_points_and_is_averaged_over_the_contact_patch():
     heights = [both.surface(4.0, y)[0] for y in (2.0, 0.75, 0.0, -0.75, -2.0)]
     assert heights == pytest.approx([0.2, 0.2, 0.15, 0.1, 0.1])
     assert np.abs([both.surface(4.0, y)[2] for y in (2.0, 0.75, -0.75)]).max() < 1e-12
+
+
+@pytest.mark.parametrize("length", [0.0, 0.1, 0.13, 2.0])
+def test_beyond_its_ends_a_profile_is_as_high_as_its_first_and_last_point(length):
+    """A bump of which the ends are kinks: their means are those over a straight line and a level.
+
+    The mean over the length L about the kink of a slope a is a L / 8 of the height there.
+    """
+    slope, points = 0.02, [[0, 0.0], [5, 0.1], [10, 0.04]]
+    found = road({"kind": "profile", "start": 20, "points": points, "contact_length": length})
+    far = length / 2 + 0.06  # the table has points at 0.05 m
+    for place, height in ((0.0, 0.0), (20 - far, 0.0), (30 + far, 0.04), (100.0, 0.04)):
+        assert found.surface(place, 0.0)[:2] == pytest.approx((height, 0.0), abs=1e-12)
+    assert found.surface(20.0, 0.0)[0] == pytest.approx(slope * length / 8, abs=1e-12)
 
 
 @pytest.mark.parametrize("at", [5.0, 5.01, 5.025, 5.04])

@@ -75,10 +75,12 @@ class TurnIn(HandwheelProgramme):
         before, missed_before = 0.0, -wanted
         angle = float(to_handwheel(math.degrees(wheelbase * curvature), self.gear))
         for _ in range(ATTEMPTS):
+            if abs(angle) > LARGEST_HANDWHEEL:
+                break
             missed = self._steady_acceleration(angle, vehicle, options) - wanted
             if abs(missed) < CLOSE_ENOUGH:
                 return angle
-            if math.isnan(missed) or missed == missed_before or abs(angle) > LARGEST_HANDWHEEL:
+            if math.isnan(missed) or missed == missed_before:
                 break
             step = missed * (angle - before) / (missed - missed_before)
             before, missed_before, angle = angle, missed, angle - step

@@ -11,6 +11,8 @@ REFERENCE = 0.1
 """1/m: n0."""
 LOWEST, HIGHEST = 0.011, 2.83
 """1/m: limits of the spatial frequency."""
+COARSEST = 0.175
+"""m: distance of two points, of which the shortest wave then has two."""
 ROUGHNESS = {name: 16e-6 * 4.0**k for k, name in enumerate("ABCDEFGH")}
 """m^3: Gd(n0), the geometric means of the classes."""
 PRECISION = 9

@@ -9,7 +9,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, number_of, parameter
 from vehicle_roll_sim.model.road.layout import GRID, PROFILE
 from vehicle_roll_sim.roads.feature import FURTHEST, Feature, Row, place, size
-from vehicle_roll_sim.roads.iso8608 import PRECISION, ROUGHNESS, random_tracks
+from vehicle_roll_sim.roads.iso8608 import COARSEST, PRECISION, ROUGHNESS, random_tracks
 
 MOST_POINTS = 200_000
 """Of a track, and of a grid."""
@@ -46,12 +46,14 @@ class Tracks(Feature):
 
     def rows(self) -> list[Row]:
         tracks, width = self.tracks(), self.contact_length / self.spacing
-        places = self.places(tracks.shape[1])
-        heights = np.array([averaged(places, each, width) for each in tracks])
+        places, margin = self.places(tracks.shape[1]), math.ceil(width / 2)
+        heights = np.array([averaged(places, each, width, margin) for each in tracks])
         sides = (self.track / 2, -self.track / 2)
         own = (heights.shape[1], self.spacing, *sides)
         table = np.pad(heights, ((0, 0), (1, 1)), mode="edge")
-        return [self.row(PROFILE, *own, table=table.T.ravel())]
+        kind, (x, y, c, s, *own), table = self.row(PROFILE, *own, table=table.T.ravel())
+        back = margin * self.spacing
+        return [(kind, [x - c * back, y - s * back, c, s, *own], table)]
 
     def ends(self) -> tuple[float, float]:
         """Where it begins and ends along its heading, from its start (m)."""
@@ -61,12 +63,13 @@ class Tracks(Feature):
         return self.ends(), (-self.track / 2, self.track / 2)
 
 
-def averaged(places: np.ndarray, heights: np.ndarray, width: float) -> np.ndarray:
-    """Moving averages over a width of straight lines between points, at 0, 1, 2, ... places.
+def averaged(places: np.ndarray, heights: np.ndarray, width: float, margin: int) -> np.ndarray:
+    """Moving averages over a width of straight lines between points, at whole places.
 
-    places: of the points, increasing from 0 on. Beyond the ends the heights stay the same.
+    places: of the points, increasing from 0 on. margin: places before the first point and after the
+    last one, at least half the width. Beyond the ends the heights stay the same.
     """
-    middle = np.arange(math.ceil(places[-1]) + 1, dtype=float)
+    middle = np.arange(-margin, math.ceil(places[-1]) + 1 + margin, dtype=float)
     if width == 0.0:
         return np.interp(middle, places, heights)
     further = np.arange(1.0, math.ceil(width / 2) + 2)
@@ -172,6 +175,8 @@ class RandomProfile(Roughness, Tracks):
         if self.length / self.spacing > MOST_POINTS:
             allowed = f"at most {MOST_POINTS} times the spacing, {self.spacing:g} m"
             raise InputError("length", self.length, allowed)
+        if self.spacing > COARSEST:
+            raise InputError("spacing", self.spacing, f"at most {COARSEST} m, half a shortest wave")
 
     def ends(self) -> tuple[float, float]:
         return 0.0, self.length
@@ -235,9 +240,12 @@ def _matrix(field: str, values, least: float) -> tuple[tuple[float, ...], ...]:
     """Rows of numbers, all of the same length; raises InputError."""
     allowed = f"2 or more rows of 2 or more numbers from {least:g} to {HIGHEST:g}, all of a length"
     try:
-        matrix = np.array(values, dtype=float)
-    except (ValueError, TypeError):
-        raise InputError(field, "", allowed, "not a table of numbers") from None
+        rows = [[number_of(each, field, "a number") for each in row] for row in values]
+    except TypeError:
+        rows = None
+    if rows is None or len({len(row) for row in rows}) > 1:
+        raise InputError(field, "", allowed, "not a table of numbers")
+    matrix = np.array(rows)
     if matrix.ndim != 2 or min(matrix.shape) < 2 or matrix.size > MOST_POINTS:
         problem = f"a table of {' x '.join(map(str, matrix.shape)) or 'no'} numbers"
         raise InputError(field, "", f"{allowed}, at most {MOST_POINTS} in all", problem)

@@ -3,13 +3,15 @@
 import dataclasses
 import functools
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, keep_validated, parameter, unknown_name
 from vehicle_roll_sim.files.yaml_file import read_mapping
+from vehicle_roll_sim.input_errors import given
+from vehicle_roll_sim.model.layout import WHEELS
 from vehicle_roll_sim.model.road.layout import PLANE, ground_of
 from vehicle_roll_sim.model.road.surface import surface
 from vehicle_roll_sim.roads.commanded import Commanded
@@ -57,9 +59,7 @@ class Road:
 
     def __post_init__(self):
         keep_validated(self)
-        if not isinstance(self.features, list | tuple):
-            raise InputError(FEATURES, self.features, "a list of features")
-        object.__setattr__(self, FEATURES, tuple(self.features))
+        object.__setattr__(self, FEATURES, tuple(_listed(self.features, FEATURES)))
         for number, feature in enumerate(self.features, 1):
             if type(feature) not in NAMES:
                 allowed = "a feature, such as Patch or Curb of vehicle_roll_sim.roads"
@@ -80,12 +80,9 @@ class Road:
         for name in values:
             if name not in ROAD_KEYS:
                 raise unknown_name(name, ROAD_KEYS, f"{path}: line {lines[name,]}: name")
-        features = values.get(FEATURES) or []
-        if not isinstance(features, list):
-            where = f"{path}: line {lines[FEATURES,]}: {FEATURES}"
-            raise InputError(where, features, "a list of features")
+        whole = f"{path}: line {lines.get((FEATURES,))}: {FEATURES}"
         read = []
-        for index, each in enumerate(features):
+        for index, each in enumerate(_listed(values.get(FEATURES), whole)):
             where = f"{path}: line {lines[FEATURES, index]}: feature {index + 1}"
             read.append(feature_of(with_table(each, path.parent, where), where))
         try:
@@ -98,7 +95,10 @@ class Road:
     @classmethod
     def from_values(cls, values: Mapping) -> "Road":
         """The road with the values of `values`; raises InputError."""
-        features = enumerate(values.get(FEATURES, ()), 1)
+        for name in given("road", values, Mapping):
+            if name not in ROAD_KEYS:
+                raise unknown_name(name, ROAD_KEYS, "road")
+        features = enumerate(_listed(values.get(FEATURES), FEATURES), 1)
         read = tuple(feature_of(each, f"{FEATURES}: {number}") for number, each in features)
         return cls(**{**values, FEATURES: read})
 
@@ -165,6 +165,28 @@ class Road:
         if options.tire_normal_to_ground:
             allowed = "off on a road with features, whose normal changes from wheel to wheel"
             raise InputError("tire_normal_to_ground", True, allowed)
+
+    def check_start(self, vehicle: np.record) -> None:
+        """Raise InputError if a vehicle would start with the centre of a wheel in the ground.
+
+        vehicle: a VEHICLE record. Its wheels are where they are in the equilibrium of a level road.
+        """
+        if not self.has_heights:
+            return
+        centres = vehicle["tire_radius"] - vehicle["static_tire_compression"]
+        for name, x, y, centre in zip(WHEELS, vehicle["x"], vehicle["y"], centres, strict=True):
+            height = self.surface(x, y)[0]
+            if height >= centre:
+                problem = f"{height:.4g} m high under the wheel {name} at the start"
+                allowed = f"less than the height of its centre on a level road, {centre:.3g} m"
+                raise InputError("road", "", allowed, problem)
+
+
+def _listed(features, field: str) -> Sequence:
+    """The features of a road, none for None; raises InputError naming `field` if not a list."""
+    if not isinstance(features, list | tuple | None):
+        raise InputError(field, features, "a list of features")
+    return features or ()
 
 
 ROAD_KEYS = tuple(field.name for field in dataclasses.fields(Road))

@@ -197,10 +197,12 @@ class Simulation(Readable):
         return self._without_absent(start)
 
     def _check_start(self, speed: float, start: np.ndarray) -> None:
-        """Raise InputError if a run cannot start with the integration step.
+        """Raise InputError if a run cannot start on the road, or with the integration step.
 
         start: a STATE record, shape (1,), the equilibrium at this speed (m/s).
         """
+        if speed != self._checked_speed:
+            self.road.check_start(self._vehicle[0])
         if self._checks_step and speed != self._checked_speed:
             if self.options.body_contact:
                 check_step_on_body(self._vehicle[0], self.step_ns / NANOSECONDS)

@@ -63,3 +63,9 @@ def test_it_rolls_over_at_a_higher_speed_and_says_what_is_allowed():
     assert run("corkscrew_ramp", speed=22.0).condition is Condition.ROLLED_OVER
     with pytest.raises(InputError, match=r"^ramp_height: 0.0 .*0.001 to 10 m"):
         run("corkscrew_ramp", ramp_height=0.0)
+
+
+def test_a_ramp_beyond_the_wheels_is_refused():
+    """The wheels of the reference vehicle are 0.75 m from the course."""
+    with pytest.raises(InputError, match=r"ramp_edge: 0.75 .*: less than the 0.75 m"):
+        run("corkscrew_ramp", ramp_edge=0.75, duration=0.1)

@@ -79,3 +79,9 @@ def test_all_models_drive_along_a_plane_and_what_is_not_allowed_is_said():
     assert steep.report == {"steady driving": "none: the run ended early"}
     with pytest.raises(InputError, match=r"^steered_by: 'nobody' .*driver, fixed"):
         run("side_slope", steered_by="nobody")
+
+
+def test_a_run_that_is_shorter_than_the_mean_has_no_steady_driving():
+    assert run("side_slope", duration=0.4).report == {
+        "steady driving": "unknown: the run is too short"
+    }

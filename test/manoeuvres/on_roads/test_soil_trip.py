@@ -83,3 +83,12 @@ def test_models_and_values_that_do_not_fit_are_refused():
         run("soil_trip", options=Options("8dof"))
     soft = run("soil_trip", stiffness=1e5, cohesion=5e3, contact_length=0.2, duration=3.5)
     assert soft.report["critical speed of a block"] == "none: it stays upright"
+
+
+def test_the_sliding_speed_is_that_on_the_ice_and_not_that_of_the_fall():
+    """On soil of 1 kN/m the vehicle sinks by metres, and falls faster than it slid."""
+    result = run("soil_trip", sliding_speed=1.0, stiffness=1000.0)
+    assert abs(result.history["v"]).max() > 3.0
+    assert result.report["sliding speed"] == "1.000 m/s"
+    short = run("soil_trip", duration=2.9).report
+    assert short["sliding speed"] == "unknown: the run is too short"

@@ -5,14 +5,16 @@ import math
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.manoeuvres.base import ADAPTED, SIDES
 from vehicle_roll_sim.manoeuvres.on_roads.straight_course import StraightCourse
 from vehicle_roll_sim.roads.heights import CorkscrewRamp
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import LEFT, RIGHT
 from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
+from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 RAMP_FROM = 20.0
 """m: where the ramp begins."""
@@ -35,6 +37,14 @@ class CorkscrewRampDrive(StraightCourse):
         default=0.5,
     )
     side: str = parameter("side that is raised", choices=tuple(SIDES), default="left")
+
+    def for_vehicle(self, vehicle: Vehicle, options: Options) -> "CorkscrewRampDrive":
+        """As for any driver; raises InputError if no wheel reaches the height of the ramp."""
+        least = float(np.abs(vehicle.wheel_places).min())
+        if not self.ramp_edge < least:
+            allowed = f"less than the {least:g} m from the course to the wheels"
+            raise InputError("ramp_edge", self.ramp_edge, allowed)
+        return super().for_vehicle(vehicle, options)
 
     def own_road(self) -> Road:
         ramp = CorkscrewRamp(

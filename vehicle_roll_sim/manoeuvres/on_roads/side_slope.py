@@ -17,6 +17,8 @@ from vehicle_roll_sim.vehicle.steering_gear import to_handwheel
 DRIVER, FIXED = "driver", "fixed"
 ROUNDING = 1e-9
 """s"""
+WINDOW = 0.5
+"""s: figures are means over this time at the end."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -44,9 +46,11 @@ class SideSlopeDrive(StraightCourse):
         time = history["time"]
         if time[-1] < self.duration - ROUNDING:
             return {"steady driving": "none: the run ended early"}
-        steering = math.degrees(steady(time, history["steering"]))
-        ratio = steady(time, load_transfer_ratio(history.wheels("normal_force")))
-        sideslip = math.degrees(steady(time, np.arctan2(history["v"], history["u"])))
+        if self.duration < WINDOW:
+            return {"steady driving": "unknown: the run is too short"}
+        steering = math.degrees(steady(time, history["steering"], WINDOW))
+        ratio = steady(time, load_transfer_ratio(history.wheels("normal_force")), WINDOW)
+        sideslip = math.degrees(steady(time, np.arctan2(history["v"], history["u"]), WINDOW))
         return {
             "steady handwheel angle": f"{float(to_handwheel(steering, self.gear)):.3f} deg",
             "steady sideslip angle": f"{sideslip:.3f} deg",
