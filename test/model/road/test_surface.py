@@ -7,7 +7,6 @@ import pytest
 from road_kinds import ROADS, TILT, road
 from scipy.integrate import quad
 
-from vehicle_roll_sim.model.road.shapes import cell_of
 from vehicle_roll_sim.model.road.surface import tilt_angle
 
 DIFFERENCE = 1e-6
@@ -145,8 +144,13 @@ def test_a_grid_has_the_heights_and_frictions_of_its_points_and_keeps_those_of_i
 
 
 def test_a_place_that_is_not_a_number_is_not_looked_up_outside_a_table():
-    for place, cell in ((math.nan, 0), (-math.inf, 0), (math.inf, 3)):
-        assert cell_of(place, 5, 0.5)[0] == cell
+    """Along the grid; across it the place is then unknown, and its right edge is taken."""
+    heights = [[1.0 + row, 9.0] for row in range(5)]
+    grid = {"kind": "grid", "start": 0.0, "spacing": 0.5, "side_spacing": 1.0, "right": 0.0}
+    surface = road({**grid, "heights": heights, "frictions": heights}).surface
+    for place, expected in ((math.nan, 1.0), (-math.inf, 1.0), (math.inf, 5.0)):
+        height, *_, friction = surface(place, 0.0)
+        assert (height, friction) == (expected, expected)
 
 
 def test_the_angle_of_a_tilt_table_is_that_of_its_table():
