@@ -17,7 +17,7 @@ from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.road_mesh import has_mesh, road_mesh
 from vehicle_roll_sim.viewer.page import Feed, page
 from vehicle_roll_sim.viewer.recording import ViewedRun, events_in, recording
-from vehicle_roll_sim.viewer.road import path_of, told_mesh
+from vehicle_roll_sim.viewer.road import path_of, values_of_mesh
 
 WINDOW = 30.0
 """s: how much of the run a page shows."""
@@ -33,7 +33,7 @@ NOTE = f"The last {WINDOW:g} s of a running simulator; this address works on thi
 class Window:
     """The newest samples.
 
-    run: another after each reset. page: as in `Feed`. road: as `told_mesh`.
+    run: another after each reset. page: as in `Feed`. road: as `values_of_mesh`.
     """
 
     run: int
@@ -95,7 +95,7 @@ class LiveRun:
             way = np.array((math.cos(heading), math.sin(heading)))
             ahead = here + np.arange(MESH_AHEAD)[:, np.newaxis] * way
             found = road_mesh(self._road, np.concatenate((path, ahead)), MESH_CELLS)
-            self._meshed, self._mesh = here, told_mesh(found)
+            self._meshed, self._mesh = here, values_of_mesh(found)
         return self._mesh
 
     def close(self) -> None:

@@ -18,8 +18,8 @@ from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.version import __version__
 from vehicle_roll_sim.viewer.decimation import MOST_ROWS
 from vehicle_roll_sim.viewer.recording import ViewedRun, panels_of, recording
-from vehicle_roll_sim.viewer.road import roads_of, told_roads
-from vehicle_roll_sim.viewer.study_map import StudyMap, told_map
+from vehicle_roll_sim.viewer.road import roads_of, values_of_roads
+from vehicle_roll_sim.viewer.study_map import StudyMap, values_of_map
 
 MOST_RUNS = 4
 """As many as the page has colours."""
@@ -73,11 +73,11 @@ def page(
     roads = roads_of(runs)
     data = {
         "runs": told,
-        "roads": told_roads(runs) if meshes is None else meshes,
+        "roads": values_of_roads(runs) if meshes is None else meshes,
         "on": [roads.index(run.road) if run.road in roads else None for run in runs],
         "shown": list(shown if has_many or study else range(len(runs))),
         "most": MOST_RUNS,
-        "study": told_map(study) if study else None,
+        "study": values_of_map(study) if study else None,
         "feed": feed and {"address": feed.address, "page": feed.page},
         "panels": panels,
         "cones": np.reshape(list(cones), (-1, 2)).tolist(),

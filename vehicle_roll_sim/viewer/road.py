@@ -32,14 +32,14 @@ def roads_of(runs: Sequence) -> list[Road]:
     return found
 
 
-def told_roads(runs: Sequence) -> list[dict | None]:
+def values_of_roads(runs: Sequence) -> list[dict | None]:
     """The meshes of `roads_of` these runs, each around all their paths on it."""
     roads = roads_of(runs)
     most = max(MOST_CELLS // max(len(roads), 1), LEAST_CELLS)
     found = []
     for road in roads:
         paths = [path_of(run.history) for run in runs if run.road == road]
-        found.append(told_mesh(road_mesh(road, np.concatenate(paths), most)))
+        found.append(values_of_mesh(road_mesh(road, np.concatenate(paths), most)))
     return found
 
 
@@ -48,7 +48,7 @@ def path_of(history: History) -> np.ndarray:
     return np.column_stack((history["x"], history["y"]))
 
 
-def told_mesh(mesh: RoadMesh | None) -> dict | None:
+def values_of_mesh(mesh: RoadMesh | None) -> dict | None:
     """A mesh as JSON has it; None if there is none."""
     if mesh is None:
         return None

@@ -38,7 +38,7 @@ class StudyMap:
     axes: tuple[int, int, int]
 
 
-def told_map(study: StudyMap) -> dict:
+def values_of_map(study: StudyMap) -> dict:
     """The map as JSON has it; a point that opens no run has None for the place."""
     kept = _kept(study)
     return {

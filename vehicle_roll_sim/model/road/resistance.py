@@ -7,7 +7,7 @@ from vehicle_roll_sim.model.road.layout import COSINE, COUNT, KIND, OWN, SINE, W
 from vehicle_roll_sim.model.road.shapes import lift
 from vehicle_roll_sim.model.road.surface import in_feature, row_of
 
-PLOUGHING_SPEED = 0.1
+PLOWING_SPEED = 0.1
 """m/s: lateral speed from which on the resistance of a furrow is nearly complete (tanh)."""
 
 
@@ -26,7 +26,7 @@ def side_forces(heading, ground, outputs):
             if ground[row + KIND] == WALL:
                 strike(i, x, y, ahead, left, heading, row, ground, outputs)
         if terms.sinkage[i] > 0.0:
-            plough(i, ahead, left, outputs)
+            plow(i, ahead, left, outputs)
 
 
 @kernel
@@ -61,7 +61,7 @@ def strike(i, x, y, ahead, left, heading, row, ground, outputs):
 
 
 @kernel
-def plough(i, ahead, left, outputs):
+def plow(i, ahead, left, outputs):
     """Resistance of a furrow to a wheel that slides sideways in it.
 
     The passive earth pressure on the side of the tire at a sinkage z, a z + b z^2: its first part
@@ -69,7 +69,7 @@ def plough(i, ahead, left, outputs):
     """
     terms, depth = outputs.road_terms, outputs.road_terms.sinkage[i]
     s, c = outputs.steering_sine[i], outputs.steering_cosine[i]
-    sliding = math.tanh((c * left - s * ahead) / PLOUGHING_SPEED)
+    sliding = math.tanh((c * left - s * ahead) / PLOWING_SPEED)
     first, second = terms.linear[i] * depth, terms.quadratic[i] * depth * depth
     force = -sliding * (first + second)
     terms.side_x[i] -= s * force
