@@ -68,10 +68,16 @@ SENSED = {
 }
 PERIOD_NS = 10_000_000
 SLOPE = Road(grade=0.05, bank=-0.03)
+LOW = 0.3
+"""Of their usual heights: all together, they stay below the wheel centres."""
 ROUGH = road(
     {"kind": "commanded"},
     {**TILT, "angles": [[0, 0], [0.1, 5]]},
-    *({**feature, "start": -2.0} for feature in FEATURES.values()),
+    *(
+        {**feature, "start": -2.0}
+        | ({"height": LOW * feature["height"]} if "height" in feature else {})
+        for feature in FEATURES.values()
+    ),
 )
 """Every kind of feature, all of them under the wheels at once."""
 ON_ROADS = (

@@ -20,12 +20,12 @@ from vehicle_roll_sim.control_laws.yaw_control import YawControl
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
 from vehicle_roll_sim.messages.topics import COMMANDS
 from vehicle_roll_sim.model.integration.events import Condition
-from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, WHEELS
 from vehicle_roll_sim.ros.orchestration.comparison import Chain, Outcome, Scenario, drive
 from vehicle_roll_sim.ros.topics import message_class
 from vehicle_roll_sim.runs.columns import COLUMNS
 from vehicle_roll_sim.runs.control_law import ControlLaw, Controlled
-from vehicle_roll_sim.runs.history import MODEL_STATE_SIZE, History
+from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run
 
 pytestmark = pytest.mark.unmeasured
