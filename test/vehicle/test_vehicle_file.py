@@ -4,6 +4,7 @@ from dataclasses import MISSING
 
 import numpy as np
 import pytest
+from bodies import BOX
 from vehicle_files import REFERENCE_TIR, REFERENCE_YAML, edited, line_of, refused, write
 
 from vehicle_roll_sim import Vehicle, load_tire, load_vehicle, preset
@@ -123,14 +124,7 @@ ABSENT = {
     "rear_differential_preload": 60.0,
     "front_differential_locking": 0.2,
     "rear_differential_locking": 0.4,
-    "body_front_overhang": 0.7,
-    "body_rear_overhang": 1.1,
-    "body_width": 1.9,
-    "body_roof_height": 1.7,
-    "body_floor_height": 0.3,
-    "body_stiffness": 3e5,
-    "body_damping": 8e3,
-    "body_friction": 0.6,
+    **BOX,
     **{name: ACTUATOR[name.partition("_actuator_")[-1]] for name in OF_ACTUATORS},
     **{name: 0.01 for names in OF_DEVICE.values() for name in names},
     SEED: 100.0,
