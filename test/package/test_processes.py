@@ -8,8 +8,7 @@ from pathlib import Path
 from patience import PATIENCE
 
 HELPERS = {
-    *("conftest.py", "forked.py", "peers.py", "launch_stand_in.py", "test_compare.py"),
-    "test_score.py",
+    *("conftest.py", "forked.py", "peers.py", "launch_stand_in.py"),
     "test_study_on_dask.py",
 }
 """Of which a fixture, or the helper itself, ends what they start."""

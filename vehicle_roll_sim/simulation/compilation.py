@@ -1,7 +1,7 @@
 """Compilation of the model, once, in a separate process that survives an interruption.
 
 Programs that start at the same time on a fresh machine all wait for the same compilation. If one of
-them is interrupted, the compiling process continues to its end (up to a minute).
+them is interrupted, the compiling process continues to its end (about a minute).
 """
 
 import subprocess
@@ -27,7 +27,7 @@ from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
-COMPILING = "compiling the model, once for this version: up to a minute"
+COMPILING = "compiling the model, once for this version: about a minute"
 LOCK = "lock"
 """The file that a compiling process locks; the operating system unlocks it when it ends."""
 LOOK = 0.05

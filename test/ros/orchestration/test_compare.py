@@ -7,7 +7,6 @@ import subprocess
 import sys
 
 import pytest
-from forked import fork_nodes, open_process
 from peers import PATIENCE, RACE_FOR_A_PORT
 
 from vehicle_roll_sim.command_line.main import main
@@ -71,30 +70,17 @@ def begin(started, tmp_path, domain):
 
 
 @pytest.fixture
-def call(tmp_path, domain, monkeypatch, capsys):
+def call(call_in_domain, nodes, tmp_path, monkeypatch):
     """call(*words): `compare` in this process, with nodes that are forked; as `ended`."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
-    nodes, usual = [], {each: signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)}
-
-    def open_node(*words, **options):
-        nodes.append(open_process(*words, **options))
-        return nodes[-1]
-
-    fork_nodes(monkeypatch, open_node)
+    usual = {each: signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)}
 
     def call_one(*words: str) -> tuple[int, str, list[str]]:
-        monkeypatch.setattr(sys, "argv", ["compare", *words, "--domain", str(domain)])
-        status = compare.main()
+        result = call_in_domain("compare", compare.main, *words)
         assert nodes
-        assert all(node.poll() is not None for node in nodes)
-        printed = capsys.readouterr()
-        return status, printed.out, printed.err.splitlines()
+        return result
 
     yield call_one
-    for node in nodes:
-        if node.poll() is None:
-            node.kill()
     for signum, handler in usual.items():
         signal.signal(signum, handler)
 

@@ -9,7 +9,6 @@ import time
 from pathlib import Path
 
 import pytest
-from forked import fork_nodes, open_process
 from peers import PATIENCE
 
 from vehicle_roll_sim.manoeuvres.nhtsa import NHTSA_FISHHOOK
@@ -108,37 +107,21 @@ def scripts(tmp_path) -> dict[str, str]:
 
 
 @pytest.fixture
-def call(tmp_path, domain, monkeypatch, capsys):
+def call(call_in_domain, monkeypatch):
     """call(*words): `score` in this process over two runs; status, output and lines of errors.
 
     Of the report it writes the text: test/scoring has the other files.
     """
-    monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
     monkeypatch.setitem(catalogue.TESTS, "fishhook", SHORT)
     for name in spread.SPREAD.keys() - {spread.NOMINAL}:
         variant = dataclasses.replace(spread.SPREAD[name], is_quick=False)
         monkeypatch.setitem(spread.SPREAD, name, variant)
     monkeypatch.setattr(report, "write_report", write_text)
-    nodes = []
-
-    def open_node(*words, **options):
-        nodes.append(open_process(*words, **options))
-        return nodes[-1]
-
-    fork_nodes(monkeypatch, open_node)
 
     def call_one(*words: str) -> tuple[int, str, list[str]]:
-        given = [*words, "--quick", "--only", "fishhook", "--domain", str(domain)]
-        monkeypatch.setattr(sys, "argv", ["score", *given])
-        status = score.main()
-        assert all(node.poll() is not None for node in nodes)
-        printed = capsys.readouterr()
-        return status, printed.out, printed.err.splitlines()
+        return call_in_domain("score", score.main, *words, "--quick", "--only", "fishhook")
 
-    yield call_one
-    for node in nodes:
-        if node.poll() is None:
-            node.kill()
+    return call_one
 
 
 def test_the_drivers_brakes_add_to_those_of_a_controller_unless_it_hears_them(

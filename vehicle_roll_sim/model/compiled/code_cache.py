@@ -51,7 +51,7 @@ def writable_folder(fingerprint: str) -> Path | None:
                 os.posix_fallocate(file.fileno(), 0, ROOM)
         return folder
     except OSError as error:
-        effect = "the model is compiled at every start, which takes up to a minute"
+        effect = "the model is compiled at every start, which takes about a minute"
         say(f"{folder} cannot store compiled code ({error.strerror}): {effect}")
         return None
 
