@@ -75,6 +75,17 @@ def started():
             process.kill()
 
 
+@pytest.fixture(scope="module")
+def unplaced():
+    """Figures are drawn without finding room for their panels, half of the time that they take.
+
+    For tests in which it matters that a figure is drawn, and not how it looks.
+    """
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("vehicle_roll_sim.analysis.drawing.SteadyLayout.execute", lambda *_: None)
+        yield
+
+
 @pytest.fixture(scope="session")
 def study(tmp_path_factory):
     """The study of the reference vehicle; test processes that run together make its runs once."""
