@@ -91,7 +91,7 @@ class KernelDispatcher(CPUDispatcher):
     """A kernel. A part of another one that is then called from Python is compiled for that."""
 
     def __init__(self, py_func, locals=None, targetoptions=None, pipeline_class=KernelCompiler):
-        super().__init__(py_func, locals, targetoptions, pipeline_class)
+        super().__init__(py_func, locals or {}, targetoptions, pipeline_class)
 
     def add_overload(self, result):
         if isinstance(result.library, Part):
