@@ -19,7 +19,7 @@ from vehicle_roll_sim.control_laws.roll_bar_design import RollBarCriteria
 from vehicle_roll_sim.declaration import Parameter, parameters_of
 from vehicle_roll_sim.learning.actions import ACTIONS, ENDING
 from vehicle_roll_sim.learning.observations import OBSERVATIONS
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.logs.quantities import QUANTITIES
 from vehicle_roll_sim.messages import topics

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from vehicle_roll_sim.bags.encoding import encode
 from vehicle_roll_sim.bags.writing import Bag, whole_bag
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.messages.measured import messages_of
 from vehicle_roll_sim.messages.road_marker import road_marker
 from vehicle_roll_sim.messages.stamped import builder

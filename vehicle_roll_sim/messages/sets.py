@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vehicle_roll_sim.live.command_inbox import OF_ROAD
+from vehicle_roll_sim.live.channels import OF_ROAD
 from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate

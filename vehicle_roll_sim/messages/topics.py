@@ -6,7 +6,7 @@ Nodes, bags and the documentation take them from here.
 import dataclasses
 from collections.abc import Collection
 
-from vehicle_roll_sim.live.command_inbox import BRAKE, DRIVE, OF_ROAD, WIND, channels
+from vehicle_roll_sim.live.channels import BRAKE, DRIVE, OF_ROAD, WIND, channels
 from vehicle_roll_sim.live.command_limits import UNITS
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.simulation.options import Options

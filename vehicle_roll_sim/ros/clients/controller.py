@@ -26,7 +26,7 @@ from vehicle_roll_sim.declaration import (
     unknown_name,
     validated,
 )
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.messages.set_synchronizer import KEPT, SetSynchronizer
 from vehicle_roll_sim.messages.topics import COMMANDS, OF_SOME_SETS, PUBLISHED, STATE_SET, Topic
 from vehicle_roll_sim.ros.compatibility import UNNAMED

@@ -10,7 +10,7 @@ from rclpy.publisher import Publisher
 from std_msgs.msg import Float64, Float64MultiArray
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.manoeuvres.catalogue import Manoeuvre
 from vehicle_roll_sim.messages.run_messages import COLLECTED, STATE
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED, Condition

@@ -12,7 +12,7 @@ from rclpy.node import Node
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.live.command_inbox import DROPPED
+from vehicle_roll_sim.live.channels import DROPPED
 from vehicle_roll_sim.live.log_limiter import LogLimiter
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.live.standard_simulator import StandardSimulator
