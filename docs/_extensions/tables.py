@@ -22,7 +22,7 @@ from vehicle_roll_sim.learning.observations import OBSERVATIONS
 from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.logs.quantities import QUANTITIES
-from vehicle_roll_sim.messages import topics
+from vehicle_roll_sim.messages import command_topics, topics
 from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.sets import (
     ACTUATOR_LABELS,
@@ -32,7 +32,7 @@ from vehicle_roll_sim.messages.sets import (
     ROAD_LABELS,
 )
 from vehicle_roll_sim.messages.stamped import SIGNAL_UNITS
-from vehicle_roll_sim.messages.topics import Topic
+from vehicle_roll_sim.messages.topic import Topic
 from vehicle_roll_sim.model.layout import CORNERS
 from vehicle_roll_sim.model.records import WHEELS, element_names
 from vehicle_roll_sim.roads.feature import Feature
@@ -78,7 +78,7 @@ def command_table() -> str:
                 f"`{limits[each.name]}`",
                 with_names(each.meaning),
             )
-            for each in topics.COMMANDS
+            for each in command_topics.COMMANDS
         ),
     )
 
@@ -240,7 +240,7 @@ def action_table() -> str:
             str(channel.size),
             "0 … 1" if channel.smallest == 0.0 else "-1 … 1",
             f"`{channel.limit}`",
-            with_names(topics.COMMAND_MEANINGS[name + ENDING].partition(";")[0]),
+            with_names(command_topics.COMMAND_MEANINGS[name + ENDING].partition(";")[0]),
         )
         for name, channel in ACTIONS.items()
     )
@@ -327,7 +327,7 @@ def allowed_in_file(declared: Parameter) -> str:
 SET = (*topics.STATE_SET, *topics.OF_SOME_SETS)
 TABLES: dict[str, Callable[[], str]] = {
     "commands": command_table,
-    "ways in": lambda: topic_table(topics.WAYS_IN),
+    "ways in": lambda: topic_table(command_topics.WAYS_IN),
     "set": lambda: topic_table(SET),
     "stamped": lambda: topic_table(topics.STAMPED),
     "others": lambda: topic_table(t for t in topics.PUBLISHED if t not in SET),

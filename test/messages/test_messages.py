@@ -10,22 +10,18 @@ from scipy.spatial.transform import Rotation
 from vehicle_roll_sim import LF, LR, RF, RR, WHEELS, Command, Options, Simulation, preset
 from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.live.session import Session
+from vehicle_roll_sim.messages.command_topics import COMMANDS, WAYS_IN
 from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, Messages
 from vehicle_roll_sim.messages.stamped import SIGNAL_UNITS, builder
+from vehicle_roll_sim.messages.topic import ARRAY, FLOAT, WRENCH, Topic
 from vehicle_roll_sim.messages.topics import (
-    ARRAY,
     CLOCK,
-    COMMANDS,
-    FLOAT,
     PUBLISHED,
     SIGNALS,
     STAMPED,
     STATE_SET,
     TRANSFORMS,
-    WAYS_IN,
-    WRENCH,
-    Topic,
     set_of,
 )
 from vehicle_roll_sim.messages.urdf import robot_description

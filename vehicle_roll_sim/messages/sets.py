@@ -10,16 +10,15 @@ from vehicle_roll_sim.live.channels import OF_ROAD
 from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
+from vehicle_roll_sim.messages.topic import FLOAT, WRENCH
 from vehicle_roll_sim.messages.topics import (
     ACTUATORS,
     BODY_LOADS,
     CLOCK,
-    FLOAT,
     MEASUREMENTS,
     ROLL_CENTRE,
     STATE_SET,
     TRANSFORMS,
-    WRENCH,
 )
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.frames import quaternion

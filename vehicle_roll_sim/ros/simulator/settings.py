@@ -12,14 +12,13 @@ from vehicle_roll_sim.live.pacing import (
     FASTEST_FACTOR,
     SLOWEST_FACTOR,
 )
+from vehicle_roll_sim.messages.command_topics import COMMANDS, WAYS_IN
 from vehicle_roll_sim.messages.topics import (
     BODY_LOADS,
-    COMMANDS,
     OF_SOME_SETS,
     ROLL_CENTRE,
     STAMPED,
     STATE_SET,
-    WAYS_IN,
     set_of,
 )
 from vehicle_roll_sim.ros.simulator.lockstep import STOP
