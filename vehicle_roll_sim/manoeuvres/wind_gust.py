@@ -10,8 +10,8 @@ from vehicle_roll_sim.manoeuvres.base import ADAPTED, LONGEST, OpenLoop
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import peak
 from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.limits import MAXIMUM_SPEED
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.air_parameters import has_air_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
