@@ -109,7 +109,7 @@ def drive(
         simulation.condition,
         simulation.time,
         simulation.implausible,
-        choices(simulation.vehicle, simulation.options) | manoeuvre.report(history, driver),
+        choices(simulation.vehicle, simulation.options) | manoeuvre.results(history, driver),
         simulation.road,
     )
 

@@ -90,6 +90,11 @@ class History:
     def __getitem__(self, name: str) -> np.ndarray:
         return self.rows[:, COLUMNS.index(name)]
 
+    @property
+    def interval(self) -> float:
+        """Longest time between two samples (s); 0 for a single one."""
+        return float(np.diff(self["time"]).max(initial=0.0))
+
     def roll_centre(self, measure: str) -> np.ndarray:
         """Height or place of the roll centre of each axle, shape (rows, 2) (m); nan if unknown."""
         if self.roll_centres is None:
