@@ -16,6 +16,8 @@ import numpy as np
 try:
     import numba
     import numba.extending
+
+    from vehicle_roll_sim.model.compiled import code_cache, whole_program  # of its inner parts
 except ImportError as error:
     numba = None
     is_missing = isinstance(error, ModuleNotFoundError) and error.name == "numba"
@@ -52,8 +54,6 @@ math = standard_math if COMPILED else _quiet_math()
 
 CACHE = None
 if COMPILED:
-    from vehicle_roll_sim.model.compiled import code_cache, whole_program
-
     CACHE = code_cache.writable_folder(code_cache.source_fingerprint(Path(__file__).parents[1]))
 
 
