@@ -9,6 +9,7 @@ from vehicle_roll_sim.identification.input_noise import noise_of
 from vehicle_roll_sim.identification.uncertainty import (
     Block,
     effective_number,
+    newton_step,
     uncertainty_of,
     window_of,
 )
@@ -86,6 +87,13 @@ def test_a_prior_makes_them_identifiable_and_is_all_that_is_known_of_the_differe
     assert all(each.is_identifiable for each in found.combinations)
     assert found.errors[1] == pytest.approx(1 / 20.0, rel=0.01)
     assert found.correlations[1, 2] == pytest.approx(-1.0, abs=1e-3)
+
+
+def test_the_newton_step_of_a_linear_model_leads_to_its_best_values():
+    noise, away = np.random.default_rng(8).normal(size=COUNT), np.array([0.3, -2.0, 5.0])
+    best, *_ = np.linalg.lstsq(REGRESSORS, noise, rcond=None)
+    residuals = REGRESSORS @ (best + away) - noise
+    np.testing.assert_allclose(newton_step(REGRESSORS, residuals), -away, rtol=1e-9)
 
 
 def test_the_noise_of_a_signal_is_told_from_its_motion():

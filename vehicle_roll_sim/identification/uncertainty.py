@@ -133,6 +133,11 @@ def _inverse(slopes: np.ndarray) -> tuple[np.ndarray, ...]:
     return inverse, values, directions, unknown
 
 
+def newton_step(slopes: np.ndarray, residuals: np.ndarray) -> np.ndarray:
+    """How far the derivatives, (n, p), say that the best values are away from these, (p,)."""
+    return -_inverse(slopes)[0] @ (slopes.T @ residuals)
+
+
 def autocorrelations(residuals: np.ndarray, longest: int) -> np.ndarray:
     """Autocorrelations for lags up to `longest`, shape (longest + 1, quantities)."""
     centred = residuals - residuals.mean(axis=0)
