@@ -10,12 +10,8 @@ import numpy as np
 from vehicle_roll_sim.identification import input_noise
 from vehicle_roll_sim.identification.free_value import Free
 from vehicle_roll_sim.identification.problem import Problem
-from vehicle_roll_sim.identification.uncertainty import (
-    Block,
-    Uncertainty,
-    newton_step,
-    uncertainty_of,
-)
+from vehicle_roll_sim.identification.serial_covariance import Block
+from vehicle_roll_sim.identification.uncertainty import Uncertainty, newton_step, uncertainty_of
 from vehicle_roll_sim.input_errors import InputError
 
 FIRST_SPREAD = 0.02
