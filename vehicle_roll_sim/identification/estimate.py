@@ -115,9 +115,10 @@ def estimated(problem: Problem, progress: Callable[[int], None] = lambda runs: N
         scaled, cost, is_converged = fitted(problem, scaled, progress)
     best = _estimate(problem, scaled, cost, is_converged)
     for _ in range(MOST_RESTARTS):
-        if not best.is_beside:
+        start = best.scaled + best.step
+        if not best.is_beside or not np.isfinite(problem.residuals(start)).all():
             break
-        scaled, cost, is_converged = fitted(problem, best.scaled + best.step, progress)
+        scaled, cost, is_converged = fitted(problem, start, progress)
         if not cost < best.cost:
             break
         best = _estimate(problem, scaled, cost, is_converged)

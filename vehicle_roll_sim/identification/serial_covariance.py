@@ -2,7 +2,7 @@
 
 The window is the flat-top one of Politis and Romano (1995), its width that of Politis (2003). What
 a fit leaves is less than the noise, and least where the values act, which is slow: covariances are
-corrected for it as Worsley et al. (NeuroImage 15, 2002, appendix A) do.
+corrected for it as Worsley et al. (NeuroImage 15, 2002) do.
 """
 
 import dataclasses
