@@ -93,7 +93,7 @@ mutations: setup
 	$(BIN)/python -m benchmarks.mutations $(OPTIONS)
 
 # Identify 200 vehicles with hidden values from their logs, and update the tables in
-# docs/identification.md: about a quarter of an hour on two cores.
+# docs/identification.md: about half an hour on two cores; OPTIONS="--keep FILE" to go on later.
 identification: setup
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 \
 		$(BIN)/python -m benchmarks.identification docs/identification.md $(OPTIONS)

@@ -5,8 +5,9 @@ import time
 import numpy as np
 
 from vehicle_roll_sim import Options, Road, Simulation, Vehicle, preset
+from vehicle_roll_sim.model.compiled.addresses import caller_of
 from vehicle_roll_sim.model.compiled.jit import kernel
-from vehicle_roll_sim.model.integration.derivatives import derivatives
+from vehicle_roll_sim.model.integration.derivatives import derivatives_at
 from vehicle_roll_sim.model.records import COMMAND
 
 SPEED = 20.0
@@ -44,13 +45,18 @@ def slalom_start(
     return simulation
 
 
+evaluate_one = caller_of(derivatives_at)
+
+
 @kernel
-def evaluate(states, commands, plant, outputs, rates):
-    """Evaluate the derivatives at each state with its command; `rates` keeps those of the last."""
-    vehicle, tires, options = plant[0][0], plant[1][0], plant[2][0]
-    ground = plant[3]
+def evaluate(address, states, commands, plant, outputs, rates):
+    """Evaluate the derivatives at each state with its command; `rates` keeps those of the last.
+
+    address: of `derivatives_at` for these arguments.
+    """
     for k in range(len(states)):
-        derivatives(states[k], commands[k], vehicle, tires, options, ground, 0.0, outputs[0], rates)
+        one = commands[k : k + 1]
+        evaluate_one(address, (states[k], one, plant, outputs, rates, False))
 
 
 def repeated(call, repetitions: int, prepare=lambda: None) -> np.ndarray:

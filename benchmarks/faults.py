@@ -141,16 +141,16 @@ FAULTS = (
     ),
     Fault(
         "missing check: values that are not finite",
-        "live/command_inbox.py",
+        "live/channels.py",
         "if not all(map(math.isfinite, values)):",
         "if not values:",
         INBOX + "test_a_message_with_a_value_that_is_not_finite_is_dropped",
     ),
     Fault(
         "missing bound: a negative brake torque",
-        "live/command_inbox.py",
-        "if min(values) < channel.smallest:",
-        "if max(values) < channel.smallest:",
+        "live/channels.py",
+        "if min(values) < self.smallest:",
+        "if max(values) < self.smallest:",
         INBOX + "test_a_brake_that_would_drive_is_dropped",
     ),
     Fault(
@@ -177,8 +177,8 @@ FAULTS = (
     Fault(
         "two ways in at once: both command the same quantity",
         "live/command_inbox.py",
-        "flaw = _flaw(values, channel) or self._conflict(channel, topic, now_ns)",
-        "flaw = _flaw(values, channel)",
+        "flaw = channel.flaw(values) or self._conflict(channel, topic, now_ns)",
+        "flaw = channel.flaw(values)",
         WAYS + "test_of_two_ways_in_the_second_is_refused_by_name_until_the_first_has_expired",
     ),
     Fault(

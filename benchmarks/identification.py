@@ -3,6 +3,8 @@
 Vehicles with hidden values are driven on two manoeuvres, in one of which wheels lift off. Their
 logs get noise, bias, delay and an offset of the steering. Everything is identified, from the values
 of the reference vehicle on, and the intervals of 95 % are counted that contain the hidden values.
+
+With --keep, a run that was interrupted goes on where it was: each result is a line of the file.
 """
 
 import argparse
@@ -15,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
+from benchmarks.coverage import table, text_on_fits
 from benchmarks.hidden_vehicles import RUN_UP, STEP, UNSEEN, Faults, log_of_run
 from vehicle_roll_sim import InputError, Options, Simulation, preset
 from vehicle_roll_sim.comparison.comparison import compare
@@ -48,9 +51,9 @@ LATEST = 0.03
 OFFSET = 0.03
 """rad: standard deviation of the offset of the handwheel."""
 ABOUT_MODELS = """\
-The last column is the median half width of the intervals. Verdicts of `compare` on the logs of
-vehicle 0, for its own values and after c.g. height, inertias, springs, damping and cornering
-stiffness were fitted with the model of the row:"""
+The last two columns are medians of the half widths: over that of white residuals, and as they are.
+Verdicts of `compare` on the logs of vehicle 0, for its own values and after c.g. height, inertias,
+springs, damping and cornering stiffness were fitted with the model of the row:"""
 MODELS = {
     "that of the logs": Options(),
     "8 DOF": Options(model="8dof"),
@@ -89,16 +92,18 @@ def problem_of(number: int, names: list[str] | None = None) -> Problem:
     return Problem(logs, simulation, free, driving, {}, workers=1)
 
 
-def found(number: int) -> dict[str, tuple[float, float, float, float]] | None:
-    """Hidden and identified value, and half width of the interval and of that for white residuals.
+def found(number: int) -> dict | None:
+    """What is found in the logs of a hidden vehicle; None if the fit failed.
 
-    None if the fit failed.
+    rows: of `rows_of`. beside: of the estimate. doubt: whether the report says that the fit may not
+    have found the best values.
     """
     try:
         estimate = estimated(problem_of(number))
     except InputError:
         return None
-    return rows_of(estimate, hidden(number))
+    doubt = estimate.is_beside or not estimate.is_converged
+    return {"rows": rows_of(estimate, hidden(number)), "beside": estimate.beside, "doubt": doubt}
 
 
 def rows_of(
@@ -117,37 +122,6 @@ def rows_of(
         )
         for j, each in enumerate(estimate.free)
     }
-
-
-def table(results: list[dict | None]) -> str:
-    """The table of coverage in Markdown. results: of `found`; one that failed covers nothing."""
-    known = [each for each in results if each is not None]
-    lines = [
-        "| value | covered | of | share | share if residuals counted as white | usual half width |",
-        "| --- | --- | --- | --- | --- | --- |",
-    ]
-    total, white = [], []
-    for name in known[0]:
-        truth, value, half, narrow = np.array([each[name] for each in known]).T
-        is_covered, is_white = abs(value - truth) <= half, abs(value - truth) <= narrow
-        total += is_covered.tolist()
-        white += is_white.tolist()
-        is_relative = name in HIDDEN
-        usual = np.median(100 * half / abs(truth) if is_relative else half)
-        lines.append(
-            f"| `{name}` | {is_covered.sum()} | {len(results)} | {_share(is_covered, results)} | "
-            f"{_share(is_white, results)} | {usual:.2g}{' %' if is_relative else ''} |"
-        )
-    count = len(results) * len(known[0])
-    lines.append(
-        f"| all | {sum(total)} | {count} | {100 * sum(total) / count:.1f} % | "
-        f"{100 * sum(white) / count:.1f} % | |"
-    )
-    return "\n".join(lines)
-
-
-def _share(is_covered: np.ndarray, results: list) -> str:
-    return f"{100 * is_covered.sum() / len(results):.1f} %"
 
 
 def wrong_models() -> list[list[str]]:
@@ -199,15 +173,20 @@ def found_of(count: int, processes: int, keep: Path | None) -> list[dict | None]
     known = {}
     if keep and keep.exists():
         known = dict(json.loads(text) for text in keep.read_text(encoding="utf-8").splitlines())
+        if any(each is not None and "rows" not in each for each in known.values()):
+            raise SystemExit(f"identification: error: {keep}: results of an earlier version")
     missing = [number for number in range(count) if number not in known]
     context = multiprocessing.get_context("spawn")
     with concurrent.futures.ProcessPoolExecutor(processes, context) as pool:
         jobs = {pool.submit(found, number): number for number in missing}
-        for done in concurrent.futures.as_completed(jobs):
-            known[jobs[done]] = done.result()
-            if keep:
-                with keep.open("a", encoding="utf-8") as file:
-                    file.write(json.dumps([jobs[done], done.result()]) + "\n")
+        try:
+            for done in concurrent.futures.as_completed(jobs):
+                known[jobs[done]] = done.result()
+                if keep:
+                    with keep.open("a", encoding="utf-8") as file:
+                        file.write(json.dumps([jobs[done], done.result()]) + "\n")
+        finally:
+            pool.shutdown(cancel_futures=True)
     return [known[number] for number in range(count)]
 
 
@@ -220,10 +199,10 @@ def main(words: list[str]) -> None:
     parser.add_argument("--keep", type=Path, metavar="FILE", help=about)
     arguments = parser.parse_args(words)
     results = found_of(arguments.count, arguments.processes, arguments.keep)
-    failed = sum(each is None for each in results)
     text = (
-        f"{len(results)} hidden vehicles, seeds ({SEED}, 0) to ({SEED}, {len(results) - 1}), "
-        f"{failed} fits failed:\n\n{table(results)}\n\n{ABOUT_MODELS}\n\n{table_of_models()}"
+        f"{len(results)} hidden vehicles, seeds ({SEED}, 0) to ({SEED}, {len(results) - 1}):\n\n"
+        f"{table(results, HIDDEN)}\n\n{text_on_fits(results)}\n\n"
+        f"{ABOUT_MODELS}\n\n{table_of_models()}"
     )
     print(text)
     if arguments.page:

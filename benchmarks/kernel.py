@@ -11,7 +11,9 @@ from benchmarks.drive import SLIPS, evaluate, repeated, slalom, slalom_start
 from benchmarks.report import MICRO, NANO, median
 from vehicle_roll_sim import Command, Options, Road, Vehicle, load_tire, preset
 from vehicle_roll_sim.declaration import OFF, ON
+from vehicle_roll_sim.model.compiled.addresses import address_of
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.integration.derivatives import derivatives_at
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
 from vehicle_roll_sim.simulation.plant import Plant
 
@@ -109,13 +111,11 @@ def derivatives_of(
         row[:] = simulation.state_vector
     outputs[0] = simulation.outputs
     commands = driven_slalom(STEP * np.arange(1, STATES + 1))
-    arguments = (
-        states,
-        commands,
-        Plant.of(vehicle, options, road).arguments(),
-        kernel_argument(outputs),
-        np.empty(STATE_SIZE),
-    )
+    plant, rates = Plant.of(vehicle, options, road).arguments(), np.empty(STATE_SIZE)
+    parts = (plant, kernel_argument(outputs), rates)
+    first = (states[0], commands[:1], *parts, False)
+    derivatives_at(*first)
+    arguments = (address_of(derivatives_at, first), states, commands, *parts)
     evaluate(*arguments)  # compiles
     return lambda: evaluate(*arguments)
 

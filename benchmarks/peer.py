@@ -11,7 +11,8 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
+from vehicle_roll_sim.messages.command_topics import COMMANDS
+from vehicle_roll_sim.messages.topics import PUBLISHED
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.ros.orchestration.domains import own_domain
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class, offered_qos

@@ -14,8 +14,9 @@ from vehicle_roll_sim.declaration import parameters_of
 from vehicle_roll_sim.live.command_inbox import CENTRE, HOLD, CommandInbox
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.live.session import Session
+from vehicle_roll_sim.messages.command_topics import COMMANDS
 from vehicle_roll_sim.messages.sets import Messages
-from vehicle_roll_sim.messages.topics import COMMANDS, STATE_SET, TRANSFORMS
+from vehicle_roll_sim.messages.topics import STATE_SET, TRANSFORMS
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.simulation.options import MODELS, Options
 

@@ -6,11 +6,12 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from benchmarks.drive import SLIPS, SPEED, evaluate, repeated, slalom, slalom_start
+from benchmarks.drive import SLIPS, SPEED, repeated, slalom, slalom_start
 from benchmarks.report import MILLI, median
 from vehicle_roll_sim import Condition, Options, preset
 from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.integration.derivatives import derivatives_at
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE
 from vehicle_roll_sim.simulation.plant import Plant
 
@@ -70,11 +71,12 @@ def reference_positions(options: Options, tolerance: float) -> np.ndarray:
     start = slalom_start(options).state_vector.copy()
     known = np.isfinite(start)
     parts, outputs = Plant.of(preset(), options).arguments(), kernel_argument(np.zeros(1, OUTPUTS))
-    state, rates = start[None, :].copy(), np.empty(STATE_SIZE)
+    state, rates = start.copy(), np.empty(STATE_SIZE)
 
     def derivative(time: float, values: np.ndarray) -> np.ndarray:
-        state[0, known] = values
-        evaluate(state, slalom(np.array([time])), parts, outputs, rates)
+        state[known] = values
+        command = slalom(np.array([time]))
+        derivatives_at(state, command, parts, outputs, rates, False)
         return rates[known]
 
     times = (HALF, WHOLE)

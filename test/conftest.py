@@ -103,7 +103,7 @@ def study(tmp_path_factory):
 
 @pytest.fixture(scope="session", autouse=True)
 def compiled_model():
-    """On a fresh machine this takes some 15 s, and says so; no test should meet that by chance."""
+    """On a fresh machine this takes some 40 s, and says so; no test should meet that by chance."""
     compile_model()
 
 

@@ -10,7 +10,7 @@ from vehicle_roll_sim import early_signals
 early_signals.end_node_at_once()
 
 from vehicle_roll_sim.messages.run_messages import by_name
-from vehicle_roll_sim.messages.topics import Topic
+from vehicle_roll_sim.messages.topic import Topic
 from vehicle_roll_sim.ros.clients.controller import Controller, run
 
 __all__ = ["Controller", "Topic", "by_name", "run"]

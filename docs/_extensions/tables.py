@@ -7,10 +7,12 @@ test/package/test_generated_tables.py tells whether they are up to date.
 
 import dataclasses
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from definitions import definitions, usual_combinations, usual_values
+from markdown_table import table, with_names
+from message_tables import abridged, command_table, label_table, signal_table, topic_table
 
 from vehicle_roll_sim import preset
 from vehicle_roll_sim.command_line.parameters import parameter_table
@@ -19,129 +21,25 @@ from vehicle_roll_sim.control_laws.roll_bar_design import RollBarCriteria
 from vehicle_roll_sim.declaration import Parameter, parameters_of
 from vehicle_roll_sim.learning.actions import ACTIONS, ENDING
 from vehicle_roll_sim.learning.observations import OBSERVATIONS
-from vehicle_roll_sim.live.command_inbox import channels
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.logs.quantities import QUANTITIES
-from vehicle_roll_sim.messages import topics
+from vehicle_roll_sim.messages import command_topics, topics
 from vehicle_roll_sim.messages.covariances import ImuCovariances, OdomCovariances
-from vehicle_roll_sim.messages.sets import (
-    ACTUATOR_LABELS,
-    COMMAND_LABELS,
-    DEMAND_LABELS,
-    MOTION_LABELS,
-    ROAD_LABELS,
-)
-from vehicle_roll_sim.messages.stamped import SIGNAL_UNITS
-from vehicle_roll_sim.messages.topics import Topic
-from vehicle_roll_sim.model.layout import CORNERS
-from vehicle_roll_sim.model.records import WHEELS, element_names
+from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.roads.feature import Feature
 from vehicle_roll_sim.roads.kinds import KINDS
 from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, Argument
 from vehicle_roll_sim.ros.services import SERVICES
 from vehicle_roll_sim.ros.simulator.parameters import IMU_PREFIX, ODOM_PREFIX
 from vehicle_roll_sim.ros.simulator.settings import Settings
-from vehicle_roll_sim.runs.columns import ROLL_CENTRES, WIND
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.signals import as_markdown
 from vehicle_roll_sim.vehicle.sensor_parameters import QUANTITIES as MEASURED
-from vehicle_roll_sim.vehicle.sensor_parameters import Quantity, labels_of, parameters_of_quantity
+from vehicle_roll_sim.vehicle.sensor_parameters import Quantity, parameters_of_quantity
 
 DOCS = Path(__file__).parents[1]
-NAME = re.compile(r"(?<![\w`/])(/\w+|\w+_\w+)")
-"""In a sentence of a declaration: the name of a topic, a parameter or a frame."""
 MARKED = re.compile(r"(?P<mark><!-- table: (?P<name>[\w ]+) -->\n)(?P<table>(?:[^\n]+\n)*)")
-
-
-def table(*rows: Iterable[str]) -> str:
-    """A Markdown table whose first row is its header."""
-    head, *body = map(list, rows)
-    return "\n".join("| " + " | ".join(row) + " |" for row in [head, ["---"] * len(head), *body])
-
-
-def with_names(text: str) -> str:
-    """A sentence with the names in it as code."""
-    return NAME.sub(r"`\1`", text)
-
-
-def command_table() -> str:
-    """The commands, each with the parameter that limits it."""
-    limits = {name: channel.limit for name, channel in channels().items()}
-    return table(
-        ("topic", "type", "unit", "limit", "meaning"),
-        *(
-            (
-                f"`{each.name}`",
-                type_of(each),
-                each.unit,
-                f"`{limits[each.name]}`",
-                with_names(each.meaning),
-            )
-            for each in topics.COMMANDS
-        ),
-    )
-
-
-def topic_table(shown: Iterable[Topic]) -> str:
-    return table(
-        ("topic", "type", "depth", "unit", "meaning"),
-        *(
-            (f"`{each.name}`", type_of(each), _depth(each), each.unit, with_names(each.meaning))
-            for each in shown
-        ),
-    )
-
-
-def type_of(topic: Topic) -> str:
-    """As it is written in sentences: std_msgs/Float64."""
-    return topic.type.replace("/msg/", "/")
-
-
-def _depth(topic: Topic) -> str:
-    return f"{topic.depth}, latched" if topic.latched else str(topic.depth)
-
-
-def label_table() -> str:
-    """What the labels of the multi-arrays say."""
-    states = {
-        "`state`": Options(),
-        "`state` with `steady_state_slip`": Options(steady_state_slip=True),
-        "`state` with the models `8dof…`": Options(model="8dof"),
-    }
-    labels = {name: ("time", *element_names(each.states)) for name, each in states.items()}
-    labels |= {
-        "`applied_command`": COMMAND_LABELS,
-        "`applied_command` of vehicles with air forces": (*COMMAND_LABELS, *WIND),
-        "`applied_command` on a commanded road": (*COMMAND_LABELS, *ROAD_LABELS),
-        "`applied_command` of vehicles with actuators, after these": DEMAND_LABELS,
-        "`motion`": MOTION_LABELS,
-    }
-    labels["`tire_normal_forces`, `lift_off`"] = WHEELS
-    labels["`roll_centre`"] = ROLL_CENTRES
-    labels["`body_loads`"] = CORNERS
-    labels["`measurements`, of the devices that there are"] = ("time", *labels_of(MEASURED))
-    labels["`signals_stamped`"] = tuple(SIGNAL_UNITS)
-    labels["`actuators`"] = ACTUATOR_LABELS
-    return table(
-        ("topic", "values", "names"),
-        *((name, str(len(each)), ", ".join(abridged(each))) for name, each in labels.items()),
-    )
-
-
-def signal_table() -> str:
-    """The values of `signals_stamped`, with their units."""
-    return table(
-        ("position", "name", "unit"),
-        *((f"[{k}]", f"`{name}`", unit) for k, (name, unit) in enumerate(SIGNAL_UNITS.items())),
-    )
-
-
-def abridged(names: Iterable[str]) -> list[str]:
-    """The names; four that end in the names of the wheels are one."""
-    first, last = f"_{WHEELS[0]}", {f"_{wheel}" for wheel in WHEELS[1:]}
-    shown = (name for name in names if name[-3:] not in last)
-    return [f"`{name}` … `{WHEELS[-1]}`" if name.endswith(first) else f"`{name}`" for name in shown]
 
 
 def service_table() -> str:
@@ -240,7 +138,7 @@ def action_table() -> str:
             str(channel.size),
             "0 … 1" if channel.smallest == 0.0 else "-1 … 1",
             f"`{channel.limit}`",
-            with_names(topics.COMMAND_MEANINGS[name + ENDING].partition(";")[0]),
+            with_names(command_topics.COMMAND_MEANINGS[name + ENDING].partition(";")[0]),
         )
         for name, channel in ACTIONS.items()
     )
@@ -327,7 +225,7 @@ def allowed_in_file(declared: Parameter) -> str:
 SET = (*topics.STATE_SET, *topics.OF_SOME_SETS)
 TABLES: dict[str, Callable[[], str]] = {
     "commands": command_table,
-    "ways in": lambda: topic_table(topics.WAYS_IN),
+    "ways in": lambda: topic_table(command_topics.WAYS_IN),
     "set": lambda: topic_table(SET),
     "stamped": lambda: topic_table(topics.STAMPED),
     "others": lambda: topic_table(t for t in topics.PUBLISHED if t not in SET),

@@ -13,16 +13,18 @@ from vehicle_roll_sim import run as run_offline
 from vehicle_roll_sim.bags.reading import last_run
 from vehicle_roll_sim.bags.run_bag import run_bag
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
-from vehicle_roll_sim.messages.topics import (
-    CLOCK,
+from vehicle_roll_sim.messages.command_topics import (
     COMMANDS,
     COMMANDS_OF_ROAD,
-    OF_SOME_SETS,
     OF_WIND,
+    TOTAL_TORQUES,
+)
+from vehicle_roll_sim.messages.topics import (
+    CLOCK,
+    OF_SOME_SETS,
     PUBLISHED,
     ROAD,
     STATE_SET,
-    TOTAL_TORQUES,
     TRANSFORMS,
 )
 from vehicle_roll_sim.runs.run import run

@@ -51,9 +51,9 @@ jit.CACHE = None
 sys.exit(main.main())
 """
 """The command where no cache can be made, after it has compiled a kernel in memory. The kernels of
-the model are taken from a cache nevertheless, since they take 20 s to compile."""
+the model are taken from a cache nevertheless, since they take 40 s to compile."""
 LARGEST_KERNEL = "advance."
-"""Takes 20 s to compile, as it does at the first start."""
+"""Takes 40 s to compile, as it does at the first start."""
 IN_THE_MIDDLE = 0.3
 """s of processor time: far more than there is between saying so and computing."""
 

@@ -19,7 +19,8 @@ from parsing import PACKAGE, arguments_of, executables
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED, WAYS_IN
+from vehicle_roll_sim.messages.command_topics import COMMANDS, WAYS_IN
+from vehicle_roll_sim.messages.topics import PUBLISHED, STAMPED
 from vehicle_roll_sim.ros import services
 from vehicle_roll_sim.ros.clients import controller as base
 from vehicle_roll_sim.ros.clients.recorder import Recorder

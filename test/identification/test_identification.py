@@ -1,13 +1,19 @@
 """Hidden values come back within their intervals; what a log cannot tell is said, not guessed."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
 from benchmarks.hidden_vehicles import RUN_UP, STEP, UNSEEN, Faults, log_of_run
+from benchmarks.identification import hidden as true_values
+from benchmarks.identification import problem_of
 from vehicle_roll_sim import InputError, Simulation, load_vehicle, preset
 from vehicle_roll_sim.comparison.corridor import Tolerances
 from vehicle_roll_sim.comparison.driving import Driving
+from vehicle_roll_sim.identification.estimate import estimated
 from vehicle_roll_sim.identification.free import applied, free_of
+from vehicle_roll_sim.identification.report import summary
 from vehicle_roll_sim.offline.identifying import identified
 
 TRUTH = {
@@ -56,7 +62,25 @@ def test_hidden_values_are_found_within_a_few_standard_errors(result):
     for name, value in TRUTH.items():
         assert abs(result.values[name] - value) < 3.5 * result.errors[name], name
     assert result.estimate.is_converged
+    assert not result.estimate.is_beside
+    assert "best values may be" not in result.summary
     assert result.not_identifiable == []
+
+
+def test_a_fit_that_may_have_ended_beside_the_best_values_says_so(result):
+    step = np.zeros(len(TRUTH))
+    step[1] = -2.0 * result.estimate.uncertainty.errors[1]
+    estimate = dataclasses.replace(result.estimate, step=step)
+    text = summary(estimate, ["turn"])
+    assert "; the best values may be 2.0 standard errors away\n" in text
+
+
+def test_a_fit_with_a_vehicle_close_to_its_rollover_ends_at_the_best_values():
+    # one whose sum of squares bends within a standard error. Of 12 normal values, one is beyond 4
+    # standard errors once in 1300 cases
+    estimate, truth = estimated(problem_of(100)), true_values(100)
+    for name, value in truth.items():
+        assert abs(estimate.values[name] - value) < 4.0 * estimate.errors[name], name
 
 
 def test_intervals_are_narrow_enough_to_be_of_use(result):

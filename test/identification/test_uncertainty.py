@@ -6,26 +6,26 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim.identification.input_noise import noise_of
-from vehicle_roll_sim.identification.uncertainty import (
-    Block,
-    effective_number,
-    uncertainty_of,
-    window_of,
-)
+from vehicle_roll_sim.identification.serial_covariance import Block, effective_number, window_of
+from vehicle_roll_sim.identification.uncertainty import newton_step, uncertainty_of
 
 COUNT, INTERVAL = 600, 0.01
 TIME = np.arange(COUNT) * INTERVAL
 REGRESSORS = np.stack([np.ones(COUNT), np.sin(2.0 * TIME), TIME / TIME[-1]], axis=1)
 
 
-def fitted(noise: np.ndarray):
+POLYNOMIALS = np.polynomial.legendre.legvander(np.linspace(-1.0, 1.0, COUNT), 7)
+"""Slow, and many, as what values of a vehicle do."""
+
+
+def fitted(noise: np.ndarray, regressors: np.ndarray = REGRESSORS):
     """Values and uncertainty of the regression of a noise, whose true values are all 0."""
-    values, *_ = np.linalg.lstsq(REGRESSORS, noise, rcond=None)
-    residuals = REGRESSORS @ values - noise
+    values, *_ = np.linalg.lstsq(regressors, noise, rcond=None)
+    residuals = regressors @ values - noise
     spread = math.sqrt(np.mean(residuals**2))
-    slopes = REGRESSORS[:, np.newaxis, :] / spread
+    slopes = regressors[:, np.newaxis, :] / spread
     block = Block(residuals[:, np.newaxis] / spread, slopes, INTERVAL, np.zeros((0, COUNT, 1)))
-    return values, uncertainty_of([block], np.zeros((0, 3)))
+    return values, uncertainty_of([block], np.zeros((0, regressors.shape[1])))
 
 
 def slow(noise: np.random.Generator) -> np.ndarray:
@@ -45,6 +45,20 @@ def test_intervals_cover_what_they_promise_although_residuals_are_correlated(see
     assert (shares >= 0.90).all()
     assert (shares <= 0.98).all()
     assert np.mean(white) < 0.65  # residuals taken for white promise far too much
+
+
+def test_standard_errors_are_those_of_the_noise_although_a_fit_leaves_less_of_it():
+    kernel = np.hanning(17)[1:-1]
+    lags = np.correlate(kernel, kernel, "full")[14:]
+    apart = np.abs(np.subtract.outer(np.arange(COUNT), np.arange(COUNT)))
+    of_noise = np.where(apart < len(lags), lags[np.minimum(apart, len(lags) - 1)], 0.0)
+    hat = np.linalg.pinv(POLYNOMIALS)
+    expected = np.diag(hat @ of_noise @ hat.T)
+    noise = np.random.default_rng(9)
+    found = [fitted(slow(noise), POLYNOMIALS)[1].errors ** 2 for _ in range(100)]
+    # the variance of one record has a relative error of 0.43: 3 standard errors. Covariances of
+    # what eight values leave, as they are, give 0.60
+    np.testing.assert_allclose(np.mean(found) / np.mean(expected), 1.0, atol=0.13)
 
 
 def test_the_covariance_of_white_residuals_is_that_of_ordinary_least_squares():
@@ -86,6 +100,13 @@ def test_a_prior_makes_them_identifiable_and_is_all_that_is_known_of_the_differe
     assert all(each.is_identifiable for each in found.combinations)
     assert found.errors[1] == pytest.approx(1 / 20.0, rel=0.01)
     assert found.correlations[1, 2] == pytest.approx(-1.0, abs=1e-3)
+
+
+def test_the_newton_step_of_a_linear_model_leads_to_its_best_values():
+    noise, away = np.random.default_rng(8).normal(size=COUNT), np.array([0.3, -2.0, 5.0])
+    best, *_ = np.linalg.lstsq(REGRESSORS, noise, rcond=None)
+    residuals = REGRESSORS @ (best + away) - noise
+    np.testing.assert_allclose(newton_step(REGRESSORS, residuals), -away, rtol=1e-9)
 
 
 def test_the_noise_of_a_signal_is_told_from_its_motion():

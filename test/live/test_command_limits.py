@@ -10,7 +10,8 @@ from signals import everything
 
 from vehicle_roll_sim import Command, Condition, Simulation, preset
 from vehicle_roll_sim.declaration import InputError, parameters_of
-from vehicle_roll_sim.live.command_inbox import CommandInbox, channels
+from vehicle_roll_sim.live.channels import channels
+from vehicle_roll_sim.live.command_inbox import CommandInbox
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.live.session import Session
 

@@ -3,7 +3,7 @@
 import pytest
 
 from vehicle_roll_sim import Condition
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.live.status import (
     Level,
     command_troubles,

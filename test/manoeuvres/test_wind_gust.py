@@ -31,17 +31,25 @@ def trapezoid(t: float) -> float:
 
 
 SHAPES = {"one_minus_cosine": one_minus_cosine, "trapezoid": trapezoid}
+SHORT = {"ramp_time": 0.2}
+RAMPS = {"one_minus_cosine": {}, "trapezoid": {"ramp_time": 0.5}}
 
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_the_wind_is_that_of_the_definition_at_every_time(vehicle, shape):
-    gust = dataclasses.replace(GUST, shape=shape, wind_speed=WIND, ramp_time=0.5)
+    gust = dataclasses.replace(GUST, shape=shape, wind_speed=WIND, **RAMPS[shape])
     times = np.linspace(0.0, 5.0, 1001)
     commands = gust.for_vehicle(vehicle, None)(times)
     wanted = [SHAPES[shape](t) for t in times.tolist()]
     np.testing.assert_allclose(commands["wind"][:, 1], wanted, rtol=0, atol=1e-12 * WIND)
     assert not commands["wind"][:, 0].any()
     assert not commands["steering"].any()
+
+
+def test_without_a_ramp_time_the_ramps_of_a_trapezoid_take_a_fifth_of_a_second():
+    gust, given = (dataclasses.replace(GUST, shape="trapezoid", **each) for each in ({}, SHORT))
+    times = np.linspace(0.0, 5.0, 1001)
+    assert gust.wind(times).tobytes() == given.wind(times).tobytes()
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -55,7 +63,7 @@ def test_on_ice_the_impulse_of_the_side_force_is_the_change_of_momentum(vehicle,
         return [1.225 / 2 * AREA * math.hypot(SPEED, across) * across / vehicle.mass]
 
     even = vehicle.with_values({"cg_to_front_axle": 1.27, "cg_to_rear_axle": 1.27})
-    values = {"shape": shape, "wind_speed": WIND, "ramp_time": 0.5, "speed": SPEED}
+    values = {"shape": shape, "wind_speed": WIND, **RAMPS[shape], "speed": SPEED}
     result = run("wind_gust", even, road=ICE, speed_hold=0.0, duration=8.0, **values)
     last = result["time"][-200:]
     accuracy = {"max_step": 0.05, "rtol": 1e-9, "atol": 1e-12}
@@ -94,6 +102,8 @@ def test_what_the_wind_does_not_act_on_is_refused_and_a_short_run_says_so(vehicl
         run("wind_gust")
     with pytest.raises(InputError, match=r"^ramp_time: 1.5 .*at most half the gust_time, 1 s"):
         dataclasses.replace(GUST, shape="trapezoid", ramp_time=1.5)
+    with pytest.raises(InputError, match=r"^ramp_time: 0.5 .*: only with shape trapezoid$"):
+        dataclasses.replace(GUST, ramp_time=0.5)
     short = run("wind_gust", vehicle, duration=2.0)
     assert short.report["deviation 1 s later"] == "unknown: the run is too short"
     assert short.report["peak yaw rate after it"] == "unknown: the run is too short"

@@ -13,19 +13,13 @@ from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS, Messages
 from vehicle_roll_sim.messages.stamped import SIGNAL_UNITS, builder
+from vehicle_roll_sim.messages.topic import WRENCH
 from vehicle_roll_sim.messages.topics import (
-    ARRAY,
     CLOCK,
-    COMMANDS,
-    FLOAT,
     PUBLISHED,
     SIGNALS,
     STAMPED,
-    STATE_SET,
     TRANSFORMS,
-    WAYS_IN,
-    WRENCH,
-    Topic,
     set_of,
 )
 from vehicle_roll_sim.messages.urdf import robot_description
@@ -332,34 +326,3 @@ def test_the_description_has_the_joints_that_joint_states_moves(model, kind, lim
     struts = [joint for joint in joints if "suspension" in joint.get("name")]
     assert {joint.get("type") for joint in struts} == {kind}
     assert all((joint.find("limit") is not None) == limited for joint in struts)
-
-
-@pytest.mark.parametrize(
-    "topic", [*COMMANDS, *WAYS_IN, *PUBLISHED, *STAMPED], ids=lambda topic: topic.name
-)
-def test_every_topic_says_in_one_phrase_what_it_means(topic):
-    assert topic.meaning
-    assert not topic.meaning.endswith(".")
-    assert "\n" not in topic.meaning
-
-
-def test_commands_have_the_units_and_sizes_that_their_limits_are_for():
-    assert {topic.name: (topic.unit, topic.type) for topic in COMMANDS} == {
-        "steering_cmd": ("rad", FLOAT),
-        "rear_steering_cmd": ("rad", FLOAT),
-        "wheel_torque_cmd": ("N m", ARRAY),
-        "brake_torque_cmd": ("N m", ARRAY),
-        "normal_force_cmd": ("N", ARRAY),
-        "speed_cmd": ("m/s", FLOAT),
-        "drive_torque_cmd": ("N m", FLOAT),
-        "brake_cmd": ("N m", FLOAT),
-        "wind_cmd": ("m/s", ARRAY),
-        "road_height_cmd": ("m", ARRAY),
-        "road_friction_cmd": ("", ARRAY),
-    }
-
-
-def test_topics_that_differ_in_words_only_are_the_same_topic():
-    """A controller may name one as `Topic(name, type)`."""
-    (state, *_) = STATE_SET
-    assert Topic(state.name, state.type) == state

@@ -5,9 +5,9 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim import Condition, Options, Simulation, Tire, Vehicle
-from vehicle_roll_sim.model.compiled.jit import kernel, kernel_argument
+from vehicle_roll_sim.model.compiled.jit import kernel_argument
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
-from vehicle_roll_sim.model.integration.derivatives import derivatives
+from vehicle_roll_sim.model.integration.derivatives import derivatives_at
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
 from vehicle_roll_sim.simulation.command import Programme
 from vehicle_roll_sim.simulation.plant import Plant
@@ -136,19 +136,8 @@ class Evaluation:
         """Time derivative, a STATE record, at one STATE record under one COMMAND record."""
         result = np.zeros(STATE_SIZE)
         commands, outputs = np.atleast_1d(command), kernel_argument(self._outputs)
-        _evaluate(_flat(state), commands, self._plant, outputs, result)
+        derivatives_at(_flat(state), commands, self._plant, outputs, result, False)
         return result.view(STATE)[0]
-
-
-@kernel
-def _evaluate(state, commands, plant, outputs, result):
-    """`derivatives` with arrays of one record each, which compiled code takes sooner than records.
-
-    plant: vehicle, tires, options and the ground.
-    """
-    vehicle, tires, options, ground = plant
-    car, out = (vehicle[0], tires[0], options[0]), outputs[0]
-    derivatives(state, commands[0], car[0], car[1], car[2], ground, 0.0, out, result)
 
 
 def _flat(state: np.ndarray) -> np.ndarray:

@@ -12,8 +12,8 @@ from programmes import Run, record_run, with_moments
 from vehicle_roll_sim import LF, LR, Options, Simulation
 from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.simulation.command import Programme
+from vehicle_roll_sim.simulation.limits import DEFAULT_SPEED
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 
 pytestmark = [pytest.mark.slow, pytest.mark.unmeasured]
 

@@ -9,7 +9,8 @@ from xml.etree import ElementTree
 import pytest
 from patience import PATIENCE
 
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
+from vehicle_roll_sim.messages.command_topics import COMMANDS
+from vehicle_roll_sim.messages.topics import PUBLISHED
 
 PACKAGE = "vehicle_roll_sim"
 NOT_OF_ROS = {

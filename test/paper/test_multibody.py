@@ -15,8 +15,8 @@ from vehicle_roll_sim import LF, LR, Condition, InputError, Simulation, Vehicle,
 from vehicle_roll_sim.runs.columns import COLUMNS, OUTPUT_QUANTITIES
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run import run
+from vehicle_roll_sim.simulation.limits import DEFAULT_SPEED
 from vehicle_roll_sim.simulation.options import MULTIBODY
-from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 
 pytest.importorskip("mujoco", reason="the multibody engine is not installed")
 from vehicle_roll_sim.paper.multibody import SPEEDS, SPINS, Multibody

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from vehicle_roll_sim.roads.iso8608 import HIGHEST, LOWEST, random_tracks, uniform
-from vehicle_roll_sim.roads.tables import RandomProfile
+from vehicle_roll_sim.roads.profiles import RandomProfile
 
 COUNT, SPACING = 40_000, 0.05
 """2 km"""

@@ -53,7 +53,8 @@ def preload() -> None:
     import rclpy
     from rclpy.type_support import check_for_type_support
 
-    from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED, WAYS_IN
+    from vehicle_roll_sim.messages.command_topics import COMMANDS, WAYS_IN
+    from vehicle_roll_sim.messages.topics import PUBLISHED, STAMPED
     from vehicle_roll_sim.ros.topics import is_installed, message_class
     from vehicle_roll_sim.simulation.compilation import call_every_kernel
 

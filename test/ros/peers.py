@@ -15,7 +15,8 @@ from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED, STAMPED, WAYS_IN
+from vehicle_roll_sim.messages.command_topics import COMMANDS, WAYS_IN
+from vehicle_roll_sim.messages.topics import PUBLISHED, STAMPED
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class, recording_qos
 
 ASK_AGAIN = 5.0

@@ -5,7 +5,7 @@ from array import array
 import rclpy
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.topics import COMMANDS
+from vehicle_roll_sim.messages.command_topics import COMMANDS
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class
 
 VALUES = {"steering_cmd": 0.02, "wheel_torque_cmd": array("d", [5.0, 0.0, 0.0, 0.0])}

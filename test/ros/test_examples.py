@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from vehicle_roll_sim.messages.topics import COMMANDS
+from vehicle_roll_sim.messages.command_topics import COMMANDS
 
 EXAMPLES = Path(__file__).parents[2] / "msg_examples"
 Y, ROLL, U, YAW_RATE = 2, 4, 7, 12

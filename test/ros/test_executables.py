@@ -11,7 +11,8 @@ import pytest
 from recordings import heard_so_far, read_bag
 
 from vehicle_roll_sim.command_line.main import main as offline
-from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, PUBLISHED, STAMPED, WAYS_IN
+from vehicle_roll_sim.messages.command_topics import COMMANDS, WAYS_IN
+from vehicle_roll_sim.messages.topics import CLOCK, PUBLISHED, STAMPED
 from vehicle_roll_sim.ros.topics import is_installed, message_class
 from vehicle_roll_sim.vehicle.sensor_parameters import DEVICES
 

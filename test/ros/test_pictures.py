@@ -10,8 +10,9 @@ import yaml
 from recordings import read_bag
 
 from vehicle_roll_sim import WHEELS, Simulation, preset
+from vehicle_roll_sim.messages.command_topics import COMMANDS
 from vehicle_roll_sim.messages.sets import COMMAND_LABELS
-from vehicle_roll_sim.messages.topics import COMMANDS, PUBLISHED
+from vehicle_roll_sim.messages.topics import PUBLISHED
 from vehicle_roll_sim.ros.orchestration.domains import own_domain
 from vehicle_roll_sim.ros.topics import message_class
 

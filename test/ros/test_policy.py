@@ -8,7 +8,8 @@ import pytest
 from rclpy.action import get_action_server_names_and_types_by_node
 
 import vehicle_roll_sim
-from vehicle_roll_sim.messages.topics import ROAD, TRANSFORMS, WAYS_IN
+from vehicle_roll_sim.messages.command_topics import WAYS_IN
+from vehicle_roll_sim.messages.topics import ROAD, TRANSFORMS
 from vehicle_roll_sim.ros.simulator import standard_services
 from vehicle_roll_sim.ros.simulator.standard_services import ACTION, SERVICES, name_of
 from vehicle_roll_sim.ros.topics import is_installed

@@ -5,19 +5,28 @@ import pytest
 
 from vehicle_roll_sim import Command, Options, Simulation, preset, run
 from vehicle_roll_sim.files.table_file import read_table
+from vehicle_roll_sim.manoeuvres.criteria import (
+    has_wheel_heights,
+    two_wheel_lift,
+    two_wheel_lift_line,
+)
 from vehicle_roll_sim.messages.run_messages import RunMessages
 from vehicle_roll_sim.model.records import COMMAND, LF
 from vehicle_roll_sim.roads.commanded import Commanded
 from vehicle_roll_sim.roads.surfaces import Patch
 from vehicle_roll_sim.roads.tilt import TiltTable
-from vehicle_roll_sim.runs.columns import COLUMNS, COMMANDS
+from vehicle_roll_sim.runs.columns import COLUMNS, COMMANDS, WHEEL_LIFTS
 from vehicle_roll_sim.runs.compiled_run import compiled_run
 from vehicle_roll_sim.runs.derived_signals import SIGNALS
 from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.metrics import wheel_lift
 from vehicle_roll_sim.runs.run import run as stepwise
 from vehicle_roll_sim.simulation.road import Road
 
 SAME_AS_A_PLANE = Road(features=(Patch(start=-1e3, friction=1.0),))
+HOLLOW = Road.from_values(
+    {"features": [{"kind": "ramp", "start": 10.0, "length": 20.0, "height": -2.0}]}
+)
 GEOMETRIC = 1e-11
 """m: the tire compression is integrated; see test/model/integration/test_accuracy.py."""
 LOWERED = 0.15
@@ -93,6 +102,30 @@ def test_it_is_that_above_the_road_under_the_wheel(model):
     squeezed = preset().static_tire_compression[LF]
     assert lifts[1] == pytest.approx([LOWERED - squeezed, 0.0, 0.0, 0.0], abs=FALLEN)
     assert history.part(history["time"] > 0.0).wheel_lift().tolist() == [lifts[1].tolist()]
+
+
+@pytest.mark.parametrize("with_signals", [False, True])
+def test_a_file_of_a_run_on_a_road_gives_the_same_lift_back(tmp_path, with_signals):
+    """The compressions alone, over z = 0, say that wheels over a hollow of 2 m do not lift."""
+    result = run("nhtsa_j_turn", road=HOLLOW, speed=15.0, duration=4.0, steering_at_03g=20.0)
+    result.write_csv(tmp_path / "run.csv", with_commands=True, with_signals=with_signals)
+    read = History.read_csv(tmp_path / "run.csv")
+    np.testing.assert_array_equal(read.wheel_lift(), result.history.lifts)
+    assert two_wheel_lift(read) == two_wheel_lift(result.history)
+    assert two_wheel_lift(read) > 1.0
+    assert not wheel_lift(read.wheels("tire_compression")).any()
+    header, _ = read_table(tmp_path / "run.csv", 10_000_000)
+    assert [header.count(name) for name in WHEEL_LIFTS] == [1] * 4
+
+
+def test_a_file_of_messages_from_a_road_with_heights_says_that_it_is_unknown(on_a_plane, tmp_path):
+    unknown = np.full_like(on_a_plane.wheel_lift(), np.nan)
+    History(on_a_plane.rows, lifts=unknown).write_csv(tmp_path / "run.csv")
+    read = History.read_csv(tmp_path / "run.csv")
+    assert not has_wheel_heights(read)
+    assert two_wheel_lift_line(read)["two-wheel lift"].startswith("unknown")
+    History(on_a_plane.rows).write_csv(tmp_path / "plane.csv")
+    assert has_wheel_heights(History.read_csv(tmp_path / "plane.csv"))
 
 
 def test_from_messages_it_is_known_on_a_plane_only():

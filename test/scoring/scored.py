@@ -11,8 +11,9 @@ from vehicle_roll_sim.scoring.driven import Driven, drive_again, drive_alone
 from vehicle_roll_sim.scoring.plan import Ladder, Setup
 from vehicle_roll_sim.scoring.results import Climb, Score, result_alone, result_controlled
 from vehicle_roll_sim.simulation.command import Command, command_at
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP, Simulation
+from vehicle_roll_sim.simulation.simulation import Simulation
 
 PERIOD = 0.01
 """s"""

@@ -117,7 +117,7 @@ def test_a_model_without_vertical_wheel_motion_has_planes_only(model):
 
 
 def test_tires_that_stay_normal_to_the_ground_have_planes_only():
-    with refused("tire_normal_to_ground: True", "off on a road with features"):
+    with refused("tire_normal_to_ground: not possible on a road with features", "for planes"):
         Simulation(preset(), Options(tire_normal_to_ground=True), road=ROADS["ramp"])
 
 

@@ -8,8 +8,10 @@ from matplotlib.tri import LinearTriInterpolator, Triangulation
 from road_kinds import FEATURES, ROADS, TILT, road
 
 from vehicle_roll_sim.roads.feature import Feature
+from vehicle_roll_sim.simulation import road_mesh as meshes
 from vehicle_roll_sim.simulation.mesh_cells import DEVIATION, UNIT
 from vehicle_roll_sim.simulation.road_mesh import (
+    MOST_IN_PYTHON,
     MOST_PLACES,
     RoadMesh,
     has_heights,
@@ -131,6 +133,22 @@ def test_a_mesh_keeps_to_its_budget_and_is_the_same_each_time(name):
     again = road_mesh(ROADS[name], PATH, reach=REACH)
     for part in ("vertices", "triangles", "friction", "is_soft"):
         assert getattr(again, part).tobytes() == getattr(MESHES[name], part).tobytes()
+
+
+def test_in_plain_python_only_a_banked_curve_is_coarser_and_close_to_the_path_it_is_as_good(
+    monkeypatch,
+):
+    """Plain Python takes some 8 ms for each of its cells; at the default limit, minutes."""
+    monkeypatch.setattr(meshes, "COMPILED", False)
+    curve, curb = (road_mesh(ROADS[name], PATH, reach=REACH) for name in ("banked curve", "curb"))
+    assert curb.vertices.tobytes() == MESHES["curb"].vertices.tobytes()
+    middles = len(curve.vertices) - len(np.unique(curve.triangles[:, 1:]))
+    assert middles == MOST_IN_PYTHON < len(MESHES["banked curve"].vertices) / 2
+    points = np.random.default_rng(1).uniform((1.0, -1.5), (58.0, 1.5), (400, 2))
+    surface = Triangulation(*curve.vertices[:, :2].T, curve.triangles)
+    found = LinearTriInterpolator(surface, curve.vertices[:, 2])(*points.T)
+    heights = sampled(ROADS["banked curve"], points)[:, 0]
+    assert np.abs(found - heights).max() < 2 * DEVIATION
 
 
 def test_a_plane_has_no_mesh_whether_it_tilts_or_is_commanded():

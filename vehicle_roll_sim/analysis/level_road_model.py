@@ -5,7 +5,7 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.frames import heading_of, yawed_to_ground
-from vehicle_roll_sim.model.integration.derivatives import smooth_derivatives
+from vehicle_roll_sim.model.integration.derivatives import derivatives_at
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
@@ -118,9 +118,9 @@ class LevelRoadModel:
             command[name] = value if COMMAND[name].shape else value[0]
         if len(wind):
             command["wind"] = yawed_to_ground(heading_of(state[YAW]), *wind)
-        outputs = kernel_argument(self._outputs)[0]
+        records = kernel_argument(command), self._plant, kernel_argument(self._outputs)
         with silently():
-            smooth_derivatives(state, kernel_argument(command), self._plant, outputs, rates)
+            derivatives_at(state, *records, rates, True)
         return rates
 
     def on_flat_road(self, state: np.ndarray) -> np.ndarray:

@@ -18,8 +18,8 @@ from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED
 from vehicle_roll_sim.model.records import TIRE_COMPRESSION, U
 from vehicle_roll_sim.model.tire.transient_slip import LOW_SPEED
+from vehicle_roll_sim.simulation.limits import MAXIMUM_SPEED
 from vehicle_roll_sim.simulation.options import Options, options_for
-from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 STEERING, REAR_TORQUES = 0, slice(4, 6)

@@ -21,7 +21,8 @@ from vehicle_roll_sim.messages.run_messages import (
     by_name,
     is_ours,
 )
-from vehicle_roll_sim.messages.topics import MEASUREMENTS, SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.messages.topic import Topic
+from vehicle_roll_sim.messages.topics import MEASUREMENTS, SIMULATION_DESCRIPTION
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.description import Described, described
 from vehicle_roll_sim.simulation.road import Road

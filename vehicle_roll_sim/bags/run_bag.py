@@ -6,23 +6,25 @@ from pathlib import Path
 
 from vehicle_roll_sim.bags.encoding import encode
 from vehicle_roll_sim.bags.writing import Bag, whole_bag
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
+from vehicle_roll_sim.messages.command_topics import (
+    COMMANDS,
+    COMMANDS_OF_ROAD,
+    OF_WIND,
+    TOTAL_TORQUES,
+)
 from vehicle_roll_sim.messages.measured import messages_of
 from vehicle_roll_sim.messages.road_marker import road_marker
 from vehicle_roll_sim.messages.stamped import builder
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
-    COMMANDS,
-    COMMANDS_OF_ROAD,
     OF_SOME_SETS,
-    OF_WIND,
     PUBLISHED,
     ROAD,
     ROBOT_DESCRIPTION,
     ROLLOVER,
     SIMULATION_DESCRIPTION,
     STAMPED,
-    TOTAL_TORQUES,
     TRANSFORMS,
     set_of,
 )

@@ -19,7 +19,8 @@ from vehicle_roll_sim.bags.crash_safe_writer import CrashSafeWriter
 from vehicle_roll_sim.bags.encoding import TYPES
 from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.files.output_file import new_folder
-from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic
+from vehicle_roll_sim.messages.topic import Topic
+from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION
 
 BAG_VERSION = 9
 NO_DEADLINE = QosTime(9223372036, 854775807)

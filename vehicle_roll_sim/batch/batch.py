@@ -14,9 +14,9 @@ from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.control_law import ControlLaw
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.run_metrics import METRIC_UNITS
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 ARGUMENTS = {"vehicle": "vehicles"}

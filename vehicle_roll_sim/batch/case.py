@@ -15,9 +15,10 @@ from vehicle_roll_sim.model.variants import MODELS
 from vehicle_roll_sim.runs.control_law import ControlLaw, Controlled
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP, Simulation
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 

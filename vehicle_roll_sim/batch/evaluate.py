@@ -10,7 +10,7 @@ from vehicle_roll_sim.declaration import InputError
 from vehicle_roll_sim.manoeuvres.driving import history_of
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.runs.run_metrics import metrics_of
-from vehicle_roll_sim.simulation.simulation import whole_steps
+from vehicle_roll_sim.simulation.limits import whole_steps
 from vehicle_roll_sim.vehicle.plausibility import unwarned
 
 AHEAD = 16

@@ -21,8 +21,8 @@ from vehicle_roll_sim.files.output_file import check_writable
 from vehicle_roll_sim.manoeuvres.catalogue import STEEPEST
 from vehicle_roll_sim.model.records import ROLL, WHEELS
 from vehicle_roll_sim.runs.summary import line
+from vehicle_roll_sim.simulation.limits import DEFAULT_SPEED, MAXIMUM_SPEED
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 if TYPE_CHECKING:

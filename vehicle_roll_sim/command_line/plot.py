@@ -22,7 +22,7 @@ from vehicle_roll_sim.command_line.recorded_runs import (
 from vehicle_roll_sim.files.output_file import check_figure_format
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.runs.summary import line
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_DEGREES
 
 
 def plot_command(words: list[str], program: str) -> int:

@@ -15,7 +15,8 @@ from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.declaration import InputError, parameter
 from vehicle_roll_sim.files.output_file import check_writable
 from vehicle_roll_sim.runs.history import History
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES, Simulation
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_DEGREES
+from vehicle_roll_sim.simulation.simulation import Simulation
 
 LATEST = 1e10
 """s: later than any sample, even if times are counted from 1970."""

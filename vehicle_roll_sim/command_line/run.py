@@ -40,7 +40,8 @@ from vehicle_roll_sim.offline.running import drive
 from vehicle_roll_sim.runs.history import WITH_COMMANDS, WITH_SIGNALS, check_with_csv
 from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD
 from vehicle_roll_sim.runs.summary import line
-from vehicle_roll_sim.simulation.simulation import SHORTEST_STEP, Simulation
+from vehicle_roll_sim.simulation.limits import SHORTEST_STEP
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.viewer.page import write_page
 from vehicle_roll_sim.viewer.recording import ViewedRun
 from vehicle_roll_sim.viewer.scene import scene_of

@@ -8,8 +8,8 @@ from vehicle_roll_sim.command_line import signals
 from vehicle_roll_sim.command_line.commands import COMMANDS
 from vehicle_roll_sim.command_line.compiling import compile_model
 from vehicle_roll_sim.runs.summary import line
+from vehicle_roll_sim.simulation.limits import DEFAULT_SPEED
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 from vehicle_roll_sim.vehicle.derived_values import GRAVITY
 from vehicle_roll_sim.vehicle.figures import figures_of
 from vehicle_roll_sim.vehicle.shipped import SHIPPED, lift_speeds

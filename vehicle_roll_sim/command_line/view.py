@@ -35,9 +35,9 @@ from vehicle_roll_sim.manoeuvres.double_lane_change import DoubleLaneChange
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.sampled_events import events_of
 from vehicle_roll_sim.runs.summary import line
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_DEGREES
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import TIRES
 from vehicle_roll_sim.viewer.page import MOST_RUNS, write_page

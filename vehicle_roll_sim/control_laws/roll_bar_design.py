@@ -27,8 +27,8 @@ from vehicle_roll_sim.analysis.trim import find_trim
 from vehicle_roll_sim.control_laws.lqr_roll_bar import FED_BACK, GAINS, LqrRollBar
 from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
 from vehicle_roll_sim.model.records import LF, LR, RF, RR, WHEELS
+from vehicle_roll_sim.simulation.limits import MAXIMUM_SPEED
 from vehicle_roll_sim.simulation.options import Options, options_for
-from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 OPPOSITE = ("suspension_compression", "unsprung_velocity", "wheel_speed", "longitudinal_slip")

@@ -121,7 +121,7 @@ class Problem:
         lower, upper = self.bounds
         back = np.maximum(scaled - STEP, lower) - scaled
         ahead = np.minimum(scaled + STEP, upper) - scaled
-        is_stuck = ahead < STEP
+        is_stuck = scaled + STEP > upper
         return np.where(is_stuck, 0.0, back), np.where(is_stuck, -STEP, ahead)
 
     def _rows_at(self, scaled: np.ndarray, steps: np.ndarray) -> np.ndarray:

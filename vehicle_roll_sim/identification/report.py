@@ -38,6 +38,8 @@ def summary(estimate: Estimate, names: list[str]) -> str:
 def _ended(estimate: Estimate) -> str:
     at_bounds = [each.name for each in estimate.free if _is_at_bound(estimate, each)]
     text = "" if estimate.is_converged else ", and still not converged"
+    if estimate.is_beside:
+        text += f"; the best values may be {estimate.beside:.1f} standard errors away"
     return f"{text}; at a bound: {', '.join(at_bounds)}" if at_bounds else text
 
 

@@ -6,15 +6,7 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, validated
 from vehicle_roll_sim.learning.names import mapping_of, names_of
-from vehicle_roll_sim.live.command_inbox import (
-    BRAKE,
-    DRIVE,
-    OF_ROAD,
-    SPEED,
-    WIND,
-    Channel,
-    channels,
-)
+from vehicle_roll_sim.live.channels import BRAKE, DRIVE, OF_ROAD, SPEED, WIND, Channel, channels
 from vehicle_roll_sim.live.command_limits import CommandLimits
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT, WHEELS

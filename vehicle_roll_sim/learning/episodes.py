@@ -18,7 +18,7 @@ from vehicle_roll_sim.model.records import COMMAND, WHEEL_COUNT
 from vehicle_roll_sim.runs.metrics import wheel_lift
 from vehicle_roll_sim.runs.run import HELD_PERIOD
 from vehicle_roll_sim.runs.run_metrics import metrics_of_series
-from vehicle_roll_sim.simulation.simulation import whole_steps
+from vehicle_roll_sim.simulation.limits import whole_steps
 
 Reward = Callable[[Signals, np.ndarray, np.ndarray], np.ndarray]
 FACTORS = {"manoeuvre.speed": {"distribution": "uniform", "lowest": 14.0, "highest": 20.0}}

@@ -11,7 +11,8 @@ from vehicle_roll_sim.declaration import unknown_name
 from vehicle_roll_sim.learning.names import mapping_of, names_of
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.manoeuvres.catalogue import STANDARD
-from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
+from vehicle_roll_sim.simulation.limits import whole_steps
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.studies.designs import drawn_at
 from vehicle_roll_sim.studies.quantities import case_of, quantity
 from vehicle_roll_sim.studies.source import Source

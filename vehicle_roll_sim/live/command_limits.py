@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from vehicle_roll_sim.declaration import parameter, parameters_of
 from vehicle_roll_sim.simulation.command import Command
-from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
+from vehicle_roll_sim.simulation.limits import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING
 
 LARGEST_LIMIT = 1e6

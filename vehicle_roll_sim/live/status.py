@@ -3,7 +3,7 @@
 import enum
 from collections.abc import Mapping, Sequence
 
-from vehicle_roll_sim.live.command_inbox import OF_ROAD, SPEED, WIND, Channel, Traffic
+from vehicle_roll_sim.live.channels import OF_ROAD, SPEED, WIND, Channel, Traffic
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition

@@ -1,5 +1,7 @@
 """Signals made comparable: gaps, one clock, a zero-phase filter, and the place of the sensor."""
 
+import functools
+
 import numpy as np
 
 from vehicle_roll_sim.input_errors import InputError
@@ -82,9 +84,17 @@ def low_pass(values: np.ndarray, cutoff: float, interval: float) -> np.ndarray:
     """Zero-phase Butterworth filter. cutoff: Hz, 0 for none. interval: of the samples (s)."""
     if cutoff == 0.0:
         return values
-    from scipy.signal import butter, sosfiltfilt  # scipy takes 0.25 s to import
+    from scipy.signal import sosfiltfilt  # scipy takes 0.25 s to import
 
-    return sosfiltfilt(butter(ORDER, cutoff, fs=1.0 / interval, output="sos"), values)
+    return sosfiltfilt(_sections(cutoff, interval), values)
+
+
+@functools.cache
+def _sections(cutoff: float, interval: float) -> np.ndarray:
+    """Second-order sections of the filter. Its design takes longer than a use of it."""
+    from scipy.signal import butter  # scipy takes 0.25 s to import
+
+    return butter(ORDER, cutoff, fs=1.0 / interval, output="sos")
 
 
 def lateral_acceleration_at_cg(

@@ -10,10 +10,11 @@ import numpy as np
 from vehicle_roll_sim.declaration import InputError, keep_validated, parameter
 from vehicle_roll_sim.model.records import COMMAND, LR
 from vehicle_roll_sim.runs.history import History
+from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE
 from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.limits import DEFAULT_SPEED, MAXIMUM_SPEED
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED, MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 STEEPEST = 60.0
@@ -27,6 +28,8 @@ REFERENCE_HOLD = 2000.0
 entry speed."""
 REFERENCE_MASS, REFERENCE_RADIUS = 1760.0, 0.285
 """kg and m: of the reference vehicle, and of its rear tires."""
+ROUNDING = 1e-9
+"""s"""
 SIDES = {"left": 1.0, "right": -1.0}
 """Direction of the first steering input, and the sign of its angle."""
 
@@ -92,6 +95,14 @@ class Manoeuvre(abc.ABC):
     def report(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
         """The results of the manoeuvre, evaluated from a run: label and text of each line."""
         return {}
+
+    def results(self, history: History, driver: Programme | Feedback) -> dict[str, str]:
+        """The `report`, and a line on the samples if they are further apart than usual."""
+        report, interval = self.report(history, driver), history.interval
+        if report and interval > DEFAULT_SAMPLE + ROUNDING:
+            usual = f"instead of the usual {DEFAULT_SAMPLE:g} s"
+            report = {**report, "figures": f"from samples {interval:g} s apart {usual}"}
+        return report
 
     def straight_ahead(self, times: np.ndarray) -> np.ndarray:
         """COMMAND records (n,) at `times` (n,) (s) that only hold the speed; no steering.

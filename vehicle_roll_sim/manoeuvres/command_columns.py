@@ -4,9 +4,9 @@ import math
 
 from vehicle_roll_sim.input_errors import InputError
 from vehicle_roll_sim.model.records import WHEELS
+from vehicle_roll_sim.roads.feature import HIGHEST
 from vehicle_roll_sim.roads.surfaces import LARGEST_FRICTION
-from vehicle_roll_sim.roads.tables import HIGHEST
-from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
+from vehicle_roll_sim.simulation.limits import MAXIMUM_SPEED
 
 COLUMNS = {
     **{name: (name, None) for name in ("steering", "rear_steering")},

@@ -94,7 +94,7 @@ class DoubleLaneChange(BodySettings, PathFollowing):
             deviation_at=float(x[np.argmax(away)]) if on_track.any() else math.nan,
             finished=float(history["time"][out]) if out is not None else math.nan,
             final_speed=float(history["u"][out]) if out is not None else math.nan,
-            interval=float(np.diff(history["time"]).max(initial=0.0)),
+            interval=history.interval,
         )
 
     def report(self, history: History, driver: Feedback) -> dict[str, str]:

@@ -10,12 +10,14 @@ from vehicle_roll_sim.manoeuvres.base import ADAPTED, LONGEST, OpenLoop
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import peak
 from vehicle_roll_sim.simulation.command import Feedback, Programme
+from vehicle_roll_sim.simulation.limits import MAXIMUM_SPEED
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.air_parameters import has_air_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 COSINE, TRAPEZOID = "one_minus_cosine", "trapezoid"
+RAMP_TIME = 0.2
+"""s: duration of each ramp of a trapezoid, unless it is given."""
 ACROSS = 1
 """Index of the component of the wind across the initial heading."""
 
@@ -39,8 +41,13 @@ class WindGust(OpenLoop):
         default=COSINE,
     )
     gust_time: float = parameter("duration of the gust", "s", 0.01, LONGEST, default=2.0)
-    ramp_time: float = parameter(
-        "duration of each ramp of a trapezoid", "s", 1e-3, LONGEST, default=0.2
+    ramp_time: float | None = parameter(
+        "duration of each ramp of a trapezoid",
+        "s",
+        1e-3,
+        LONGEST,
+        none=f"{RAMP_TIME:g} if the shape is a trapezoid",
+        default=None,
     )
     start: float = parameter("time at which the gust begins", "s", 0.0, LONGEST, default=1.0)
 
@@ -48,9 +55,16 @@ class WindGust(OpenLoop):
 
     def __post_init__(self):
         super().__post_init__()
-        if self.shape == TRAPEZOID and 2 * self.ramp_time > self.gust_time:
+        if self.shape == COSINE and self.ramp_time is not None:
+            raise InputError("ramp_time", self.ramp_time, f"only with shape {TRAPEZOID}")
+        if self.shape == TRAPEZOID and 2 * self.ramp > self.gust_time:
             allowed = f"at most half the gust_time, {self.gust_time / 2:g} s"
-            raise InputError("ramp_time", self.ramp_time, allowed)
+            raise InputError("ramp_time", self.ramp, allowed)
+
+    @property
+    def ramp(self) -> float:
+        """Duration of each ramp of a trapezoid (s)."""
+        return RAMP_TIME if self.ramp_time is None else self.ramp_time
 
     def for_vehicle(self, vehicle: Vehicle, options: Options) -> "WindGust":
         """A copy with the gain of the speed hold; raises InputError without air forces."""
@@ -73,7 +87,7 @@ class WindGust(OpenLoop):
         passed = np.clip(times - self.start, 0.0, self.gust_time)
         if self.shape == COSINE:
             return self.wind_speed / 2 * (1.0 - np.cos(2 * np.pi * passed / self.gust_time))
-        ramps = np.minimum(passed, self.gust_time - passed) / self.ramp_time
+        ramps = np.minimum(passed, self.gust_time - passed) / self.ramp
         return self.wind_speed * np.minimum(ramps, 1.0)
 
     def drive(self, times: np.ndarray, commands: np.ndarray) -> None:

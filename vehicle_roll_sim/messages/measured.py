@@ -6,9 +6,9 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.messages.covariances import Covariances, of_sensors
-from vehicle_roll_sim.messages.joints import STEERING, WHEEL, joint_kinds, joint_motion
+from vehicle_roll_sim.messages.joints import STEERING, WHEEL, joint_kinds, joint_motion, joint_names
 from vehicle_roll_sim.messages.message_template import Encode
-from vehicle_roll_sim.messages.sets import (
+from vehicle_roll_sim.messages.set_templates import (
     ATTITUDE,
     IMU_ATTITUDE,
     IMU_RATES,
@@ -16,8 +16,8 @@ from vehicle_roll_sim.messages.sets import (
     SPECIFIC_FORCE,
     TURNING,
     VELOCITY,
-    Messages,
 )
+from vehicle_roll_sim.messages.sets import Messages
 from vehicle_roll_sim.messages.topics import TRUTH
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.records import WHEEL_COUNT
@@ -48,13 +48,13 @@ class MeasuredMessages(Messages):
         self, simulation: Simulation, frame_prefix: str, encode: Encode, covariances: Covariances
     ):
         super().__init__(simulation, frame_prefix, encode, covariances)
-        self._sensors = simulation.sensors
-        self._measurements = self._labelled("measurements", ("time", *self._sensors.labels))
-        self._measured_joints = self._joint_states()
+        self._sensors, encoded = simulation.sensors, self._templates
+        self._measurements = encoded.labelled("measurements", ("time", *self._sensors.labels))
+        self._measured_joints = encoded.joint_states(joint_names(joint_kinds(simulation)))
         told = of_sensors(covariances, self._sensors)
         self._of_device = {
-            IMU: self._inertial(IMU_FRAME, told.imu),
-            ODOMETRY: self._odometry(told.odom),
+            IMU: encoded.inertial(IMU_FRAME, told.imu),
+            ODOMETRY: encoded.odometry(told.odom),
         }
 
     def builder(self, topic: str) -> Callable[[], bytes]:

@@ -4,22 +4,22 @@ import functools
 import math
 from collections.abc import Callable
 
-import numpy as np
-
-from vehicle_roll_sim.live.command_inbox import OF_ROAD
-from vehicle_roll_sim.messages.covariances import Covariances, ImuCovariances, OdomCovariances
+from vehicle_roll_sim.live.channels import OF_ROAD
+from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.joints import joint_kinds, joint_motion, joint_names
-from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
-from vehicle_roll_sim.messages.topics import (
-    ACTUATORS,
-    BODY_LOADS,
-    CLOCK,
-    FLOAT,
-    MEASUREMENTS,
-    ROLL_CENTRE,
-    STATE_SET,
-    TRANSFORMS,
-    WRENCH,
+from vehicle_roll_sim.messages.message_template import Encode, MessageTemplate
+from vehicle_roll_sim.messages.set_templates import (
+    ATTITUDE,
+    FORCE,
+    IMU_ATTITUDE,
+    IMU_RATES,
+    POSITION,
+    ROTATION,
+    SPECIFIC_FORCE,
+    TRANSLATION,
+    TURNING,
+    VELOCITY,
+    Templates,
 )
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.frames import quaternion
@@ -49,28 +49,12 @@ MOTION_LABELS = (
 and the CSV."""
 ANGLES, RATES = slice(at.ROLL, at.YAW + 1), slice(at.ROLL_RATE, at.YAW_RATE + 1)
 """Indices of the Euler angles and of the body rates in the state."""
-OF_ODOMETRY = 85
-POSITION, ATTITUDE, VELOCITY, TURNING = slice(3), slice(3, 7), slice(43, 46), slice(46, 49)
-"""Numbers of an Odometry: a pose (7) and a twist (6), each followed by a covariance (36)."""
-OF_IMU = 37
-IMU_ATTITUDE, IMU_RATES, SPECIFIC_FORCE = slice(4), slice(13, 16), slice(25, 28)
-"""Numbers of an Imu: 4, 3 and 3, with a covariance of 9 behind each."""
-OF_WRENCH = 6
-FORCE = slice(3)
-"""Numbers of a Wrench: force and torque."""
-OF_TRANSFORM = 7
-TRANSLATION, ROTATION = slice(3), slice(3, 7)
-"""Numbers of a Transform."""
-EMPTY_LIST = 4
-"""Bytes of an empty list: its length field."""
 FLAGS_MARK = (250, 251, 252, 253)
 """A placeholder that no lift-off flags contain otherwise."""
 ACTUATOR_LABELS = (
     "time",
     *(f"{kind}_{name}" for kind in ("limited", "lag", "lag_rate") for name in COMMAND_LABELS[1:]),
 )
-OF_SOME = (ROLL_CENTRE, BODY_LOADS, MEASUREMENTS, ACTUATORS)
-TYPES = {topic.name: topic.type for topic in (*STATE_SET, *OF_SOME)}
 
 
 class Messages:
@@ -90,34 +74,29 @@ class Messages:
     ):
         self.simulation, self.applied = simulation, Command()
         self.stamp = (0, 0)
-        self._frame_prefix, self._encode = frame_prefix, encode
+        self._templates = Templates(frame_prefix, encode)
         self._whole_body = not simulation.options.has_eight_dof
-        self.named: dict[str, tuple[tuple[str, ...], np.ndarray]] = {}
+        self.named = self._templates.named
         further = (
             *(WIND if simulation.feels_wind else ()),
             *(ROAD_LABELS if simulation.road.is_commanded else ()),
             *(DEMAND_LABELS if simulation.has_actuators else ()),
         )
-        self._state = self._labelled("state", ("time", *simulation.state_names))
-        self._command = self._labelled("applied_command", (*COMMAND_LABELS, *further))
-        self._loads = self._labelled("tire_normal_forces", WHEELS)
-        self._motion = self._labelled("motion", MOTION_LABELS)
-        self._roll_centre = self._labelled("roll_centre", ROLL_CENTRES)
-        self._body_loads = self._labelled("body_loads", CORNERS)
-        self._actuators = self._labelled("actuators", ACTUATOR_LABELS)
-        self._lift_off = self._labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
-        self._single = {
-            topic.name: MessageTemplate(encode(topic.type, {"data": MARK}), 1)
-            for topic in STATE_SET
-            if topic.type == FLOAT
-        }
-        self.named |= {name: ((name,), each.numbers) for name, each in self._single.items()}
-        self._clock = MessageTemplate(encode(CLOCK.type, {"clock": STAMP_MARK}))
-        self._odom = self._odometry(covariances.odom)
-        self._imu = self._inertial("base_link", covariances.imu)
-        self._joints = self._joint_states()
-        force = self._in_frame("base_footprint") | {"wrench": {"force": {"x": MARK}}}
-        self._forces = [MessageTemplate(encode(WRENCH, force), OF_WRENCH) for _ in WHEELS]
+        encoded, labelled = self._templates, self._templates.labelled
+        self._state = labelled("state", ("time", *simulation.state_names))
+        self._command = labelled("applied_command", (*COMMAND_LABELS, *further))
+        self._loads = labelled("tire_normal_forces", WHEELS)
+        self._motion = labelled("motion", MOTION_LABELS)
+        self._roll_centre = labelled("roll_centre", ROLL_CENTRES)
+        self._body_loads = labelled("body_loads", CORNERS)
+        self._actuators = labelled("actuators", ACTUATOR_LABELS)
+        self._lift_off = labelled("lift_off", WHEELS, FLAGS_MARK, kind="u1")
+        self._single = encoded.single_numbers()
+        self._clock = encoded.clock()
+        self._odom = encoded.odometry(covariances.odom)
+        self._imu = encoded.inertial("base_link", covariances.imu)
+        self._joints = encoded.joint_states(joint_names(joint_kinds(simulation)))
+        self._forces = [encoded.force() for _ in WHEELS]
 
     def builder(self, topic: str) -> Callable[[], bytes]:
         """The method that updates the message of a topic of the set and returns its bytes."""
@@ -126,43 +105,6 @@ class Messages:
             return functools.partial(self.tire_force, WHEELS.index(wheel))
         return getattr(self, family)
 
-    def _labelled(self, topic: str, labels, mark=(MARK,), kind: str = "<f8") -> MessageTemplate:
-        """A multi-array whose layout labels every element: dim[i].label is the name of data[i]."""
-        dimensions = [{"label": name, "size": 1, "stride": 1} for name in labels]
-        data = [*mark, *[0.0] * (len(labels) - len(mark))]
-        fields = {"layout": {"dim": dimensions}, "data": data}
-        message = MessageTemplate(self._encode(TYPES[topic], fields), len(labels), mark, kind)
-        self.named[topic] = labels, message.numbers
-        return message
-
-    def _in_frame(self, frame: str) -> dict:
-        return {"header": {"stamp": STAMP_MARK, "frame_id": self._frame_prefix + frame}}
-
-    def _of_frame(self, frame: str) -> dict:
-        return {"child_frame_id": self._frame_prefix + frame}
-
-    def _odometry(self, covariances: OdomCovariances) -> MessageTemplate:
-        fields = self._in_frame("odom") | {"pose": {"pose": {"position": {"x": MARK}}}}
-        fields |= self._of_frame("base_link")
-        message = MessageTemplate(self._encode(TYPES["odom"], fields), OF_ODOMETRY)
-        covariances.spread(message.numbers)
-        return message
-
-    def _inertial(self, frame: str, covariances: ImuCovariances) -> MessageTemplate:
-        fields = self._in_frame(frame) | {"orientation": {"x": MARK}}
-        message = MessageTemplate(self._encode(TYPES["imu"], fields), OF_IMU)
-        covariances.spread(message.numbers)
-        return message
-
-    def _joint_states(self) -> MessageTemplate:
-        """Positions and velocities are contiguous, except for the length field of the latter."""
-        names = joint_names(joint_kinds(self.simulation))
-        zeros = [0.0] * len(names)
-        moving = {"name": names, "position": [MARK, *zeros[1:]], "velocity": zeros}
-        fields = {"header": {"stamp": STAMP_MARK}, **moving}
-        message = self._encode(TYPES["joint_states"], fields)
-        return MessageTemplate(message, len(names) + 1 + len(names), tail=EMPTY_LIST)
-
     @functools.cached_property
     def _transforms(self) -> MessageTemplate:
         """From odom to base_footprint, on the ground, and to base_link, if the model has heave.
@@ -170,11 +112,7 @@ class Messages:
         Created on first use, since not every ROS installation has the message type.
         """
         frames = ("base_footprint", "base_link") if self._whole_body else ("base_footprint",)
-        at_mark = {"transform": {"translation": {"x": MARK}}}
-        transforms = [self._in_frame("odom") | self._of_frame(frame) | at_mark for frame in frames]
-        return MessageTemplate(
-            self._encode(TRANSFORMS.type, {"transforms": transforms}), OF_TRANSFORM
-        )
+        return self._templates.transforms(frames)
 
     def set_time(self, nanoseconds: int) -> None:
         """Set the stamp of the next set (ns since the epoch of the stamps)."""

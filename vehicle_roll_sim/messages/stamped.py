@@ -5,8 +5,10 @@ from collections.abc import Callable
 import numpy as np
 
 from vehicle_roll_sim.messages.message_template import MARK, STAMP_MARK, Encode, MessageTemplate
-from vehicle_roll_sim.messages.sets import EMPTY_LIST, Messages
-from vehicle_roll_sim.messages.topics import SIGNALS, STAMPED, STAMPED_ENDING, Topic
+from vehicle_roll_sim.messages.set_templates import EMPTY_LIST
+from vehicle_roll_sim.messages.sets import Messages
+from vehicle_roll_sim.messages.topic import Topic
+from vehicle_roll_sim.messages.topics import SIGNALS, STAMPED, STAMPED_ENDING
 from vehicle_roll_sim.model import records as at
 from vehicle_roll_sim.model.records import WHEELS
 from vehicle_roll_sim.runs import columns, derived_signals

@@ -2,8 +2,8 @@
 
 from vehicle_roll_sim.analysis import linear_model, trim
 from vehicle_roll_sim.input_errors import InputError, given, number_of
+from vehicle_roll_sim.simulation.limits import DEFAULT_SPEED
 from vehicle_roll_sim.simulation.options import Options, options_for
-from vehicle_roll_sim.simulation.simulation import DEFAULT_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 

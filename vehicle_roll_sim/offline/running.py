@@ -16,14 +16,10 @@ from vehicle_roll_sim.offline.tables import path_of
 from vehicle_roll_sim.runs import run as stepwise
 from vehicle_roll_sim.runs.run import DEFAULT_SAMPLE, HELD_PERIOD, Observer
 from vehicle_roll_sim.runs.summary import choices
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP, whole_steps
 from vehicle_roll_sim.simulation.options import Options
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import (
-    DEFAULT_ROLLOVER_ANGLE,
-    DEFAULT_STEP,
-    Simulation,
-    whole_steps,
-)
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
@@ -113,7 +109,7 @@ def drive(
         simulation.condition,
         simulation.time,
         simulation.implausible,
-        choices(simulation.vehicle, simulation.options) | manoeuvre.report(history, driver),
+        choices(simulation.vehicle, simulation.options) | manoeuvre.results(history, driver),
         simulation.road,
     )
 

@@ -16,7 +16,7 @@ from vehicle_roll_sim.paper.study import (
     Study,
 )
 from vehicle_roll_sim.runs import metrics
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_DEGREES
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_DEGREES
 
 
 def transient_excess(response: Response, wheel: int) -> float:

@@ -29,13 +29,10 @@ from vehicle_roll_sim.model.tire.loads import terms_of_loads
 from vehicle_roll_sim.model.tire.magic_formula import forces_at_slips
 from vehicle_roll_sim.model.tire.radii import rolling_radii
 from vehicle_roll_sim.paper.engine_model import engine_model
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP
 from vehicle_roll_sim.simulation.options import MULTIBODY
 from vehicle_roll_sim.simulation.plant import Plant
-from vehicle_roll_sim.simulation.simulation import (
-    DEFAULT_ROLLOVER_ANGLE,
-    DEFAULT_STEP,
-    Simulation,
-)
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.actuator_parameters import refuse_actuators
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 from vehicle_roll_sim.vehicle.plausibility import unwarned

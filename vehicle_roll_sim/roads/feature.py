@@ -10,6 +10,10 @@ from vehicle_roll_sim.declaration import keep_validated, parameter
 
 FURTHEST = 1e5
 """m"""
+HIGHEST = 1e3
+"""m: of the heights in a table."""
+MOST_POINTS = 200_000
+"""Of a track, and of a grid."""
 Row = tuple[int, list[float], np.ndarray | None]
 """A feature for `model.road.layout.ground_of`: kind, numbers and table."""
 UNBOUNDED = "unbounded"

@@ -5,9 +5,10 @@ from collections.abc import Mapping
 
 from vehicle_roll_sim.declaration import InputError, parameters_of, unknown_name
 from vehicle_roll_sim.roads.commanded import Commanded
+from vehicle_roll_sim.roads.grid import Grid
 from vehicle_roll_sim.roads.heights import BankedCurve, CorkscrewRamp, Curb, Ramp, Wave
+from vehicle_roll_sim.roads.profiles import Profile, RandomProfile
 from vehicle_roll_sim.roads.surfaces import Chessboard, Patch, SoftSoil
-from vehicle_roll_sim.roads.tables import Grid, Profile, RandomProfile
 from vehicle_roll_sim.roads.tilt import TiltTable
 
 KINDS = {

@@ -9,7 +9,7 @@ from rclpy.publisher import Publisher
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
-from vehicle_roll_sim.messages.topics import Topic
+from vehicle_roll_sim.messages.topic import Topic
 from vehicle_roll_sim.ros.topics import heard_commands
 
 UNNAMED = "_NODE_NAME_UNKNOWN_"

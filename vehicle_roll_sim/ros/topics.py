@@ -5,7 +5,8 @@ import importlib.util
 
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 
-from vehicle_roll_sim.messages.topics import COMMANDS, WAYS_IN, Topic
+from vehicle_roll_sim.messages.command_topics import COMMANDS, WAYS_IN
+from vehicle_roll_sim.messages.topic import Topic
 
 NEWEST_ONLY = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
 """For command subscriptions: compatible with any publisher, and keeps only the newest message."""

@@ -48,6 +48,9 @@ ROLL_CENTRES = tuple(
 the roll centre of each axle (m); nan where there is none."""
 BODY_LOADS = tuple(f"body_load_{corner}" for corner in CORNERS)
 """Names of further columns with `body_contact`: normal load on each corner of the body (N)."""
+WHEEL_LIFTS = tuple(f"wheel_lift_{wheel}" for wheel in WHEELS)
+"""Names of further columns on a road with features: distance of each tire from the road (m), 0 in
+contact; nan if it is unknown. On a plane without features the tire compressions have it."""
 WIND = ("wind_x", "wind_y")
 """Names of further commands of vehicles with air forces (m/s), in the same sense."""
 FURTHER = {
@@ -55,6 +58,7 @@ FURTHER = {
     ROLL_CENTRES: "roll_centres",
     WIND: "wind",
     BODY_LOADS: "body_loads",
+    WHEEL_LIFTS: "lifts",
 }
 """Groups of columns that a file may lack, and the attributes of a History with their values."""
 MEASURED = "measured_"

@@ -38,7 +38,8 @@ from vehicle_roll_sim.runs.run import (
 )
 from vehicle_roll_sim.simulation.command import Programme, records_of
 from vehicle_roll_sim.simulation.driving import drive_on
-from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
+from vehicle_roll_sim.simulation.limits import whole_steps
+from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.simulation.timetable import DEGREES, Timetable
 
 LONGEST_BLOCK = 20_000

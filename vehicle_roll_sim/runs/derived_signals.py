@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from vehicle_roll_sim.model.records import OUTPUTS, WHEELS
+from vehicle_roll_sim.model.records import OUTPUTS
+from vehicle_roll_sim.runs.columns import WHEEL_LIFTS
 from vehicle_roll_sim.runs.metrics import (
     load_transfer,
     load_transfer_ratio,
@@ -18,7 +19,7 @@ SIGNALS = {
     "load_transfer_ratio": "",
     "front_load_transfer": "N",
     "rear_load_transfer": "N",
-    **{f"wheel_lift_{wheel}": "m" for wheel in WHEELS},
+    **dict.fromkeys(WHEEL_LIFTS, "m"),
 }
 """Unit of each signal that follows from the columns of a history and, on a road with features, from
 the road; '' for a ratio. Load transfers are from left to right. wheel_lift: distance of the tire

@@ -11,7 +11,15 @@ from vehicle_roll_sim.files.output_file import replaced_file
 from vehicle_roll_sim.files.table_file import read_table
 from vehicle_roll_sim.input_errors import InputError, number_in
 from vehicle_roll_sim.model.records import AXLE_COUNT, WHEELS
-from vehicle_roll_sim.runs.columns import BODY_LOADS, COLUMNS, COMMANDS, FURTHER, ROLL_CENTRES, WIND
+from vehicle_roll_sim.runs.columns import (
+    BODY_LOADS,
+    COLUMNS,
+    COMMANDS,
+    FURTHER,
+    ROLL_CENTRES,
+    WHEEL_LIFTS,
+    WIND,
+)
 from vehicle_roll_sim.runs.derived_signals import SIGNALS, signals_of
 from vehicle_roll_sim.runs.metrics import wheel_lift
 from vehicle_roll_sim.simulation.options import Options
@@ -90,6 +98,11 @@ class History:
     def __getitem__(self, name: str) -> np.ndarray:
         return self.rows[:, COLUMNS.index(name)]
 
+    @property
+    def interval(self) -> float:
+        """Longest time between two samples (s); 0 for a single one."""
+        return float(np.diff(self["time"]).max(initial=0.0))
+
     def roll_centre(self, measure: str) -> np.ndarray:
         """Height or place of the roll centre of each axle, shape (rows, 2) (m); nan if unknown."""
         if self.roll_centres is None:
@@ -135,8 +148,7 @@ class History:
 
     def part(self, chosen: np.ndarray) -> "History":
         """The selected rows; chosen: a boolean for each row, shape (rows,)."""
-        names = (*FURTHER.values(), "lifts")
-        found = {name: getattr(self, name) for name in names}
+        found = {name: getattr(self, name) for name in FURTHER.values()}
         found = {name: None if v is None else v[chosen] for name, v in found.items()}
         measured = {"measured": self.measured[chosen], "measured_names": self.measured_names}
         return History(self.rows[chosen], **found, **measured)
@@ -146,15 +158,17 @@ class History:
     ) -> None:
         """Write all rows in full precision; the file is written completely or not at all.
 
-        Columns of ROLL_CENTRES and BODY_LOADS follow if they are known. with_commands: append
-        COMMANDS, nan if they are unknown, and WIND if it is known. with_signals: append SIGNALS.
-        What sensors measured comes last.
+        Columns of ROLL_CENTRES, BODY_LOADS and WHEEL_LIFTS follow if there are any; the last are
+        among SIGNALS, too. with_commands: append COMMANDS, nan if they are unknown, and WIND if it
+        is known. with_signals: append SIGNALS. What sensors measured comes last.
         """
         names, rows = COLUMNS, self.rows
         if self.roll_centres is not None:
             names, rows = (*names, *ROLL_CENTRES), np.hstack((rows, self.roll_centres))
         if self.body_loads is not None:
             names, rows = (*names, *BODY_LOADS), np.hstack((rows, self.body_loads))
+        if self.lifts is not None and not with_signals:
+            names, rows = (*names, *WHEEL_LIFTS), np.hstack((rows, self.lifts))
         if with_commands:
             names, rows = (*names, *COMMANDS), np.hstack((rows, self._known_commands()))
             if self.wind is not None:

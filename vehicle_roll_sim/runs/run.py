@@ -13,7 +13,8 @@ from vehicle_roll_sim.runs.columns import further_of, measured_names, row_of
 from vehicle_roll_sim.runs.derived_signals import LIFT_PLACES, lifts_on_road
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
-from vehicle_roll_sim.simulation.simulation import Simulation, whole_steps
+from vehicle_roll_sim.simulation.limits import whole_steps
+from vehicle_roll_sim.simulation.simulation import Simulation
 
 DEFAULT_SAMPLE = 0.01
 """s between rows of the history."""

@@ -1,7 +1,7 @@
 """Compilation of the model, once, in a separate process that survives an interruption.
 
 Programs that start at the same time on a fresh machine all wait for the same compilation. If one of
-them is interrupted, the compiling process continues to its end (about a minute).
+them is interrupted, the compiling process continues to its end (about 40 s).
 """
 
 import subprocess
@@ -12,7 +12,7 @@ import numpy as np
 
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.model.frames import quaternion
-from vehicle_roll_sim.model.integration.derivatives import smooth_derivatives
+from vehicle_roll_sim.model.integration.derivatives import derivatives_at
 from vehicle_roll_sim.model.integration.events import no_events, note_lift_offs
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_SIZE, WHEEL_COUNT
 from vehicle_roll_sim.model.road.banked_curve import advanced
@@ -27,7 +27,7 @@ from vehicle_roll_sim.simulation.simulation import Simulation
 from vehicle_roll_sim.vehicle.tire_evaluation import evaluate
 from vehicle_roll_sim.vehicle.vehicle_file import preset
 
-COMPILING = "compiling the model, once for this version: about a minute"
+COMPILING = "compiling the model, once for this version: about 40 s"
 LOCK = "lock"
 """The file that a compiling process locks; the operating system unlocks it when it ends."""
 LOOK = 0.05
@@ -81,15 +81,18 @@ def fill_cache(folder: str) -> None:
 
 
 def call_every_kernel() -> None:
-    """Call all kernels that the package calls from Python, so that none is left to be compiled."""
+    """Call all kernels that the package calls from Python, so that none is left to be compiled.
+
+    Those that others call as well come first.
+    """
     simulation = Simulation(preset())
     simulation.reset()
     plant = Plant.of(simulation.vehicle, simulation.options).arguments()
-    seen, rates = jit.kernel_argument(np.zeros(1, OUTPUTS))[0], np.zeros(STATE_SIZE)
+    seen, rates = jit.kernel_argument(np.zeros(1, OUTPUTS)), np.zeros(STATE_SIZE)
     idle = jit.kernel_argument(Command().records())
-    smooth_derivatives(simulation.state_vector.copy(), idle, plant, seen, rates)
-    compile_loop(simulation)
+    derivatives_at(simulation.state_vector.copy(), idle, plant, seen, rates, True)
     compile_actuators(simulation)
+    compile_loop(simulation)
     Simulation(preset().with_values({"imu_period": 1.0}))
     evaluate(preset().tire, 1.0, 0.0, 0.0)
     tire = jit.kernel_argument(preset().tire.record())[0]

@@ -3,12 +3,8 @@
 import dataclasses
 
 from vehicle_roll_sim.declaration import parameter
-from vehicle_roll_sim.simulation.simulation import (
-    DEFAULT_ROLLOVER_DEGREES,
-    DEFAULT_STEP,
-    LONGEST_STEP,
-    SHORTEST_STEP,
-)
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_DEGREES, DEFAULT_STEP, SHORTEST_STEP
+from vehicle_roll_sim.simulation.simulation import LONGEST_STEP
 
 
 @dataclasses.dataclass(frozen=True)

@@ -15,8 +15,9 @@ import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, validated
 from vehicle_roll_sim.files.text_file import WANTED
+from vehicle_roll_sim.roads.feature import MOST_POINTS
+from vehicle_roll_sim.roads.grid import Grid
 from vehicle_roll_sim.roads.iso8608 import PRECISION
-from vehicle_roll_sim.roads.tables import MOST_POINTS, Grid
 from vehicle_roll_sim.vehicle.plausibility import warn
 
 LARGEST_FILE = 1_000_000_000

@@ -99,14 +99,17 @@ class Options:
             raise InputError("link_load_transfer", ASYMMETRIC, allowed)
         for name in UPRIGHT_ONLY if self.body_contact else ():
             if getattr(self, name):
-                raise InputError(name, True, "off with body_contact: it is for wheels on the road")
+                problem = "not possible together with body_contact"
+                raise InputError(name, True, "an option for wheels on the road", problem)
 
     def _refuse(self, of_which: str, *names: str) -> None:
         """Raise InputError for the first of these options that is not at its default."""
         for name in names:
-            if getattr(self, name) not in (False, SYMMETRIC, AUTO, OFF):
-                allowed = f"an option {of_which}; model {self.model} does not have it"
-                raise InputError(name, getattr(self, name), allowed)
+            value, lacking = getattr(self, name), f"model {self.model} does not have it"
+            if value is True:
+                raise InputError(name, value, f"an option {of_which}", lacking)
+            if value not in (False, SYMMETRIC, AUTO, OFF):
+                raise InputError(name, value, f"an option {of_which}; {lacking}")
 
     @property
     def has_eight_dof(self) -> bool:

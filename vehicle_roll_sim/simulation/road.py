@@ -163,8 +163,9 @@ class Road:
             allowed = "a plane: its wheels have no vertical motion; use model 1 or 2"
             raise InputError("road", "", allowed, f"features on the road of model {options.model}")
         if options.tire_normal_to_ground:
-            allowed = "off on a road with features, whose normal changes from wheel to wheel"
-            raise InputError("tire_normal_to_ground", True, allowed)
+            allowed = "an option for planes, whose normal is the same at every wheel"
+            problem = "not possible on a road with features"
+            raise InputError("tire_normal_to_ground", True, allowed, problem)
 
     def check_start(self, vehicle: np.record) -> None:
         """Raise InputError if a vehicle would start with the centre of a wheel in the ground.

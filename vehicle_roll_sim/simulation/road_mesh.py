@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 
+from vehicle_roll_sim.model.compiled.jit import COMPILED
 from vehicle_roll_sim.model.road.layout import (
     BANKED_CURVE,
     COUNT,
@@ -20,6 +21,8 @@ from vehicle_roll_sim.simulation.road import Road
 
 MOST_CELLS = 4000
 """Of a mesh; a cell has about two vertices and five triangles."""
+MOST_IN_PYTHON = 1500
+"""Of that of a banked curve in plain Python, which takes some 8 ms for a cell."""
 REACH = 160.0
 """m around the places of interest that a mesh covers."""
 MOST_PLACES = 400
@@ -50,11 +53,13 @@ def has_mesh(road: Road | None) -> bool:
 
 def has_heights(road: Road | None) -> bool:
     """Whether there are features that change heights, or could."""
-    if not has_mesh(road):
-        return False
+    return has_mesh(road) and bool(np.isin(_kinds(road), HEIGHTS).any())
+
+
+def _kinds(road: Road) -> np.ndarray:
+    """The kind of each feature that the equations see."""
     ground = road.ground()
-    kinds = ground[HEADER : HEADER + FEATURE_SIZE * int(ground[COUNT]) : FEATURE_SIZE]
-    return bool(np.isin(kinds, HEIGHTS).any())
+    return ground[HEADER : HEADER + FEATURE_SIZE * int(ground[COUNT]) : FEATURE_SIZE]
 
 
 def road_mesh(
@@ -64,14 +69,16 @@ def road_mesh(
 
     None for a plane, and if no place is known. places: (n, 2) (m). The mesh covers everything up
     to `reach` (m) beyond them. Close to them it deviates from the road by a few mm, further away by
-    more, and also if the road would need more than `most_cells`. The same arguments give the same
-    mesh.
+    more, and also if the road would need more than `most_cells`; in plain Python a banked curve has
+    at most MOST_IN_PYTHON. The same arguments give the same mesh.
     """
     if not has_mesh(road):
         return None
     places = thinned(places)
     if not len(places):
         return None
+    if not COMPILED and BANKED_CURVE in _kinds(road):
+        most_cells = min(most_cells, MOST_IN_PYTHON)
     cells = cells_of(road, places, most_cells, reach)
     corners, triangles = _triangles(cells)
     points = corners * UNIT

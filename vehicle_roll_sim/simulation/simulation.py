@@ -1,41 +1,35 @@
 """The simulated vehicle: reset it, step it, read its state. Everything else builds on this."""
 
 import functools
-import math
 
 import numpy as np
 
-from vehicle_roll_sim.input_errors import InputError, given, number_of
-from vehicle_roll_sim.model.compiled.jit import (
-    interruptible,
-    kernel_argument,
-    silently,
-)
+from vehicle_roll_sim.input_errors import given
+from vehicle_roll_sim.model.compiled.jit import interruptible, kernel_argument, silently
 from vehicle_roll_sim.model.equilibrium import equilibrium
 from vehicle_roll_sim.model.integration.actuated import advance_actuated
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS, advance
-from vehicle_roll_sim.model.integration.events import (
-    LIMITS,
-    MINIMUM_SPEED,
-    Condition,
-    no_events,
-    plausible_magnitudes,
-)
+from vehicle_roll_sim.model.integration.events import Condition, no_events, plausible_magnitudes
 from vehicle_roll_sim.model.integration.integrator import KEPT, STAGE_VECTORS
-from vehicle_roll_sim.model.records import (
-    MODEL_STATE,
-    OUTPUTS,
-    SLIP_STATES,
-    STATE,
-    STATE_NAMES,
-    STATE_SIZE,
-    element_names,
-)
+from vehicle_roll_sim.model.records import OUTPUTS, STATE, STATE_NAMES, STATE_SIZE, element_names
 from vehicle_roll_sim.model.roll_axis import roll_axis_depth
 from vehicle_roll_sim.simulation.actuators import Actuation
 from vehicle_roll_sim.simulation.advance_address import address_of_advance
 from vehicle_roll_sim.simulation.body_modes import check_step_on_body
 from vehicle_roll_sim.simulation.command import IDLE, Command, Programme, records_of
+from vehicle_roll_sim.simulation.limits import (
+    DEFAULT_ROLLOVER_ANGLE,
+    DEFAULT_SPEED,
+    DEFAULT_STEP,
+    MAXIMUM_SPEED,
+    ROLLOVER_ANGLES,
+    SHORTEST_STEP,
+    absent_states,
+    limits_of,
+    slowest,
+    whole_steps,
+    within,
+)
 from vehicle_roll_sim.simulation.options import Options, options_for
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.readable import LONGEST_STEP, Readable
@@ -45,36 +39,6 @@ from vehicle_roll_sim.simulation.snapshot import identity
 from vehicle_roll_sim.simulation.stability import Modes
 from vehicle_roll_sim.vehicle.air_parameters import has_air_forces
 from vehicle_roll_sim.vehicle.parameters import Vehicle
-
-DEFAULT_STEP, SHORTEST_STEP = 0.001, 1e-6
-"""s"""
-DEFAULT_SPEED = 50 / 3.6
-"""m/s: 50 km/h, as in the manoeuvres of the paper."""
-MAXIMUM_SPEED = 100.0
-"""m/s"""
-DEFAULT_ROLLOVER_DEGREES = 85.0
-DEFAULT_ROLLOVER_ANGLE = math.radians(DEFAULT_ROLLOVER_DEGREES)
-ROLLOVER_ANGLES = (1e-6, math.pi / 2)
-"""rad: allowed range of the rollover angle."""
-
-
-def whole_steps(duration: float, step_ns: int, field: str) -> int:
-    """The number of steps in `duration` (s); raises InputError naming `field` if not whole."""
-    allowed = f"a multiple of the step, {step_ns / NANOSECONDS:g} s"
-    duration = number_of(duration, field, allowed)
-    wanted = duration * NANOSECONDS / step_ns if math.isfinite(duration) else math.nan
-    if not wanted >= 1 - 1e-6 or abs(wanted - round(wanted)) > 1e-6 * max(1.0, wanted / 1e6):
-        raise InputError(field, duration, allowed)
-    return round(wanted)
-
-
-def _within(field: str, value, least: float, most: float, unit: str) -> float:
-    """Return `value` as a float if it is within the range; raises InputError naming `field`."""
-    allowed = f"a number from {least:g} to {most:g} {unit}"
-    number = number_of(value, field, allowed)
-    if not least <= number <= most:
-        raise InputError(field, value, allowed)
-    return number
 
 
 class Simulation(Readable):
@@ -125,28 +89,17 @@ class Simulation(Readable):
         self.road = given("road", road or Road(), Road)
         self.feels_wind = has_air_forces(vehicle)
         self.takes = (self.feels_wind, self.road.is_commanded)
-        step = _within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
+        step = within("step", step, SHORTEST_STEP, LONGEST_STEP, "s")
         self.step_ns = round(step * NANOSECONDS)
-        self.rollover_angle = _within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
+        self.rollover_angle = within("rollover_angle", rollover_angle, *ROLLOVER_ANGLES, "rad")
         plant = Plant.of(vehicle, self.options, self.road)
         self._vehicle, self._tires = plant.vehicle, plant.tires
-        self._limits = np.zeros(1, LIMITS)
-        goes_on = self.options.body_contact
-        self._limits["rollover_angle"] = self.rollover_angle
-        self._limits["stop_angle"] = math.inf if goes_on else self.rollover_angle
-        self._slowest = MINIMUM_SPEED if self.options.steady_state_slip else 0.0
-        self._limits["minimum_speed"] = self._slowest or -math.inf
+        self._limits = limits_of(self.options, self.rollover_angle)
         self.state_names = element_names(self.options.states)
         self._places = np.array([STATE_NAMES.index(name) for name in self.state_names])
         depth = roll_axis_depth(kernel_argument(self._vehicle)[0])
         self._axis_depth = depth if self.options.has_eight_dof else None
-        self._absent = [
-            name for name in (*MODEL_STATE.names, *SLIP_STATES) if name not in self.options.states
-        ]
-        largest = self._without_absent(plausible_magnitudes())
-        if goes_on:
-            largest["roll"] = largest["yaw"]
-        self._limits["largest"] = largest.view(np.float64)
+        self._absent = absent_states(self.options)
         self._records = (*plant[:-1], self._limits)
         self.ground = plant.ground
         self._plant = plant.arguments(self._limits, IDLE.records())
@@ -174,18 +127,12 @@ class Simulation(Readable):
         described = (*described, *self.sensors.described)
         return identity(type(self).__name__, described, self.step_ns)
 
-    def _without_absent(self, states: np.ndarray) -> np.ndarray:
-        """Set the states that the model does not have to nan in STATE records; returns them."""
-        for name in self._absent:
-            states[name] = np.nan
-        return states
-
     def reset(self, speed: float = DEFAULT_SPEED) -> None:
         """Reset to time 0 and static equilibrium, rolling freely straight ahead at `speed` (m/s).
 
         Raises InputError for an invalid speed, and for a step that is unstable at this speed.
         """
-        speed = _within("speed", speed, self._slowest, MAXIMUM_SPEED, "m/s")
+        speed = within("speed", speed, slowest(self.options), MAXIMUM_SPEED, "m/s")
         start = self._equilibrium(speed)
         self._check_start(speed, start)
         self._start(start)
@@ -194,7 +141,9 @@ class Simulation(Readable):
         start = equilibrium(
             self._vehicle, self._tires, speed, is_kinematic=self.options.is_kinematic
         )
-        return self._without_absent(start)
+        for name in self._absent:
+            start[name] = np.nan
+        return start
 
     def _check_start(self, speed: float, start: np.ndarray) -> None:
         """Raise InputError if a run cannot start on the road, or with the integration step.
@@ -218,7 +167,7 @@ class Simulation(Readable):
         """
         for name, value in {"x": x, "y": y, "yaw": yaw}.items():
             most = float(plausible_magnitudes()[0][name])
-            _within(name, value, -most, most, "m" if name != "yaw" else "rad")
+            within(name, value, -most, most, "m" if name != "yaw" else "rad")
         state = self.state
         if self.road.features:
             rise = self.road.surface(x, y)[0] - self.road.surface(*self.cg_motion[:2])[0]

@@ -11,7 +11,8 @@ from std_msgs.msg import Bool, Float64, Float64MultiArray
 
 from vehicle_roll_sim import InputError
 from vehicle_roll_sim.messages.run_messages import by_name
-from vehicle_roll_sim.messages.topics import OF_SOME_SETS, PUBLISHED, STATE_SET, Topic
+from vehicle_roll_sim.messages.topic import Topic
+from vehicle_roll_sim.messages.topics import OF_SOME_SETS, PUBLISHED, STATE_SET
 from vehicle_roll_sim.ros.clients.controller import heard_topics, message_of, said_topics
 
 EXAMPLES = Path(__file__).parents[3] / "msg_examples"

@@ -18,7 +18,7 @@ from vehicle_roll_sim.control_laws.catalogue import LAWS
 from vehicle_roll_sim.control_laws.roll_braking import RollBraking
 from vehicle_roll_sim.control_laws.yaw_control import YawControl
 from vehicle_roll_sim.manoeuvres.catalogue import manoeuvre_named
-from vehicle_roll_sim.messages.topics import COMMANDS
+from vehicle_roll_sim.messages.command_topics import COMMANDS
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import MODEL_STATE_SIZE, WHEELS
 from vehicle_roll_sim.ros.orchestration.comparison import Chain, Outcome, Scenario, drive

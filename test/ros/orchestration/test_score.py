@@ -17,9 +17,9 @@ from vehicle_roll_sim.scoring import catalogue, report, spread
 from vehicle_roll_sim.scoring.blocks import as_markdown
 from vehicle_roll_sim.scoring.driven import Driven, drive_again, drive_alone
 from vehicle_roll_sim.scoring.plan import Ladder, Setup
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP
 from vehicle_roll_sim.simulation.options import options_for
 from vehicle_roll_sim.simulation.road import Road
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE, DEFAULT_STEP
 from vehicle_roll_sim.vehicle.shipped import vehicle_named
 
 pytest.importorskip("rosbags", reason="the bag of the worst run needs the library rosbags")

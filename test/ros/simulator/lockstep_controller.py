@@ -12,7 +12,8 @@ import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
-from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, ROLLOVER, STATE_SET
+from vehicle_roll_sim.messages.command_topics import COMMANDS
+from vehicle_roll_sim.messages.topics import CLOCK, ROLLOVER, STATE_SET
 from vehicle_roll_sim.ros.topics import COMMANDING, message_class, offered_qos
 
 ROLL, ROLL_RATE = 4, 10

@@ -15,7 +15,7 @@ from std_srvs.srv import SetBool, Trigger
 
 from vehicle_roll_sim import Command, Simulation, preset
 from vehicle_roll_sim.live.pacing import DEFAULT_CATCH_UP
-from vehicle_roll_sim.messages.topics import COMMANDS
+from vehicle_roll_sim.messages.command_topics import COMMANDS
 from vehicle_roll_sim.ros.topics import message_class
 
 pytestmark = pytest.mark.unmeasured

@@ -9,7 +9,8 @@ from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 
-from vehicle_roll_sim.messages.topics import CLOCK, COMMANDS, STATE_SET
+from vehicle_roll_sim.messages.command_topics import COMMANDS
+from vehicle_roll_sim.messages.topics import CLOCK, STATE_SET
 from vehicle_roll_sim.ros.compatibility import other_publishers
 
 CONTROLLER = Path(__file__).parents[1] / "steady_controller.py"

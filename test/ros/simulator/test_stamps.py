@@ -203,7 +203,7 @@ def test_a_simulator_that_should_go_by_a_clock_is_refused_with_the_reason(start)
     status, out, err = start("simulator", "--ros-args", "-p", "use_sim_time:=true").finish()
     assert (status, out) == (2, "")
     (line,) = err.splitlines()
-    assert line.startswith("simulator: error: use_sim_time: True is not allowed: false: the")
+    assert line.startswith("simulator: error: use_sim_time: true is not allowed: false, because")
     assert "publish_clock" in line
 
 

@@ -7,7 +7,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 
 from vehicle_roll_sim import InputError
-from vehicle_roll_sim.messages.topics import WAYS_IN
+from vehicle_roll_sim.messages.command_topics import WAYS_IN
 from vehicle_roll_sim.ros.simulator.node import Simulator
 from vehicle_roll_sim.ros.topics import is_installed
 

@@ -7,7 +7,7 @@ import numpy as np
 from vehicle_roll_sim.manoeuvres.base import ADAPTED
 from vehicle_roll_sim.manoeuvres.on_roads.ride import dynamic_load_coefficients, ride_lines
 from vehicle_roll_sim.manoeuvres.on_roads.straight_course import StraightCourse
-from vehicle_roll_sim.roads.tables import RandomProfile, Roughness
+from vehicle_roll_sim.roads.profiles import RandomProfile, Roughness
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Feedback, Programme
 from vehicle_roll_sim.simulation.road import Road

@@ -12,8 +12,8 @@ from vehicle_roll_sim.manoeuvres.base import SIDES, Manoeuvre
 from vehicle_roll_sim.manoeuvres.criteria import has_wheel_heights, two_wheel_lift
 from vehicle_roll_sim.manoeuvres.series.base import Series, driven, ending_of
 from vehicle_roll_sim.model.integration.events import VALUE, Condition
+from vehicle_roll_sim.simulation.limits import MAXIMUM_SPEED
 from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.simulation import MAXIMUM_SPEED
 from vehicle_roll_sim.vehicle.parameters import Vehicle
 
 KMH = 3.6

@@ -15,6 +15,8 @@ from pathlib import Path
 import numba
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 
+from vehicle_roll_sim.model.compiled.whole_program import Part
+
 COMPLETE = "complete"
 """Name of the file that marks the cache as complete."""
 ROOM = 30_000_000
@@ -51,7 +53,7 @@ def writable_folder(fingerprint: str) -> Path | None:
                 os.posix_fallocate(file.fileno(), 0, ROOM)
         return folder
     except OSError as error:
-        effect = "the model is compiled at every start, which takes about a minute"
+        effect = "the model is compiled at every start, which takes about 40 s"
         say(f"{folder} cannot store compiled code ({error.strerror}): {effect}")
         return None
 
@@ -133,6 +135,8 @@ class CheckedCache(FunctionCache):
         self._cache_file = _CheckedFile(self._cache_path, base, plain._source_stamp)
 
     def save_overload(self, signature, data):
+        if isinstance(data.library, Part):
+            return
         try:
             super().save_overload(signature, data)
         except OSError as error:  # the folder was removed, or the disk is full

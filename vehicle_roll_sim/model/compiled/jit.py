@@ -16,6 +16,8 @@ import numpy as np
 try:
     import numba
     import numba.extending
+
+    from vehicle_roll_sim.model.compiled import code_cache, whole_program  # of its inner parts
 except ImportError as error:
     numba = None
     is_missing = isinstance(error, ModuleNotFoundError) and error.name == "numba"
@@ -52,8 +54,6 @@ math = standard_math if COMPILED else _quiet_math()
 
 CACHE = None
 if COMPILED:
-    from vehicle_roll_sim.model.compiled import code_cache
-
     CACHE = code_cache.writable_folder(code_cache.source_fingerprint(Path(__file__).parents[1]))
 
 
@@ -65,12 +65,11 @@ def kernel(function, **options):
     """
     if not COMPILED:
         return function
-    options |= {"error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
-    compiled = functools.partial(numba.njit, **options)
+    options |= {"error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False, "nopython": True}
+    dispatcher = whole_program.KernelDispatcher(function, targetoptions=options)
     if CACHE is None:
-        return compiled(function)
-    dispatcher, users_choice = compiled(function), numba.config.CACHE_DIR
-    numba.config.CACHE_DIR = str(CACHE)
+        return dispatcher
+    users_choice, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(CACHE)
     try:
         dispatcher._cache = code_cache.CheckedCache(function)
     except RuntimeError:  # the folder was removed after this process started

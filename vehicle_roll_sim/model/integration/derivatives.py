@@ -40,15 +40,17 @@ def derivatives(state, command, vehicle, tires, options, ground, time, outputs, 
 
 
 @kernel
-def smooth_derivatives(state, commands, plant, outputs, rates):
-    """`derivatives` at any state, for calls from Python.
+def derivatives_at(state, commands, plant, outputs, rates, is_smooth):
+    """`derivatives` for calls from Python, at time 0.
 
-    Unlike `derivatives` it also notes which way each wheel turns and, in model 2, writes the tire
-    compressions to `state`. commands: an array of one COMMAND record. plant: vehicle, tires and
-    options, each an array of one record, and the ground, at time 0. It takes 20 us to pass a record
-    to compiled code, and far less to pass an array.
+    is_smooth: also note which way each wheel turns and, in model 2, write the tire compressions to
+    `state`, so that any state may be given. commands, outputs: arrays of one record each. plant:
+    vehicle, tires and options, each an array of one record, and the ground. It takes 20 us to pass
+    a record to compiled code, and far less to pass an array.
     """
-    vehicle, tires, options = plant[0][0], plant[1][0], plant[2][0]
-    note_turning(state, outputs)
-    derivatives(state, commands[0], vehicle, tires, options, plant[3], 0.0, outputs, rates)
-    note_tire_compression(state, options, outputs)
+    vehicle, tires, options, seen = plant[0][0], plant[1][0], plant[2][0], outputs[0]
+    if is_smooth:
+        note_turning(state, seen)
+    derivatives(state, commands[0], vehicle, tires, options, plant[3], 0.0, seen, rates)
+    if is_smooth:
+        note_tire_compression(state, options, seen)

@@ -12,7 +12,7 @@ from vehicle_roll_sim.messages.run_messages import (
     by_name,
     is_ours,
 )
-from vehicle_roll_sim.messages.topics import Topic
+from vehicle_roll_sim.messages.topic import Topic
 from vehicle_roll_sim.ros.qos_overrides import make_subscription
 from vehicle_roll_sim.ros.topics import message_class, recording_qos
 from vehicle_roll_sim.runs.history import History

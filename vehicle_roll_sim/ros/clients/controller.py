@@ -26,9 +26,11 @@ from vehicle_roll_sim.declaration import (
     unknown_name,
     validated,
 )
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
+from vehicle_roll_sim.messages.command_topics import COMMANDS
 from vehicle_roll_sim.messages.set_synchronizer import KEPT, SetSynchronizer
-from vehicle_roll_sim.messages.topics import COMMANDS, OF_SOME_SETS, PUBLISHED, STATE_SET, Topic
+from vehicle_roll_sim.messages.topic import Topic
+from vehicle_roll_sim.messages.topics import OF_SOME_SETS, PUBLISHED, STATE_SET
 from vehicle_roll_sim.ros.compatibility import UNNAMED
 from vehicle_roll_sim.ros.node_main import LOOK, lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import (

@@ -21,7 +21,8 @@ from vehicle_roll_sim.messages.run_messages import (
     is_ours,
 )
 from vehicle_roll_sim.messages.set_synchronizer import SetSynchronizer
-from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, Topic, set_of
+from vehicle_roll_sim.messages.topic import Topic
+from vehicle_roll_sim.messages.topics import SIMULATION_DESCRIPTION, set_of
 from vehicle_roll_sim.ros.node_main import LOOK, lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides
 from vehicle_roll_sim.ros.topics import message_class, recording_qos

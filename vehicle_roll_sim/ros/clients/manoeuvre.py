@@ -85,7 +85,7 @@ def _tell(name: str, driver: ManoeuvrePlayer, files: Files) -> int:
         plots.plot_run(history, events, files.plot, name, files.size, driver.road)
     condition = driver.condition
     late = late_commands(history, driver.sent)
-    report = driver.manoeuvre.report(history, driver.driver)
+    report = driver.manoeuvre.results(history, driver.driver)
     lines = summary_lines(events, history["time"][-1], condition, "its state")
     print("\n".join([*(line(label, text) for label, text in report.items()), *lines]))
     if late:

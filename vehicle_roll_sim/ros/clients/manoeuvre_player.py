@@ -2,28 +2,21 @@
 
 import dataclasses
 import math
-import time
-from collections.abc import Iterable
 
 from rclpy.node import Node
 from rclpy.publisher import Publisher
 from std_msgs.msg import Float64, Float64MultiArray
 
 from vehicle_roll_sim.declaration import InputError, parameters_of
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.manoeuvres.catalogue import Manoeuvre
-from vehicle_roll_sim.messages.run_messages import COLLECTED, STATE
+from vehicle_roll_sim.messages.run_messages import COLLECTED
 from vehicle_roll_sim.model.integration.events import MINIMUM_SPEED, Condition
 from vehicle_roll_sim.ros import signals
 from vehicle_roll_sim.ros.clients.collector import Collector
+from vehicle_roll_sim.ros.clients.other_nodes import TORQUE, WITHOUT_TORQUE, OtherNodes
 from vehicle_roll_sim.ros.clients.simulated_vehicle import simulated_vehicle
 from vehicle_roll_sim.ros.clients.simulator_client import NoAnswerError, SimulatorClient
-from vehicle_roll_sim.ros.compatibility import (
-    NAMELESS,
-    UNNAMED,
-    fitting_listeners,
-    publishers_of,
-)
 from vehicle_roll_sim.ros.node_main import refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import make_publisher, refuse_wrong_overrides
 from vehicle_roll_sim.ros.simulator.lockstep import SETTLING
@@ -33,17 +26,12 @@ from vehicle_roll_sim.simulation.command import command_at
 from vehicle_roll_sim.simulation.compilation import compile_model
 from vehicle_roll_sim.simulation.road import Road
 
-STEERING, TORQUE = "steering_cmd", "wheel_torque_cmd"
+STEERING = "steering_cmd"
 COMMANDED = (STEERING, TORQUE, "brake_torque_cmd", "wind_cmd")
 """The topics that manoeuvres command."""
 FIELDS = {name: channel.field for name, channel in channels().items()}
 ROUNDING = 1e-9
 """s"""
-DISCOVERY = 3.5
-"""Wall time (s) by which all nodes should have been discovered: usually at once, otherwise with
-their next announcement, which the middleware sends every 3 s."""
-LEASE = 21.0
-"""Wall time (s) for which a killed node may still appear alive: the middleware's lease is 20 s."""
 STANDING_STILL = 3
 """Repeated states after which the simulator is considered stopped."""
 
@@ -81,6 +69,7 @@ class ManoeuvrePlayer(Node):
         Raises NoAnswerError, or InputError if the manoeuvre cannot be driven on this simulator.
         """
         self._simulator = simulator
+        self._others = OtherNodes(self, self.collector, simulator, self._commands)
         names = ["rollover_angle", "body_contact", "steady_state_slip", "mode", "lockstep_topics"]
         values = simulator.get(names)
         if not values:
@@ -99,11 +88,11 @@ class ManoeuvrePlayer(Node):
                 compile_model()
                 self.manoeuvre = self.manoeuvre.for_vehicle(vehicle, options)
         simulator.set("initial_speed", self.manoeuvre.speed)
-        simulator.wait(self._hears, "a connection to its topics")
-        self._find_alone()
+        simulator.wait(self._others.are_heard, "a connection to its topics")
+        self._others.find_one_simulator()
         if mode == LOCKSTEP:
             commanded = self._answered()
-            self._refuse_others(commanded)
+            self._others.refuse_commands(commanded)
             simulator.reset(before=self._forget)
             self._connect(commanded)
         else:
@@ -123,7 +112,7 @@ class ManoeuvrePlayer(Node):
         wanted = [*self._awaited, *missing]
         allowed = f"start the simulator with -p lockstep_topics:=[{', '.join(wanted)}]"
         if missing == [TORQUE]:
-            allowed += ", or drive with --speed-hold 0"
+            allowed += WITHOUT_TORQUE
         problem = f"{' and '.join(missing)} missing, which the manoeuvre commands"
         raise InputError("lockstep_topics", "", allowed, problem)
 
@@ -131,75 +120,15 @@ class ManoeuvrePlayer(Node):
         """The topics to command in lockstep, torques (of 0) included if nobody else sends them."""
         if TORQUE in self._needed or TORQUE not in self._awaited:
             return self._needed
-        until = time.monotonic() + DISCOVERY
-        while not (is_theirs := self.count_publishers(TORQUE)) and time.monotonic() < until:
-            self._simulator.linger(SETTLING)
-        return self._needed if is_theirs else [*self._needed, TORQUE]
-
-    def _refuse_others(self, topics: Iterable[str]) -> None:
-        """Raise InputError if another node is known to command one of `topics`."""
-        for name in topics:
-            if self.count_publishers(name) <= (name in self._commands):
-                continue
-            self._simulator.linger(SETTLING)  # its name may be discovered a little later
-            found = self.get_publishers_info_by_topic(self.resolve_topic_name(name))
-            others = sorted({each.node_name for each in found} - {self.get_name(), UNNAMED})
-            allowed = "in lockstep only the manoeuvre may command it; stop the other node"
-            if name == TORQUE:
-                allowed += ", or drive with --speed-hold 0"
-            problem = f"already commanded by {', '.join(others) or 'another node'}"
-            raise InputError(name, "", allowed, problem)
+        return self._needed if self._others.command(TORQUE) else [*self._needed, TORQUE]
 
     def _connect(self, topics: list[str]) -> None:
         """Create the publishers and wait until all subscriptions to them are matched."""
         for name in topics:
             kind = Float64 if name == STEERING else Float64MultiArray
             self._commands[name] = make_publisher(self, kind, name, COMMANDING)
-        self._simulator.wait(self._is_heard, "a connection to its topics")
+        self._simulator.wait(self._others.hear, "a connection to its topics")
         self._simulator.linger(SETTLING)  # they may discover us a little later
-
-    def _hears(self) -> bool:
-        return all(each.get_publisher_count() for each in self.collector.subscriptions)
-
-    def _find_alone(self) -> None:
-        """Wait until each topic has a single publisher; raises NoAnswerError after a timeout.
-
-        A killed node appears alive until its lease ends, but no longer sends anything.
-        """
-        until, is_said = time.monotonic() + LEASE, False
-        while crowded := [e for e in self.collector.subscriptions if e.get_publisher_count() > 1]:
-            topic = crowded[0].topic_name
-            if self.collector.is_mixed or time.monotonic() > until:
-                raise self._not_alone(topic)
-            self._simulator.linger(SETTLING)
-            if not (is_said or self.collector.is_mixed):
-                is_said = True
-                why = f"waiting up to {LEASE:g} s, in case one of them was killed"
-                self.get_logger().info(f"several nodes publish {topic}: {why}")
-
-    def _check_alone(self) -> None:
-        """Raise NoAnswerError if a second simulator has appeared."""
-        if self.collector.is_mixed or self.collector.simulators() > 1:
-            raise self._not_alone(self.resolve_topic_name(STATE))
-
-    def _not_alone(self, topic: str) -> NoAnswerError:
-        until = time.monotonic() + DISCOVERY
-        while NAMELESS in (names := publishers_of(self, topic)) and time.monotonic() < until:
-            self._simulator.linger(SETTLING)
-        if len(names) < 2:
-            name = self._simulator.name
-            return NoAnswerError(f"`{name}` has been replaced: another node publishes {topic} now")
-        return NoAnswerError(
-            f"{len(names)} nodes publish {topic}: {', '.join(names)}; allowed: one simulator per "
-            "namespace (stop the others, or start each with --ros-args -r __ns:=/NAME)"
-        )
-
-    def _is_heard(self) -> bool:
-        """Whether every command has a matched subscription, and all known ones are matched."""
-        return all(
-            publisher.get_subscription_count() >= max(1, fitting_listeners(self, publisher))
-            for publisher in self._commands.values()
-        )
 
     def play(self) -> None:
         """Drive to the end, or until the simulator stops; raises the same errors as `prepare`."""
@@ -209,13 +138,13 @@ class ManoeuvrePlayer(Node):
         while not self.finished:
             seen = self._states
             self._simulator.wait(lambda: self._states > seen, self._missing())  # noqa: B023
-            self._check_alone()
+            self._others.check_one_simulator()
             if self._awaited:
-                self._refuse_others(self._commands)  # discovered late: see DISCOVERY
+                self._others.refuse_commands(self._commands)  # discovered late
             if self.disturbed:
                 raise NoAnswerError(f"`{self._simulator.name}` was reset by another node")
         self._simulator.wait(self.collector.is_complete, "the rest of its last set")
-        self._check_alone()
+        self._others.check_one_simulator()
 
     def _missing(self) -> str:
         """What to say if the next state does not come."""

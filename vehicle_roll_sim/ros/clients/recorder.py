@@ -18,12 +18,8 @@ from rclpy.subscription import Subscription
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.bags import need_library
 from vehicle_roll_sim.input_errors import number_within
-from vehicle_roll_sim.messages.topics import (
-    PUBLISHED,
-    SIMULATION_DESCRIPTION,
-    STAMPED,
-    Topic,
-)
+from vehicle_roll_sim.messages.topic import Topic
+from vehicle_roll_sim.messages.topics import PUBLISHED, SIMULATION_DESCRIPTION, STAMPED
 from vehicle_roll_sim.ros import signals
 from vehicle_roll_sim.ros.node_main import lifetime, node_main, refuse_unknown_parameters
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides

@@ -18,7 +18,7 @@ from launch.actions import (
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.manoeuvres.catalogue import ON_ANY_ROAD
 from vehicle_roll_sim.ros.controller_scripts import assigned, commanded_by, scripts_of
 from vehicle_roll_sim.ros.launching.arguments import ARGUMENTS, DISCOVERY, Argument

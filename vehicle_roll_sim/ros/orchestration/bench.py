@@ -15,7 +15,7 @@ from rclpy.logging import LoggingSeverity, set_logger_level
 from rclpy.signals import SignalHandlerOptions
 
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.manoeuvres.base import Manoeuvre
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.ros.node_main import LOOK, find_log_folder, lifetime

@@ -24,7 +24,7 @@ from vehicle_roll_sim.files.output_file import (
     check_figure_format,
     check_writable,
 )
-from vehicle_roll_sim.live.command_inbox import channels
+from vehicle_roll_sim.live.channels import channels
 from vehicle_roll_sim.manoeuvres.catalogue import ON_ANY_ROAD, Manoeuvre, manoeuvre_named
 from vehicle_roll_sim.ros.controller_scripts import assigned, commanded_by, scripts_of
 from vehicle_roll_sim.ros.orchestration.comparison import (

@@ -21,7 +21,7 @@ from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift
 from vehicle_roll_sim.ros.orchestration.demo import ENDING, LOCAL, POLL, start, stop
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
-from vehicle_roll_sim.simulation.simulation import DEFAULT_ROLLOVER_ANGLE
+from vehicle_roll_sim.simulation.limits import DEFAULT_ROLLOVER_ANGLE
 
 INNER_WHEELS_OFF = 0.999
 """Load transfer ratio: 1, less a margin for rounding."""

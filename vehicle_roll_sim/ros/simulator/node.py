@@ -12,13 +12,13 @@ from rclpy.node import Node
 
 from vehicle_roll_sim.arguments import OneLineParser
 from vehicle_roll_sim.declaration import InputError
-from vehicle_roll_sim.live.command_inbox import DROPPED
+from vehicle_roll_sim.live.channels import DROPPED
 from vehicle_roll_sim.live.log_limiter import LogLimiter
 from vehicle_roll_sim.live.session import Session
 from vehicle_roll_sim.live.standard_simulator import StandardSimulator
 from vehicle_roll_sim.live.status import ending
 from vehicle_roll_sim.live.ways_in import PARTS
-from vehicle_roll_sim.messages.topics import Topic
+from vehicle_roll_sim.messages.topic import Topic
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.ros.node_main import lifetime, node_main
 from vehicle_roll_sim.ros.qos_overrides import make_subscription, refuse_wrong_overrides

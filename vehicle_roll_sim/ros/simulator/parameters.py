@@ -126,8 +126,8 @@ def _on_tires(node: Node, vehicle: Vehicle) -> Vehicle:
 def _check_makes_time(use_sim_time) -> None:
     """Raise InputError if the simulator, the source of time, is told to take it from /clock."""
     if use_sim_time:
-        allowed = "false: the simulator is the source of time; see publish_clock"
-        raise InputError(SIM_TIME, use_sim_time, allowed)
+        allowed = "false, because the simulator is the source of time; see publish_clock"
+        raise InputError(SIM_TIME, use_sim_time, allowed, "true is not allowed")
 
 
 def _given_of_vehicle(node: Node) -> dict:

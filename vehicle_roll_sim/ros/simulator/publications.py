@@ -14,6 +14,7 @@ from vehicle_roll_sim.messages.covariances import Covariances
 from vehicle_roll_sim.messages.measured import messages_of
 from vehicle_roll_sim.messages.road_marker import road_marker
 from vehicle_roll_sim.messages.stamped import builder
+from vehicle_roll_sim.messages.topic import Topic
 from vehicle_roll_sim.messages.topics import (
     CLOCK,
     DIAGNOSTICS,
@@ -22,7 +23,6 @@ from vehicle_roll_sim.messages.topics import (
     ROLLOVER,
     SIMULATION_DESCRIPTION,
     TRANSFORMS,
-    Topic,
     set_of,
 )
 from vehicle_roll_sim.messages.urdf import robot_description

@@ -12,28 +12,27 @@ from vehicle_roll_sim.live.pacing import (
     FASTEST_FACTOR,
     SLOWEST_FACTOR,
 )
+from vehicle_roll_sim.messages.command_topics import COMMANDS, WAYS_IN
 from vehicle_roll_sim.messages.topics import (
     BODY_LOADS,
-    COMMANDS,
     OF_SOME_SETS,
     ROLL_CENTRE,
     STAMPED,
     STATE_SET,
-    WAYS_IN,
     set_of,
 )
 from vehicle_roll_sim.ros.simulator.lockstep import STOP
 from vehicle_roll_sim.ros.topics import is_installed
-from vehicle_roll_sim.simulation.options import Options
-from vehicle_roll_sim.simulation.simulation import (
+from vehicle_roll_sim.simulation.limits import (
     DEFAULT_ROLLOVER_ANGLE,
     DEFAULT_SPEED,
     DEFAULT_STEP,
-    LONGEST_STEP,
     MAXIMUM_SPEED,
     SHORTEST_STEP,
     whole_steps,
 )
+from vehicle_roll_sim.simulation.options import Options
+from vehicle_roll_sim.simulation.simulation import LONGEST_STEP
 from vehicle_roll_sim.simulation.speed_controller import DEFAULT_BRAKE_LIMIT, DEFAULT_DRIVE_LIMIT
 
 REAL_TIME, LOCKSTEP = "real_time", "lockstep"
