@@ -1,9 +1,9 @@
-"""Runs in a separate process: python plain_run.py STEPS FILE [without-numba].
+"""Runs in a separate process: python plain_run.py STEPS FILE [without-numba | variants].
 
-Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran. Unless
-without numba also, behind the name and `_`, those of A_FEW steps with each of OPTIONS; those of a
-swerve on a slope, one after the other, of every variant, and what sensors read; and how a step of
-a state that is not finite ends.
+Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran; with numba
+also, behind the name of each of OPTIONS and `_`, those of A_FEW steps with them. With `variants`:
+those of a swerve on a slope, one after the other, of every variant, what sensors read, and how a
+step of a state that is not finite ends.
 """
 
 import sys
@@ -25,8 +25,6 @@ from vehicle_roll_sim.simulation.sensors import Sensors
 
 A_FEW = 100
 """Steps: well into the turn."""
-A_SWERVE = 20
-"""Steps: into it, for each variant. Every kernel has its turn, which coverage needs."""
 STEP = 0.004
 """s; long, for plain Python takes 2 to 13 ms for one."""
 HELD = {
@@ -146,17 +144,17 @@ def diverging() -> str:
     return simulation.step(Command(), 0.001).name
 
 
-def all_runs() -> dict[str, np.ndarray]:
-    """What is saved of the runs beside the J-turn."""
-    runs = {name: run(A_FEW, options) for name, options in OPTIONS.items()}
-    found = {f"{name}_{part}": getattr(runs[name], part) for name in runs for part in PARTS}
-    variants = run_variants(A_SWERVE)
-    return found | {f"variants_{part}": rows for part, rows in variants.items()}
+def run_options(steps: int) -> dict[str, np.ndarray]:
+    """STATE and OUTPUTS records of the J-turn with each of OPTIONS."""
+    runs = {name: run(steps, options) for name, options in OPTIONS.items()}
+    return {f"{name}_{part}": getattr(runs[name], part) for name in runs for part in PARTS}
 
 
 if __name__ == "__main__":
     steps, file, *words = sys.argv[1:]
-    result = run(int(steps))
-    others = {} if words else all_runs() | {"diverging": diverging()}
-    parts = {part: getattr(result, part) for part in PARTS}
-    np.savez(file, **parts, **others, how=jit.describe())
+    if words == ["variants"]:
+        np.savez(file, **run_variants(int(steps)), diverging=diverging())
+    else:
+        result = run(int(steps))
+        parts = {part: getattr(result, part) for part in PARTS}
+        np.savez(file, **parts, **({} if words else run_options(A_FEW)), how=jit.describe())

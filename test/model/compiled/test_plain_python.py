@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from patience import PATIENCE
-from plain_run import A_FEW, A_SWERVE, OPTIONS, diverging, run, run_variants
+from plain_run import A_FEW, OPTIONS, diverging, run, run_variants
 from programmes import largest_difference
 
 import vehicle_roll_sim
@@ -20,6 +20,8 @@ HERE = Path(__file__).parents[1]
 ROOT = Path(vehicle_roll_sim.__file__).parent.parent
 TO_ROLLOVER = 1000
 """Steps of 4 ms: more than it takes, the run stops by itself."""
+A_SWERVE = 20
+"""Steps of 4 ms: into it, for each variant. Every kernel has its turn, which coverage needs."""
 SHARE_OF_PEAK = 1e-9
 """The compiler may order a sum differently: 1e-15, grown by the fall to the side. Seen: 0."""
 compiled_only = pytest.mark.skipif(
@@ -39,9 +41,16 @@ def in_another_process(folder: Path, steps: int, *arguments: str, **environment:
 
 @pytest.fixture(scope="module")
 def plain(tmp_path_factory):
-    """The J-turn to rollover, and all others, with compilation switched off."""
+    """The J-turn to rollover, and its beginning with other options, without compilation."""
     folder = tmp_path_factory.mktemp("plain")
     return in_another_process(folder, TO_ROLLOVER, NUMBA_DISABLE_JIT="1")
+
+
+@pytest.fixture(scope="module")
+def plain_variants(tmp_path_factory):
+    """The swerve of every variant, in a process that is measured."""
+    folder = tmp_path_factory.mktemp("variants")
+    return in_another_process(folder, A_SWERVE, "variants", NUMBA_DISABLE_JIT="1")
 
 
 @pytest.fixture(scope="module")
@@ -84,11 +93,11 @@ def test_the_8_dof_model_and_steady_state_slip_are_one_source_too(plain, name):
 
 @pytest.mark.slow
 @compiled_only
-def test_every_variant_is_one_source_too(plain):
+def test_every_variant_is_one_source_too(plain_variants):
     compiled = run_variants(A_SWERVE)
-    assert plain["variants_readings"].tobytes() == compiled["readings"].tobytes()
+    assert plain_variants["readings"].tobytes() == compiled["readings"].tobytes()
     for part, dtype in (("state", STATE), ("outputs", OUTPUTS)):
-        shares = largest_difference(plain[f"variants_{part}"], compiled[part], dtype.names)
+        shares = largest_difference(plain_variants[part], compiled[part], dtype.names)
         assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 
@@ -111,6 +120,6 @@ def test_the_reason_for_running_slowly_is_told(without_numba, plain):
     assert "NUMBA_DISABLE_JIT" in str(plain["how"])
 
 
-def test_plain_python_finds_a_run_that_diverges_instead_of_raising(plain):
+def test_plain_python_finds_a_run_that_diverges_instead_of_raising(plain_variants):
     """Where the math module raises, compiled code goes on with nan; so must plain Python."""
-    assert str(plain["diverging"]) == diverging() == "DIVERGED"
+    assert str(plain_variants["diverging"]) == diverging() == "DIVERGED"
