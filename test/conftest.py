@@ -18,15 +18,17 @@ MEASURING = "COVERAGE_PROCESS_CONFIG"
 """In the environment where coverage is measured; processes that are started take part by it."""
 
 LONGEST = (
-    *("test_pages", "test_driven_manoeuvres", "test_controllers", "test_paper_command"),
-    *("test_signals", "test_compare", "test_executables", "test_environment_of_nodes"),
-    *("test_multibody", "test_environment", "test_lockstep", "test_drives", "test_wheel"),
-    *("test_entry_speed_search", "test_circles_of_iso_4138", "test_properties_of_runs"),
-    *("test_energy", "test_double_lane_change", "test_run_results", "test_mutated_tire_files"),
-    *("test_mirror", "test_plain_python", "test_score"),
-    *("test_standard_figure", "test_waiting_in_lockstep", "test_real_time", "test_in_browser"),
+    *("test_pages", "test_score", "test_driven_manoeuvres", "test_controllers"),
+    *("test_executables", "test_signals", "test_environment", "test_paper_command"),
+    *("test_speed_controller", "test_study_on_dask", "test_environment_of_nodes"),
+    *("test_multibody", "test_lockstep", "test_compilation", "test_mutated_tire_files"),
+    *("test_waiting_in_lockstep", "test_run_results", "test_identification", "test_stopped"),
+    *("test_first_launch", "test_bags_offline_and_recorded", "test_plain_python"),
+    *("test_double_lane_change", "test_vehicle_file", "test_energy", "test_drives", "test_compare"),
+    *("test_busy_machine", "test_in_browser", "test_standard_figure", "test_tire_command"),
+    *("test_install", "test_forked", "test_accepted_tire_files", "test_mirror"),
 )
-"""Files of 10 to 60 s of processor time, or of waiting."""
+"""Files of 7 to 60 s of processor time, or of waiting."""
 
 settings.register_profile(
     "suite", derandomize=True, database=None, deadline=None, max_examples=200, print_blob=False
@@ -73,6 +75,17 @@ def started():
     for process in reversed(processes):
         with process:  # which closes its pipes and waits for it
             process.kill()
+
+
+@pytest.fixture(scope="module")
+def unplaced():
+    """Figures are drawn without finding room for their panels, half of the time that they take.
+
+    For tests in which it matters that a figure is drawn, and not how it looks.
+    """
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("vehicle_roll_sim.analysis.drawing.SteadyLayout.execute", lambda *_: None)
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -2,6 +2,7 @@
 
 import math
 
+import matplotlib
 import numpy as np
 import pytest
 from drawn_runs import (
@@ -83,6 +84,19 @@ def test_roll_centres_that_move_are_shown_for_each_axle_up_to_2_m(history):
             values = rows[:, column]
             same(curve, history["time"], np.where(np.abs(values) <= 2.0, values, np.nan))
     assert {"front axle", "rear axle"} <= {*shown_texts(axes[-1].figure)}
+
+
+def test_the_labels_of_signals_stand_one_below_the_other_beside_the_widest_ticks(history):
+    history.rows[:, COLUMNS.index("lateral_acceleration")] *= 1e4
+    figure = standard_figure([drawn(history)], "run")
+    signals, _, _ = panels(figure)
+    for _ in range(2):  # drawn again, they stay
+        figure.draw_without_rendering()
+        places = [axis.yaxis.label.get_window_extent().x1 for axis in signals]
+        ticks = [text.get_window_extent().x0 for axis in signals for text in axis.get_yticklabels()]
+        assert np.ptp(places) < 1.0  # pixels, of letters that reach below the line
+        pad = signals[0].figure.dpi / 72 * matplotlib.rcParams["axes.labelpad"]
+        assert min(ticks) - max(places) == pytest.approx(pad, abs=1.0)
 
 
 def test_every_wheel_has_its_load_in_its_place_and_all_have_the_same_scale(history):

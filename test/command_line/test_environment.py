@@ -104,18 +104,19 @@ def test_what_the_terminal_cannot_show_is_escaped(tmp_path, encoding):
 
 
 @pytest.mark.parametrize("option", ["--csv", "--bag"])
-def test_a_result_that_is_refused_while_it_is_written_is_no_wrong_input(tmp_path, option):
+def test_a_result_that_is_refused_while_it_is_written_is_no_wrong_input(command, folder, option):
     if option == "--bag":
         pytest.importorskip("rosbags", reason="bags need the library rosbags")
-
-    def limit() -> None:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
-
-    result = run("step_steer", option, "result", cwd=tmp_path, preexec_fn=limit)
-    assert result.returncode == 1
-    assert len(result.stderr.splitlines()) == 1
-    assert "File too large" in result.stderr
-    assert list(tmp_path.iterdir()) == []
+    usual = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, usual[1]))
+    try:
+        result = command("run", "step_steer", option, "result")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, usual)
+    assert result.status == 1
+    assert len(result.err.splitlines()) == 1
+    assert "File too large" in result.err
+    assert list(folder.iterdir()) == []
 
 
 def test_a_run_that_is_terminated_leaves_nothing_half_written(started, tmp_path):
@@ -175,30 +176,28 @@ def test_what_a_signal_raises_in_compiled_code_comes_as_what_it_is(raised):
     assert caught.value is raised
 
 
-def test_a_link_stays_and_what_it_leads_to_is_written(tmp_path):
-    target, link = tmp_path / "target.csv", tmp_path / "link.csv"
+def test_a_link_stays_and_what_it_leads_to_is_written(command, folder):
+    target, link = folder / "target.csv", folder / "link.csv"
     target.write_text("old")
     link.symlink_to(target)
-    assert run("step_steer", "--duration", "0.1", "--csv", str(link)).returncode == 0
+    assert command("run", "step_steer", "--duration", "0.1", "--csv", link).status == 0
     assert link.is_symlink()
     assert target.read_text().startswith("time,")
 
 
 @pytest.mark.skipif(not COMPILED, reason="only compiled code is cached")
-def test_damaged_compiled_code_is_made_anew(tmp_path):
+def test_damaged_compiled_code_is_made_anew(command, tmp_path):
     environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
     words = ("step_steer", "--duration", "0.1")
     shutil.copytree(CACHE, tmp_path / CACHE.name)
-    whole = run(*words, env=environment)
-    assert whole.stderr == ""  # nothing to compile
     for compiled in tmp_path.rglob("*.nbc"):
         if not compiled.name.startswith(LARGEST_KERNEL):
             compiled.write_bytes(compiled.read_bytes()[:100])
     damaged = run(*words, env=environment)
     assert damaged.returncode == 0
     assert "damaged" in damaged.stderr
-    assert damaged.stdout == whole.stdout
-    assert run(*words, env=environment).stderr == ""
+    assert damaged.stdout == command("run", *words).out
+    assert run(*words, env=environment).stderr == ""  # nothing is left to compile
 
 
 @pytest.mark.skipif(not COMPILED, reason="only compiled code is cached")

@@ -25,7 +25,7 @@ from vehicle_roll_sim.paper.report import (
 )
 from vehicle_roll_sim.paper.study import RUNS, Study
 
-pytestmark = pytest.mark.unmeasured
+pytestmark = [pytest.mark.unmeasured, pytest.mark.usefixtures("unplaced")]
 
 pytest.importorskip("mujoco", reason="the multibody engine is not installed")
 
@@ -63,7 +63,7 @@ class Results:
 
 
 @pytest.fixture(scope="module")
-def complete(tmp_path_factory, study) -> Results:
+def complete(tmp_path_factory, study, unplaced) -> Results:
     """The command as a user types it, in an empty folder, with runs that are made already."""
     folder, studies = tmp_path_factory.mktemp("paper"), []
 

@@ -263,12 +263,12 @@ def test_the_figure_shows_what_the_data_has(command, folder, monkeypatch):
 
 
 def test_the_same_file_gives_the_same_bytes(command, folder):
-    for suffix in (".png", ".svg"):
-        for name in ("one", "two"):
-            words = ("--plot", f"{name}{suffix}", "--csv", f"{name}.csv", "--load", "3000")
-            assert command("tire", file("mf52_full"), *words).status == 0
-        assert (folder / f"one{suffix}").read_bytes() == (folder / f"two{suffix}").read_bytes()
-        assert (folder / "one.csv").read_bytes() == (folder / "two.csv").read_bytes()
+    """As SVG, whose names of elements depend on every position; a PNG has fewer of its digits."""
+    for name in ("one.svg", "two.svg", "one.png"):
+        words = ("--plot", name, "--csv", f"{name}.csv", "--load", "3000")
+        assert command("tire", file("mf52_full"), *words).status == 0
+    assert (folder / "one.svg").read_bytes() == (folder / "two.svg").read_bytes()
+    assert (folder / "one.svg.csv").read_bytes() == (folder / "two.svg.csv").read_bytes()
     assert imread(folder / "one.png").shape[:2] == (935, 1210)
 
 

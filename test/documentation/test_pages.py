@@ -8,7 +8,7 @@ from pages import COMMANDS, ROOT, lessons, pages, snippets, snippets_in
 from reader import Reader, nodes
 from shell import commands_of, lines_of
 
-pytestmark = pytest.mark.unmeasured
+pytestmark = [pytest.mark.unmeasured, pytest.mark.usefixtures("unplaced")]
 
 SHARED = ("config", "msg_examples", "policies")
 """Folders of share/ that the pages mention."""

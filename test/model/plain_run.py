@@ -1,8 +1,9 @@
-"""A run in a separate process: python plain_run.py STEPS FILE [without-numba | 8dof | steady].
+"""Runs in a separate process: python plain_run.py STEPS FILE [without-numba | variants].
 
-Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran; with
-`variants` for the last word, those of a swerve on a slope, one after the other, of every variant,
-and what sensors read.
+Saves the STATE and OUTPUTS records after every step of a J-turn, and how the model ran; with numba
+also, behind the name of each of OPTIONS and `_`, those of A_FEW steps with them. With `variants`:
+those of a swerve on a slope, one after the other, of every variant, what sensors read, and how a
+step of a state that is not finite ends.
 """
 
 import sys
@@ -15,13 +16,15 @@ from programmes import ramp_and_hold, record_run
 from road_kinds import FEATURES, TILT, road
 from swing_axles import on_swing_axles
 
-from vehicle_roll_sim import Options, Simulation, Vehicle, preset
+from vehicle_roll_sim import Command, Options, Simulation, Vehicle, preset
 from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.model.records import OUTPUTS, STATE
 from vehicle_roll_sim.simulation.options import ASYMMETRIC, MODELS
 from vehicle_roll_sim.simulation.road import Road
 from vehicle_roll_sim.simulation.sensors import Sensors
 
+A_FEW = 100
+"""Steps: well into the turn."""
 STEP = 0.004
 """s; long, for plain Python takes 2 to 13 ms for one."""
 HELD = {
@@ -30,6 +33,7 @@ HELD = {
     "normal_force": (100.0, 0.0, -200.0, 300.0),
 }
 FULL = Options(euler_terms=True)
+PARTS = ("state", "outputs")
 OPTIONS = {
     "8dof": Options(model="8dof"),
     "steady": Options(euler_terms=True, steady_state_slip=True),
@@ -114,7 +118,7 @@ def run_variants(steps: int) -> dict[str, np.ndarray]:
         )
         for options, where in ON_ROADS
     ]
-    parts = {p: np.concatenate([getattr(r, p) for r in runs]) for p in ("state", "outputs")}
+    parts = {p: np.concatenate([getattr(r, p) for r in runs]) for p in PARTS}
     return parts | {"readings": readings(steps)}
 
 
@@ -133,10 +137,24 @@ def readings(samples: int) -> np.ndarray:
     return np.array(found)
 
 
+def diverging() -> str:
+    """How a step ends of a body that is turned by infinity."""
+    simulation = Simulation(preset())
+    simulation.state.roll = float("inf")
+    return simulation.step(Command(), 0.001).name
+
+
+def run_options(steps: int) -> dict[str, np.ndarray]:
+    """STATE and OUTPUTS records of the J-turn with each of OPTIONS."""
+    runs = {name: run(steps, options) for name, options in OPTIONS.items()}
+    return {f"{name}_{part}": getattr(runs[name], part) for name in runs for part in PARTS}
+
+
 if __name__ == "__main__":
-    steps, file, which = int(sys.argv[1]), sys.argv[2], "".join(sys.argv[3:])
-    if which == "variants":
-        np.savez(file, **run_variants(steps))
+    steps, file, *words = sys.argv[1:]
+    if words == ["variants"]:
+        np.savez(file, **run_variants(int(steps)), diverging=diverging())
     else:
-        result = run(steps, OPTIONS.get(which, FULL))
-        np.savez(file, state=result.state, outputs=result.outputs, how=jit.describe())
+        result = run(int(steps))
+        parts = {part: getattr(result, part) for part in PARTS}
+        np.savez(file, **parts, **({} if words else run_options(A_FEW)), how=jit.describe())

@@ -1,6 +1,7 @@
 """Imports go one way, from the command line and the nodes down to the model."""
 
 import ast
+import functools
 import re
 import subprocess
 import sys
@@ -67,6 +68,7 @@ OF_ROS = {"rclpy", "launch", "launch_ros", "ament_index_python"}
 """Beside the packages of messages, services and interfaces."""
 
 
+@functools.cache
 def imports_of(text: str) -> set[str]:
     """Dotted names of all modules that a source imports, names in them left out."""
     found = set()

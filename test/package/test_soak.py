@@ -7,6 +7,8 @@ import sys
 import pytest
 from patience import PATIENCE
 
+from benchmarks import soak
+
 pytestmark = pytest.mark.unmeasured
 
 MESSAGES = 8_000
@@ -15,21 +17,11 @@ GROWTH = 8.0
 """MiB: caches of the libraries still fill up in a run this short; a set a period is 20 MiB."""
 
 
-@pytest.fixture
-def soak(root):
-    """Run the soak test with these arguments."""
-
-    def call(*words: str) -> subprocess.CompletedProcess:
-        command = [sys.executable, "-m", "benchmarks.soak", *words]
-        return subprocess.run(
-            command, cwd=root, capture_output=True, text=True, timeout=PATIENCE, check=False
-        )
-
-    return call
-
-
-def test_nothing_that_comes_in_breaks_a_promise_and_memory_does_not_grow(soak):
-    result = soak("--messages", str(MESSAGES), "--seed", "1")
+def test_nothing_that_comes_in_breaks_a_promise_and_memory_does_not_grow(root):
+    words = [sys.executable, "-m", "benchmarks.soak", "--messages", str(MESSAGES), "--seed", "1"]
+    result = subprocess.run(
+        words, cwd=root, capture_output=True, text=True, timeout=PATIENCE, check=False
+    )
     assert (result.returncode, result.stderr) == (0, "")
     told = dict(line.split(": ", 1) for line in result.stdout.splitlines())
     counts = re.fullmatch(r"(\d+), of which dropped (\d+), clamped (\d+)", told["messages"])
@@ -42,8 +34,9 @@ def test_nothing_that_comes_in_breaks_a_promise_and_memory_does_not_grow(soak):
 
 
 @pytest.mark.parametrize("words", [("--messages", "many"), ("--seed", "-1"), ("--sed", "1")])
-def test_what_is_wrong_is_refused_in_one_line(soak, words):
-    result = soak(*words)
-    assert (result.returncode, result.stdout) == (2, "")
-    assert result.stderr.startswith("soak: error: ")
-    assert result.stderr.count("\n") == 1
+def test_what_is_wrong_is_refused_in_one_line(capsys, words):
+    assert soak.main([*words]) == 2
+    result = capsys.readouterr()
+    assert result.out == ""
+    assert result.err.startswith("soak: error: ")
+    assert result.err.count("\n") == 1

@@ -1,4 +1,7 @@
-"""`manoeuvre`, `recorder` and `demo` as processes with a running simulator."""
+"""`manoeuvre`, `recorder` and `demo` as processes with a running simulator.
+
+That of `demo` starts all of them from scratch, as a user does; the others are forked.
+"""
 
 import re
 import signal
@@ -38,10 +41,10 @@ def test_a_manoeuvre_in_real_time_equals_the_offline_run(start, capsys, tmp_path
     offline(["run", "j_turn", "--command-period", "0.01"])
     expected = numbers_of(capsys.readouterr().out)
     assert "rollover" in expected
-    start("simulator", fresh=True)
+    start("simulator")
     plot = tmp_path / "j_turn.png"
     for _ in range(TRIES):
-        status, out, err = start("manoeuvre", "j_turn", "--plot", str(plot), fresh=True).finish()
+        status, out, err = start("manoeuvre", "j_turn", "--plot", str(plot)).finish()
         assert (status, err) == (0, "")
         assert plot.read_bytes().startswith(b"\x89PNG")
         found = numbers_of(out)
@@ -93,7 +96,7 @@ def test_a_bag_holds_every_topic_and_is_read_by_another_library(start, peer, tmp
     words += tuple(f"vehicle.{device}_period:=0.01" for device in DEVICES)
     words += ("vehicle.steering_actuator_time_constant:=0.05",)
     start("simulator", "--ros-args", *(part for word in words for part in ("-p", word)))
-    recorder = start("recorder", "--output", str(bag), fresh=True)
+    recorder = start("recorder", "--output", str(bag))
     peer.listen("state", "applied_command", "/diagnostics")
     four = [1.0, 2.0, 3.0, 4.0]
     commands = {

@@ -29,7 +29,6 @@ pytestmark = pytest.mark.unmeasured
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
 WORDS = {"simulator": (), "manoeuvre": ("j_turn",), "recorder": ("--output", "{}/bag{}")}
 EXAMPLES = Path(__file__).parents[2] / "msg_examples"
-CONTROLLERS = ("active_roll_bar", "yaw_control", "rollover_warning", "roll_braking")
 IMPORTING, IMPORTED, JOINING = "multiarray_umath", "rclpy_pybind", "librmw_fastrtps_cpp"
 """Libraries that a node reads in: at first, with rclpy, and when it joins the others."""
 LONGEST_END = 10.0
@@ -86,10 +85,17 @@ def test_a_node_that_is_starting_ends_as_cleanly_as_one_that_runs(
 
 
 @pytest.mark.parametrize(
-    ("moment", "signum"), [(IMPORTED, signal.SIGINT), (JOINING, signal.SIGTERM)]
+    ("name", "moment", "signum"),
+    [
+        ("active_roll_bar", IMPORTED, signal.SIGINT),
+        ("yaw_control", JOINING, signal.SIGTERM),
+        ("rollover_warning", JOINING, signal.SIGTERM),
+        ("roll_braking", IMPORTED, signal.SIGINT),
+    ],
 )
-@pytest.mark.parametrize("name", CONTROLLERS)
 def test_a_controller_that_is_starting_ends_as_cleanly(start, name, moment, signum):
+    """All end by the same lines of their base: every moment has two of them."""
+
     def starting():
         node = start("", program=str(EXAMPLES / f"{name}.py"), fresh=True)
         wait_for_library(node.process, moment)

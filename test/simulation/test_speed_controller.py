@@ -32,7 +32,7 @@ def assert_starts_well(session: Session, speed: float) -> None:
     assert speeds[-1] == pytest.approx(speed, rel=CLOSE)
 
 
-@pytest.mark.parametrize("speed", [0.1, 0.3, 0.5, 1.0, 5.0, -0.1, -0.5, -3.0])
+@pytest.mark.parametrize("speed", [0.1, 0.3, 1.0, 5.0, -0.1, -3.0])
 def test_a_start_rolls_back_and_overshoots_hardly_on_any_slope(session, speed):
     assert_starts_well(session, speed)
 
@@ -128,7 +128,7 @@ def test_a_silent_speed_command_is_given_up(session):
     assert applied[-1] == Command()
 
 
-@pytest.mark.parametrize("speed", [1.0, 2.0, 3.0, 5.0, 8.0, 10.0])
+@pytest.mark.parametrize("speed", [1.0, 2.0, 5.0, 10.0])
 @pytest.mark.parametrize("grade", [0.2, -0.2])
 def test_from_any_speed_a_vehicle_stops_on_a_slope_and_does_not_roll_away(speed, grade):
     inbox = CommandInbox(timeout=0.0)

@@ -82,14 +82,20 @@ class Cluster:
 
 
 @pytest.fixture(scope="module")
-def dask_cluster(tmp_path_factory):
+def scheduler(tmp_path_factory):
+    """A cluster that has no worker yet."""
     with dask.config.set({"distributed.comm.timeouts.connect": "2s"}):
         started = Cluster(tmp_path_factory.mktemp("dask"))
-        started.add_worker()
-        started.add_worker()
         yield started
         for process in (*started.workers, started.scheduler):
             started.lose(process)
+
+
+@pytest.fixture(scope="module")
+def dask_cluster(scheduler):
+    scheduler.add_worker()
+    scheduler.add_worker()
+    return scheduler
 
 
 @pytest.fixture
@@ -114,6 +120,15 @@ def on(started: Cluster, study, path: Path, progress=lambda runs, kept: None) ->
 
 def content(path: Path) -> dict[str, bytes]:
     return {str(p.relative_to(path)): p.read_bytes() for p in path.rglob("*") if p.is_file()}
+
+
+def test_a_worker_without_this_package_is_refused(study, tmp_path, scheduler):
+    """The first that there is; later ones have the package."""
+    (tmp_path / "vehicle_roll_sim.py").touch()
+    scheduler.add_worker(path=str(tmp_path))
+    with pytest.raises(InputError, match="a worker cannot compute a chunk: ModuleNotFoundError"):
+        on(scheduler, study, tmp_path / "out")
+    scheduler.lose(scheduler.workers.pop())
 
 
 def test_workers_lost_and_added_and_an_interruption_leave_the_bytes_of_one_machine(
@@ -155,17 +170,6 @@ def test_a_chunk_whose_workers_are_always_lost_ends_the_study(
     monkeypatch.setattr(cluster, "_results", lambda future, field: None)
     with pytest.raises(InputError, match=r"dask: chunk \d+ was given up 6 times, its workers"):
         on(dask_cluster, study, tmp_path / "out")
-
-
-def test_a_worker_without_this_package_is_refused(study, tmp_path, dask_cluster):
-    (tmp_path / "vehicle_roll_sim.py").touch()
-    for worker in dask_cluster.workers:
-        dask_cluster.lose(worker)
-    dask_cluster.add_worker(path=str(tmp_path))
-    with pytest.raises(InputError, match="a worker cannot compute a chunk: ModuleNotFoundError"):
-        on(dask_cluster, study, tmp_path / "out")
-    dask_cluster.lose(dask_cluster.workers[-1])
-    dask_cluster.add_worker()
 
 
 def test_without_a_scheduler_any_more_the_study_ends(study, tmp_path, dask_cluster):

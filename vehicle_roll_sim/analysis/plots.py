@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from vehicle_roll_sim.analysis.drawing import (
+    POINTS_PER_INCH,
     DrawnFigure,
     add_legend,
     add_title,
@@ -35,7 +36,6 @@ REST_IN_PANELS = 0.75
 """Height of title and legend over that of a signal's panel."""
 LONGEST_NAME = 9.6
 """Length of the longest axis label over its font size."""
-POINTS_PER_INCH = 72.0
 KILO = 1e3
 LEAST_SPAN = 0.1
 """Smallest range of a vertical axis, in its unit, so that rounding does not look like a signal."""
@@ -129,7 +129,8 @@ def _name(figure: DrawnFigure, signals, shown: Sequence[Signal]) -> None:
             axis.set_title(signal.label.replace("\n", " "), loc="left", fontsize="medium", pad=1.0)
         else:
             axis.set_ylabel(signal.label)
-    figure.align_ylabels(signals)
+    if not is_low:
+        figure.get_layout_engine().align(signals)
 
 
 def _panels(figure: Figure, count: int) -> tuple:

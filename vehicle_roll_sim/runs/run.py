@@ -8,9 +8,9 @@ import numpy as np
 
 from vehicle_roll_sim.model.integration.advance import NANOSECONDS
 from vehicle_roll_sim.model.integration.events import Condition
-from vehicle_roll_sim.model.records import LR
+from vehicle_roll_sim.model.records import COMMAND, LR
 from vehicle_roll_sim.runs.columns import further_of, measured_names, row_of
-from vehicle_roll_sim.runs.derived_signals import wheel_lifts_of
+from vehicle_roll_sim.runs.derived_signals import LIFT_PLACES, lifts_on_road
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.simulation.command import Command, Feedback, Programme, command_at
 from vehicle_roll_sim.simulation.limits import whole_steps
@@ -61,7 +61,9 @@ def run(
     end = simulation.time_ns + whole_steps(duration, step_ns, "duration") * step_ns
     steps_at = [] if period else in_whole_steps(getattr(driver, "steps_at", ()), step_ns)
     rows, held = [row_of(simulation)], None
-    further, lifts = [further_of(simulation)], [wheel_lifts_of(simulation)]
+    further = [further_of(simulation)]
+    places = LIFT_PLACES if simulation.road.features else LIFT_PLACES[:0]
+    on_road = [simulation.output_vector[places]]
     readings = [simulation.sensors.readings()]
     driven = [_driven(simulation, Command() if period else None)]
     if observer:
@@ -81,7 +83,7 @@ def run(
         if has_moved and (ended or simulation.time_ns % every == 0):
             rows.append(row_of(simulation))
             further.append(further_of(simulation))
-            lifts.append(wheel_lifts_of(simulation))
+            on_road.append(simulation.output_vector[places])
             readings.append(simulation.sensors.readings())
             driven.append(_driven(simulation, held))
         if observer and (ended or simulation.time_ns % period == 0):
@@ -90,12 +92,12 @@ def run(
     history = History(rows)
     history.add_further(np.array(further), simulation.options)
     if simulation.road.features:
-        history.lifts = np.array(lifts)
+        history.lifts = lifts_on_road(np.array(on_road), simulation)
     history.measured, history.measured_names = np.array(readings), measured_names(simulation)
     if driven[0] is None:
         records = records_by_time(history, driver)
     else:
-        records = np.concatenate(driven)
+        records = np.concatenate([each.view(float) for each in driven]).view(COMMAND)
         if simulation.has_actuators:
             add_hold(records, history)
     add_commands(history, records, simulation.feels_wind)

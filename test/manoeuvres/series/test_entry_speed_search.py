@@ -15,7 +15,7 @@ pytestmark = pytest.mark.unmeasured
 SEVERE, PLAIN = "iso_severe_double_lane_change", "iso_double_lane_change"
 PLAUSIBLE = {SEVERE: (45, 65), PLAIN: (70, 110)}
 """km/h: a passenger car with a high c.g. and much grip, and a driver of the simplest kind."""
-SLOWEST = {SEVERE: 40, PLAIN: 75}
+SLOWEST = {SEVERE: 45, PLAIN: 80}
 """km/h: where the series begin here; slower runs have tests of their own."""
 
 

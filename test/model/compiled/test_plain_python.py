@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from patience import PATIENCE
-from plain_run import OPTIONS, run, run_variants
+from plain_run import A_FEW, OPTIONS, diverging, run, run_variants
 from programmes import largest_difference
 
 import vehicle_roll_sim
@@ -20,8 +20,6 @@ HERE = Path(__file__).parents[1]
 ROOT = Path(vehicle_roll_sim.__file__).parent.parent
 TO_ROLLOVER = 1000
 """Steps of 4 ms: more than it takes, the run stops by itself."""
-A_FEW = 100
-"""Steps of 4 ms: well into the turn."""
 A_SWERVE = 20
 """Steps of 4 ms: into it, for each variant. Every kernel has its turn, which coverage needs."""
 SHARE_OF_PEAK = 1e-9
@@ -43,9 +41,16 @@ def in_another_process(folder: Path, steps: int, *arguments: str, **environment:
 
 @pytest.fixture(scope="module")
 def plain(tmp_path_factory):
-    """The J-turn to rollover with compilation switched off."""
+    """The J-turn to rollover, and its beginning with other options, without compilation."""
     folder = tmp_path_factory.mktemp("plain")
     return in_another_process(folder, TO_ROLLOVER, NUMBA_DISABLE_JIT="1")
+
+
+@pytest.fixture(scope="module")
+def plain_variants(tmp_path_factory):
+    """The swerve of every variant, in a process that is measured."""
+    folder = tmp_path_factory.mktemp("variants")
+    return in_another_process(folder, A_SWERVE, "variants", NUMBA_DISABLE_JIT="1")
 
 
 @pytest.fixture(scope="module")
@@ -79,22 +84,20 @@ def test_all_outputs_are_those_of_compiled_code_too(plain, compiled):
 @pytest.mark.unmeasured
 @compiled_only
 @pytest.mark.parametrize("name", OPTIONS)
-def test_the_8_dof_model_and_steady_state_slip_are_one_source_too(tmp_path, name):
-    plain = in_another_process(tmp_path, A_FEW, name, NUMBA_DISABLE_JIT="1")
+def test_the_8_dof_model_and_steady_state_slip_are_one_source_too(plain, name):
     compiled = run(A_FEW, OPTIONS[name])
     for part, dtype in (("state", STATE), ("outputs", OUTPUTS)):
-        shares = largest_difference(plain[part], getattr(compiled, part), dtype.names)
+        shares = largest_difference(plain[f"{name}_{part}"], getattr(compiled, part), dtype.names)
         assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 
 @pytest.mark.slow
 @compiled_only
-def test_every_variant_is_one_source_too(tmp_path):
-    plain = in_another_process(tmp_path, A_SWERVE, "variants", NUMBA_DISABLE_JIT="1")
+def test_every_variant_is_one_source_too(plain_variants):
     compiled = run_variants(A_SWERVE)
-    assert plain["readings"].tobytes() == compiled["readings"].tobytes()
+    assert plain_variants["readings"].tobytes() == compiled["readings"].tobytes()
     for part, dtype in (("state", STATE), ("outputs", OUTPUTS)):
-        shares = largest_difference(plain[part], compiled[part], dtype.names)
+        shares = largest_difference(plain_variants[part], compiled[part], dtype.names)
         assert all(share < SHARE_OF_PEAK for share in shares.values()), shares
 
 
@@ -117,20 +120,6 @@ def test_the_reason_for_running_slowly_is_told(without_numba, plain):
     assert "NUMBA_DISABLE_JIT" in str(plain["how"])
 
 
-def test_plain_python_finds_a_run_that_diverges_instead_of_raising(tmp_path):
+def test_plain_python_finds_a_run_that_diverges_instead_of_raising(plain_variants):
     """Where the math module raises, compiled code goes on with nan; so must plain Python."""
-    script = (
-        "from vehicle_roll_sim import *\n"
-        "s = Simulation(preset())\n"
-        "s.state.roll = float('inf')\n"
-        "print(s.step(Command(), 0.001).name, s.implausible)\n"
-    )
-    environment = os.environ | {"PYTHONPATH": str(ROOT), "NUMBA_DISABLE_JIT": "1"}
-    done = subprocess.run(
-        [sys.executable, "-c", script],
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-    )
-    assert done.stdout.startswith("DIVERGED"), done.stderr
+    assert str(plain_variants["diverging"]) == diverging() == "DIVERGED"
