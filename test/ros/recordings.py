@@ -1,5 +1,6 @@
 """Bags: being recorded, and read by a library that did not write them."""
 
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -18,8 +19,8 @@ def read_bag(folder: Path) -> dict[str, list]:
     return messages
 
 
-def heard_so_far(folder: Path) -> set[str]:
-    """Topics of which a recorder has messages in its bag, which need not be closed.
+def heard_so_far(folder: Path) -> Counter[str]:
+    """How many messages of each topic a recorder has in its bag, which need not be closed.
 
     Middlewares can take seconds until a late recorder hears a topic that is known to everybody.
     """
@@ -29,6 +30,6 @@ def heard_so_far(folder: Path) -> set[str]:
 
     try:
         with BagReader(folder) as reader:
-            return {connection.topic for connection, _, _ in reader.messages()}
+            return Counter(connection.topic for connection, _, _ in reader.messages())
     except (FileNotFoundError, ReaderError):  # it has not begun
-        return set()
+        return Counter()

@@ -1,5 +1,6 @@
 """The bags of an offline run and a recorded lockstep run of one manoeuvre are equal."""
 
+import os
 import signal
 
 import pytest
@@ -39,8 +40,14 @@ MODELS = {"nhtsa_fishhook": "1", "step_steer": "2"}
 ACTUATED = {"steering_actuator_time_constant": 0.05}
 VEHICLES = {"nhtsa_fishhook": SENSORS, "step_steer": ACTUATED}
 """What the reference vehicle does not have: sensors; and an actuator."""
+PERIOD = 0.01
 DESCRIBED = {"/simulation_description", "/robot_description"}
 """What comes before the first set."""
+
+
+def time_of(peer) -> float:
+    """Simulated time of the newest state that a peer has heard (s)."""
+    return peer.received["state"][-1][1].data[0]
 
 
 def sets(name: str) -> list[str]:
@@ -62,7 +69,10 @@ def messages_of(bag) -> dict[str, list[bytes]]:
 
 @pytest.fixture
 def lockstep_bag(start, peer, tmp_path):
-    """lockstep_bag(name): the bag of a recorder beside a manoeuvre in lockstep."""
+    """lockstep_bag(name): the bag of a recorder beside a manoeuvre in lockstep.
+
+    The recorder is suspended for a while: it loses nothing.
+    """
 
     def make(name):
         values = {
@@ -78,10 +88,24 @@ def lockstep_bag(start, peer, tmp_path):
         start("simulator", "--ros-args", *words)
         bag = tmp_path / "lockstep"
         recorder = start("recorder", "--output", str(bag))
-        peer.wait(lambda: heard_so_far(bag) >= DESCRIBED, "the recorder to hear")
+        peer.wait(lambda: heard_so_far(bag).keys() >= DESCRIBED, "the recorder to hear")
         _, duration = MANOEUVRES[name][-2:]
-        status, _, err = start("manoeuvre", name, "--duration", duration).finish()
+        peer.listen("state")
+        manoeuvre = start("manoeuvre", name, "--duration", duration)
+        peer.wait(lambda: peer.received["state"] and time_of(peer) > 0.2, "the run to begin")
+        os.kill(recorder.process.pid, signal.SIGSTOP)
+        peer.wait(lambda: time_of(peer) > 1.0, "the run to go on without the recorder")
+        os.kill(recorder.process.pid, signal.SIGCONT)
+        status, _, err = manoeuvre.finish()
         assert (status, err) == (0, "")
+        count = round(float(duration) / PERIOD) + 1
+        names = [f"/{topic}" for topic in sets(name)]
+
+        def has_all() -> bool:
+            heard = heard_so_far(bag)
+            return all(heard[each] >= count for each in names)
+
+        peer.wait(has_all, "the recorder to have every set")
         status, _, _ = recorder.finish(signal.SIGINT)
         assert status == 0
         return bag

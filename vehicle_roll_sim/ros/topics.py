@@ -15,6 +15,8 @@ EVERY_ANSWER = QoSProfile(depth=10)
 before it was read."""
 COMMANDING = QoSProfile(depth=1)
 """For command publishers."""
+MOST_BEHIND = 1000
+"""Messages by which a recorder may lag behind before any is lost."""
 
 
 def is_installed(topic: Topic) -> bool:
@@ -33,9 +35,13 @@ def message_class(type_name: str) -> type:
     return getattr(importlib.import_module(f"{package}.msg"), name)
 
 
-def offered_qos(topic: Topic) -> QoSProfile:
-    """The QoS profile with which this package publishes a topic."""
-    return QoSProfile(depth=topic.depth, durability=_durability(topic))
+def offered_qos(topic: Topic, is_lossless: bool = False) -> QoSProfile:
+    """The QoS profile with which this package publishes a topic.
+
+    is_lossless: keep as many messages for a subscriber that lags behind as it keeps itself.
+    """
+    depth = MOST_BEHIND if is_lossless and not topic.latched else topic.depth
+    return QoSProfile(depth=depth, durability=_durability(topic))
 
 
 def recording_qos(topic: Topic) -> QoSProfile:
@@ -43,7 +49,7 @@ def recording_qos(topic: Topic) -> QoSProfile:
     is_command = topic in (*COMMANDS, *WAYS_IN)
     return QoSProfile(
         history=HistoryPolicy.KEEP_LAST,
-        depth=1000,
+        depth=MOST_BEHIND,
         reliability=ReliabilityPolicy.BEST_EFFORT if is_command else ReliabilityPolicy.RELIABLE,
         durability=_durability(topic),
     )

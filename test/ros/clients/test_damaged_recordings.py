@@ -46,7 +46,7 @@ def recorder(start, peer, bag):
     """
     start("simulator")
     recorder = start("recorder", "--output", str(bag))
-    peer.wait(lambda: heard_so_far(bag) >= REPLAYED, "the recorder to hear it")
+    peer.wait(lambda: heard_so_far(bag).keys() >= REPLAYED, "the recorder to hear it")
     peer.call(Trigger, "simulator/reset")
     peer.listen("state")
     first = peer.newest("state").data[0]

@@ -31,7 +31,7 @@ KEPT_EVERY = 0.5
 """Interval (s) at which messages are flushed to disk, in case the recorder is killed."""
 TAKEN_EVERY = 0.01
 """Interval (s) at which subscriptions are polled."""
-LAST_LOOK, LONGEST_LAST_LOOK = 0.02, 0.2
+LAST_LOOK, LONGEST_LAST_LOOK = 0.1, 0.5
 """Time (s) to read on at the end: until nothing arrives for the first, at most the second."""
 MOST_AT_ONCE = 1000
 """Messages read from a topic before the next topic has its turn."""

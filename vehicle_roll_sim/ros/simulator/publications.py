@@ -130,7 +130,7 @@ class Publications:
             self._node,
             message_class(topic.type),
             topic.name,
-            offered_qos(topic),
+            offered_qos(topic, self._settings.is_lockstep),
             event_callbacks=PublisherEventCallbacks(use_default_callbacks=False),
         )
 
