@@ -37,7 +37,7 @@ kernels = [
     for name, module in list(sys.modules.items())
     if name.startswith("vehicle_roll_sim.model.") and jit.COMPILED
     for kernel in vars(module).values()
-    if hasattr(kernel, "signatures")
+    if isinstance(getattr(kernel, "signatures", None), list)
 ]
 compiled = lambda: sum(len(kernel.signatures) for kernel in kernels)
 before = compiled()
