@@ -58,7 +58,7 @@ def text_on_fits(results: Sequence[dict | None]) -> str:
     return (
         f"Fits that failed: {failed}. Fits in which a value is off by more than {FAR:g} standard "
         f"errors: {len(far)}{of_far}. Fits of which the report says that they may have ended "
-        f"beside the best values: {len(doubtful)}, with {len({*far} & {*doubtful})} of those."
+        f"beside the best values: {len(doubtful)}; of the former, {len({*far} & {*doubtful})}."
     )
 
 
