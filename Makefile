@@ -14,7 +14,7 @@ OLDEST := test/vehicle test/model/test_reference_conditions.py test/analysis/tes
 # What runs in the test process itself: the equations, vehicles, runs, session, messages and files.
 QUICK := $(addprefix test/,vehicle model simulation runs live files messages offline \
 	command_line/test_run_refusals.py command_line/test_usage.py)
-KILTED := test/messages/test_messages.py \
+KILTED := $(patsubst %,test/messages/test_%.py,messages topics) \
 	$(patsubst %,test/ros/test_%.py,two_processes policy) \
 	$(patsubst %,test/ros/simulator/test_%.py,lockstep waiting_in_lockstep parameters foreign_nodes)
 PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
