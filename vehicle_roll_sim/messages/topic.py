@@ -5,7 +5,8 @@ import dataclasses
 
 @dataclasses.dataclass(frozen=True)
 class Topic:
-    """A topic: reliable, keep last `depth`; transient local if latched, else volatile.
+    """A topic: reliable, keep last `depth`, and more in lockstep (`ros.topics.offered_qos`);
+    transient local if latched, else volatile.
 
     unit: that of its values, '' if they have none or several. meaning: what it carries, in one
     phrase; a value for each wheel is in the order lf, rf, lr, rr.
