@@ -94,7 +94,7 @@ class Controlled(Feedback):
         answers = {}
         for law in self._laws:
             answers |= _answer_of(law, sensed)
-        self._last = dataclasses.replace(asked, **answers)
+        self._last = asked.replaced(**answers)
         return self._last
 
 

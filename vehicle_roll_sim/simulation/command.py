@@ -2,14 +2,15 @@
 
 import abc
 import dataclasses
-import functools
 import math
+import operator
+import struct
 from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_of
-from vehicle_roll_sim.model.records import COMMAND, LR, WHEELS
+from vehicle_roll_sim.model.records import COMMAND, WHEELS
 from vehicle_roll_sim.roads.commanded import NOT_COMMANDED
 from vehicle_roll_sim.simulation.memory import Remembering
 from vehicle_roll_sim.vehicle.air_parameters import NO_WIND
@@ -18,6 +19,18 @@ from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_ste
 NO_FORCE = (0.0,) * len(WHEELS)
 STILL_AIR = (0.0, 0.0)
 OWN_FRICTION = (1.0,) * len(WHEELS)
+
+
+def _place(field: str):
+    """Where the numbers of a field are among those of a COMMAND record: an index or a slice."""
+    dtype, offset = COMMAND.fields[field]
+    first = offset // 8
+    return slice(first, first + dtype.itemsize // 8) if dtype.shape else first
+
+
+_NUMBERS = struct.Struct(f"{COMMAND.itemsize // 8}d")
+_of = operator.itemgetter(*map(_place, COMMAND.names))
+"""The numbers of a COMMAND record, and its fields from these: numpy takes ten times as long."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,42 +64,56 @@ class Command:
     road_friction: tuple[float, float, float, float] = OWN_FRICTION
 
     def __post_init__(self):
-        for name, checked in KEPT.items():
-            value = getattr(self, name)
-            if (kept := checked(name, value)) is not value:
-                object.__setattr__(self, name, kept)
-        if min(self.brake_torque) < 0.0:
+        values = vars(self)
+        for name, (neutral, checked) in KEPT.items():
+            value = values[name]
+            if value is not neutral and (kept := checked(name, value)) is not value:
+                values[name] = kept
+        self._check_ranges()
+
+    def _check_ranges(self) -> None:
+        """Raise InputError for brake torques and friction below 0, warn of large angles."""
+        if self.brake_torque is not NO_FORCE and min(self.brake_torque) < 0.0:
             raise InputError("brake_torque", self.brake_torque, "numbers of at least 0")
-        if min(self.road_friction) < 0.0:
+        if self.road_friction is not OWN_FRICTION and min(self.road_friction) < 0.0:
             raise InputError("road_friction", self.road_friction, "numbers of at least 0")
-        for name in ("steering", "rear_steering"):
-            if abs(angle := getattr(self, name)) > LARGEST_STEERING:
+        for name, angle in (("steering", self.steering), ("rear_steering", self.rear_steering)):
+            if abs(angle) > LARGEST_STEERING:
                 rounded = float(f"{angle:.2g}")  # so that many commands give few distinct warnings
                 warn([doubtful_steering(f"{name} of a command", rounded)])
 
     @property
     def road_friction_change(self) -> tuple[float, ...]:
         """The factors of friction less 1, as a COMMAND record has them."""
-        return tuple(factor - 1.0 for factor in self.road_friction)
+        if self.road_friction is OWN_FRICTION:
+            return NO_FORCE
+        return tuple([factor - 1.0 for factor in self.road_friction])
 
     def records(self) -> np.ndarray:
         """The command as input to the equations: an array of one COMMAND record; do not modify."""
-        return self._records
+        if (records := vars(self).get("_records")) is None:
+            records = vars(self)["_records"] = np.empty(1, COMMAND)
+            wheels = (*self.wheel_torque, *self.brake_torque, *self.normal_force)
+            hold = (self.speed_hold_gain, self.speed_hold_target)
+            others = (*self.wind, *self.road_height, *self.road_friction_change)
+            _NUMBERS.pack_into(
+                records, 0, self.steering, self.rear_steering, *wheels, *hold, *others
+            )
+        return records
 
-    @functools.cached_property
-    def _records(self) -> np.ndarray:
-        record = np.zeros(1, COMMAND)
-        for name in COMMAND.names:
-            record[name] = getattr(self, name)
-        return record
-
-    @functools.cached_property
+    @property
     def moves_road(self) -> bool:
         """Whether it has a height of the road under a wheel or a friction of its own."""
         return self.road_height != NO_FORCE or self.road_friction != OWN_FRICTION
 
+    def replaced(self, **values) -> "Command":
+        """The command with other values of some fields; `dataclasses.replace` takes far longer."""
+        return type(self)(**{name: getattr(self, name) for name in KEPT} | values)
+
 
 def _number(field: str, value) -> float:
+    if type(value) is float and math.isfinite(value):  # as in most of the commands of a run
+        return value
     number = number_of(value, field, "a finite number")
     if not math.isfinite(number):
         raise InputError(field, value, "a finite number")
@@ -94,20 +121,19 @@ def _number(field: str, value) -> float:
 
 
 def _of_wheels(field: str, value) -> tuple[float, ...]:
-    if value is NO_FORCE or value is OWN_FRICTION:
-        return value
+    if type(value) is tuple and len(value) == len(WHEELS):
+        a, b, c, d = value
+        is_of_floats = type(a) is type(b) is type(c) is type(d) is float
+        if is_of_floats and math.isfinite(a + b + c + d):  # if it overflows, they are looked at
+            return value
     return _numbers(field, value, len(WHEELS), "four numbers, for lf, rf, lr and rr")
 
 
 def _horizontal(field: str, value) -> tuple[float, ...]:
-    if value is STILL_AIR:
-        return value
     return _numbers(field, value, len(STILL_AIR), "two numbers, along x and y")
 
 
 def _numbers(field: str, value, count: int, allowed: str) -> tuple[float, ...]:
-    if _are_floats(value, count):
-        return value
     is_text = isinstance(value, str | bytes)
     is_sequence = (isinstance(value, Sequence) and not is_text) or getattr(value, "ndim", None) == 1
     if not is_sequence or len(value) != count:
@@ -115,20 +141,15 @@ def _numbers(field: str, value, count: int, allowed: str) -> tuple[float, ...]:
     return tuple([_number(field, each) for each in value])
 
 
-def _are_floats(value, count: int) -> bool:
-    """Whether this is what `_numbers` returns, as in most of the commands of a run.
-
-    A sum is finite only if all of its terms are; one that overflows says nothing.
-    """
-    is_tuple = type(value) is tuple and len(value) == count
-    return is_tuple and {*map(type, value)} == {float} and math.isfinite(sum(value))
-
-
 _CHECKS = {NO_FORCE: _of_wheels, OWN_FRICTION: _of_wheels, STILL_AIR: _horizontal}
 OF_ROAD = {"road_height": 0.0, "road_friction_change": 1.0}
 """Fields of COMMAND for roads that take them, and what is added to show them."""
-KEPT = {field.name: _CHECKS.get(field.default, _number) for field in dataclasses.fields(Command)}
-"""The function that checks each value of a command and converts it."""
+KEPT = {
+    field.name: (field.default, _CHECKS.get(field.default, _number))
+    for field in dataclasses.fields(Command)
+}
+"""The neutral value of each field of a command, and the function that checks any other value and
+converts it."""
 
 
 IDLE = Command()
@@ -176,15 +197,15 @@ def records_of(
 
 def _checked(records, count: int) -> np.ndarray:
     """Return the records if they are valid commands for `count` times; raises InputError."""
-    dtype, size = getattr(records, "dtype", None), np.size(records)
-    if dtype != COMMAND or np.ndim(records) != 1 or size not in (1, count):
+    dtype = getattr(records, "dtype", None)
+    if dtype != COMMAND or records.ndim != 1 or records.size not in (1, count):
         allowed = f"one COMMAND record, or one for each of the {count} times"
+        size = np.size(records)
         problem = f"the function returned {type(records).__name__} of size {size}, dtype {dtype}"
         raise InputError("command", "", allowed, problem)
     brakes = records["brake_torque"]
-    if not ((brakes >= 0.0) & (brakes < math.inf)).all():
-        lowest = float(np.min(brakes))
-        raise InputError("brake_torque", lowest, "finite numbers of at least 0")
+    if not (brakes.min(initial=0.0) >= 0.0 and brakes.max(initial=0.0) < math.inf):
+        raise InputError("brake_torque", float(np.min(brakes)), "finite numbers of at least 0")
     return records
 
 
@@ -219,16 +240,16 @@ def command_at(driver: Programme | Feedback, time: float, state) -> Command:
 
 def held_command(record: np.record, speed: float) -> Command:
     """The command in a COMMAND record, its speed hold replaced by the torque at a speed (m/s)."""
-    steering, rear_steering, torque, brakes, forces, gain, target, wind, *road = record.tolist()
-    heights, changes = road
-    torque = torque.copy()
-    torque[LR:] += gain * (target - float(speed))
-    wheels = (tuple(each.tolist()) for each in (torque, brakes, forces))
-    return Command(
-        steering,
-        rear_steering,
-        *wheels,
-        wind=tuple(wind.tolist()),
-        road_height=tuple(heights.tolist()),
-        road_friction=tuple((1.0 + changes).tolist()),
-    )
+    numbers = _NUMBERS.unpack(record)
+    steering, rear_steering, torque, *wheels, gain, target, wind, heights, changes = _of(numbers)
+    hold = gain * (target - float(speed))
+    lf, rf, lr, rr = torque
+    torque = (lf, rf, lr + hold, rr + hold)
+    factors = OWN_FRICTION if changes == NO_FORCE else tuple([1.0 + each for each in changes])
+    values = (steering, rear_steering, torque, *wheels, 0.0, 0.0, wind, heights, factors)
+    if not math.isfinite(sum(torque, sum(numbers))):
+        return Command(*values)
+    command = object.__new__(Command)
+    vars(command).update(zip(KEPT, values, strict=True))
+    command._check_ranges()  # all that is left to check
+    return command
