@@ -5,11 +5,11 @@ import dataclasses
 import numpy as np
 
 from vehicle_roll_sim import Condition, Options, Simulation, Tire, Vehicle
-from vehicle_roll_sim.model.compiled.jit import kernel_argument
-from vehicle_roll_sim.model.integration.advance import NANOSECONDS
+from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
+from vehicle_roll_sim.model.integration.advance import NANOSECONDS, advance
 from vehicle_roll_sim.model.integration.derivatives import derivatives_at
 from vehicle_roll_sim.model.records import COMMAND, OUTPUTS, STATE, STATE_SIZE
-from vehicle_roll_sim.simulation.command import Programme
+from vehicle_roll_sim.simulation.command import Programme, records_of
 from vehicle_roll_sim.simulation.plant import Plant
 from vehicle_roll_sim.simulation.road import Road
 
@@ -100,20 +100,37 @@ class Run:
 
 
 def record_run(simulation: Simulation, command, duration: float) -> Run:
-    """Step until `duration` (s) or the run stops, keeping everything after every step."""
-    step = simulation.step_ns / NANOSECONDS
-    kept = [_copy(simulation)]
-    while simulation.time < duration - step / 2 and simulation.condition is Condition.RUNNING:
-        simulation.step(command, step)
-        kept.append(_copy(simulation))
-    time, state, outputs = zip(*kept, strict=True)
-    state, outputs = b"".join(state), b"".join(outputs)
-    return Run(np.array(time), np.frombuffer(state, STATE), np.frombuffer(outputs, OUTPUTS))
+    """Step until `duration` (s) or the run stops, keeping everything after every step.
 
-
-def _copy(simulation: Simulation) -> tuple:
-    """As bytes: a record takes twenty times as long to copy."""
-    return simulation.time, simulation.state.tobytes(), simulation.outputs.tobytes()
+    Bit for bit what a call of `Simulation.step` for each step gives, in less than half of the time:
+    only the first step is such a call, and the commands of all steps are found at once. The vehicle
+    must have neither actuators nor sensors, of which only `Simulation.step` takes care.
+    """
+    assert not simulation.has_actuators
+    assert not simulation.has_sensors
+    step_ns, begin_ns = simulation.step_ns, simulation.time_ns
+    steps = round((duration * NANOSECONDS - begin_ns) / step_ns)
+    times = simulation.stage_times(steps)
+    commands = records_of(command, lambda: times, *simulation.takes)
+    state, *others = simulation.parts()
+    states = np.empty((steps + 1, STATE_SIZE))
+    outputs = np.empty((steps + 1, OUTPUTS.itemsize // 8))
+    states[0], outputs[0] = state, simulation.output_vector
+    time, taken = [simulation.time], 0
+    while taken < steps and simulation.condition is Condition.RUNNING:
+        if taken:
+            held = commands if len(commands) == 1 else commands[2 * taken : 2 * taken + 3]
+            now = simulation.time_ns
+            with silently():
+                moved, *ended = advance(state, held, 1, now, step_ns, *others)
+            simulation.note_moved(now + moved * step_ns, *ended)
+        else:
+            simulation.step(command, step_ns / NANOSECONDS)
+        taken += 1
+        time.append(simulation.time)
+        states[taken], outputs[taken] = state, simulation.output_vector
+    kept = slice(taken + 1)
+    return Run(np.array(time), states[kept].view(STATE)[:, 0], outputs[kept].view(OUTPUTS)[:, 0])
 
 
 def with_tire(vehicle: Vehicle, side: str | None = None, **coefficients: float) -> Vehicle:

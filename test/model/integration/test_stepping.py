@@ -48,6 +48,17 @@ def test_a_thousand_steps_at_once_are_a_thousand_single_steps_to_the_last_bit(
     assert everything(at_once) == everything(one_by_one)
 
 
+@pytest.mark.parametrize("command", [Command(steering=0.05), j_turn()], ids=["held", "programme"])
+def test_a_recorded_run_of_the_tests_has_what_single_steps_give(reference, command):
+    run = record_run(Simulation(reference, step=STEP), command, 1.2)
+    one_by_one = Simulation(reference, step=STEP)
+    for time, state, outputs in zip(run.time, run.state, run.outputs, strict=True):
+        assert time == one_by_one.time
+        assert state.tobytes() == one_by_one.state.tobytes()
+        assert outputs.tobytes() == one_by_one.outputs.tobytes()
+        one_by_one.step(command, STEP)
+
+
 def test_time_is_counted_in_whole_nanoseconds_and_never_drifts(reference):
     simulation = Simulation(reference, step=STEP)
     for _ in range(1000):
