@@ -1,5 +1,7 @@
 """The rates of a model on a level road, as a function of states and inputs."""
 
+from types import SimpleNamespace
+
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError
@@ -9,11 +11,14 @@ from vehicle_roll_sim.model.integration.derivatives import derivatives_at
 from vehicle_roll_sim.model.records import (
     COMMAND,
     OUTPUTS,
-    STATE,
+    PITCH,
+    ROLL,
     STATE_NAMES,
     STATE_SIZE,
+    SUSPENSION_COMPRESSION,
     WHEELS,
     YAW,
+    Z,
     element_names,
 )
 from vehicle_roll_sim.simulation.options import MODELS, Options
@@ -29,6 +34,14 @@ INPUT_NAMES = tuple(
     for wheel in (WHEELS if COMMAND[name].shape else ("",))
 )
 """The smooth inputs of the model; brakes are dry friction, which cannot be linearized at rest."""
+_numbers = np.arange(COMMAND.itemsize // 8).astype(np.float64).view(COMMAND)[0]
+INPUT_PLACES = np.hstack([_numbers[name] for name in INPUT_FIELDS]).astype(int)
+"""Indices of the inputs among the numbers of a COMMAND record."""
+GEOMETRY = (
+    *("x", "y", "tire_radius", "static_strut_length"),
+    "static_suspension_compression",
+)
+"""Fields of VEHICLE that determine the compression of the tires on a level road."""
 WIND_NAMES = ("wind_x", "wind_y")
 """Further inputs of a vehicle with air forces: velocity of the air over the ground, along frame 2
 (m/s)."""
@@ -93,6 +106,8 @@ class LevelRoadModel:
         plant = Plant.of(with_linear_dampers(vehicle), self.options)
         self.record, self.tires = plant.vehicle, plant.tires
         self._plant = plant.arguments()
+        car = self.record[0]  # whose fields numpy takes long to find
+        self._geometry = SimpleNamespace(**{name: car[name] for name in GEOMETRY})
         self._outputs = np.full(1, np.nan, OUTPUTS)
         left_out = (*WITHOUT_EFFECT, "tire_compression")
         self.state_names = element_names(tuple(s for s in options.states if s not in left_out))
@@ -113,10 +128,8 @@ class LevelRoadModel:
         have are nan.
         """
         command, rates = np.zeros(1, COMMAND), np.full(STATE_SIZE, np.nan)
-        *driven, wind = np.split(inputs, (1, 2, 6, len(INPUT_NAMES)))
-        for name, value in zip(INPUT_FIELDS, driven, strict=True):
-            command[name] = value if COMMAND[name].shape else value[0]
-        if len(wind):
+        command.view(np.float64)[INPUT_PLACES] = inputs[: len(INPUT_NAMES)]
+        if len(wind := inputs[len(INPUT_NAMES) :]):
             command["wind"] = yawed_to_ground(heading_of(state[YAW]), *wind)
         records = kernel_argument(command), self._plant, kernel_argument(self._outputs)
         with silently():
@@ -128,9 +141,9 @@ class LevelRoadModel:
 
         r0 minus the height of the wheel centre, z + (Ry(pitch) Rx(roll) (x, y, -ls))z.
         """
-        now, car = state.view(STATE)[0], self.record[0]
-        compressed = now.suspension_compression - car.static_suspension_compression
+        car, roll, pitch = self._geometry, state[ROLL], state[PITCH]
+        compressed = state[SUSPENSION_COMPRESSION] - car.static_suspension_compression
         strut = car.static_strut_length - compressed
-        upward = car.y * np.sin(now.roll) - strut * np.cos(now.roll)
-        rise = np.cos(now.pitch) * upward - car.x * np.sin(now.pitch)
-        return car.tire_radius - (now.z + rise)
+        upward = car.y * np.sin(roll) - strut * np.cos(roll)
+        rise = np.cos(pitch) * upward - car.x * np.sin(pitch)
+        return car.tire_radius - (state[Z] + rise)

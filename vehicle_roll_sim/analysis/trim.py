@@ -116,17 +116,20 @@ def _solution(
 
     def put(unknowns: np.ndarray) -> np.ndarray:
         """Set state and inputs from the unknowns; returns the rates of all states."""
-        *values, inputs[REAR_TORQUES], inputs[STEERING] = unknowns * scale
-        state[free] = values
+        values = unknowns * scale
+        state[free], inputs[REAR_TORQUES], inputs[STEERING] = values[:-2], values[-2], values[-1]
         if not model.options.has_eight_dof:
             state[TIRE_COMPRESSION] = model.on_flat_road(state)
         return model.rates(state, inputs)
 
     def residual(unknowns: np.ndarray) -> np.ndarray:
-        rates = put(unknowns)
-        given = model.outputs.acceleration[1] if field == "lateral_acceleration" else None
-        off = (inputs[STEERING] - target) / angle if given is None else given - target
-        return np.append(rates[model.places] / states, off)
+        found = np.empty(len(states) + 1)
+        found[:-1] = put(unknowns)[model.places] / states
+        if field == "lateral_acceleration":
+            found[-1] = model.outputs["acceleration"][1] - target
+        else:
+            found[-1] = (inputs[STEERING] - target) / angle
+        return found
 
     def slopes(unknowns: np.ndarray) -> np.ndarray:
         changes = STEP * np.eye(len(unknowns))
