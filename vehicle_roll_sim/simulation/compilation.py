@@ -19,7 +19,7 @@ from vehicle_roll_sim.model.road.banked_curve import advanced
 from vehicle_roll_sim.model.road.layout import PLANE
 from vehicle_roll_sim.model.road.surface import sample, surface
 from vehicle_roll_sim.model.roll_plane import RollPlane
-from vehicle_roll_sim.model.tire.radii import free_spin, loaded_radius
+from vehicle_roll_sim.model.tire.radii import free_spin
 from vehicle_roll_sim.simulation.command import Command
 from vehicle_roll_sim.simulation.driving import compile_actuators, compile_loop
 from vehicle_roll_sim.simulation.plant import Plant
@@ -96,7 +96,7 @@ def call_every_kernel() -> None:
     Simulation(preset().with_values({"imu_period": 1.0}))
     evaluate(preset().tire, 1.0, 0.0, 0.0)
     tire = jit.kernel_argument(preset().tire.record())[0]
-    loaded_radius(1.0, free_spin(1.0, 1.0, tire), 0.0, 0.0, 0.0, tire)
+    free_spin(1.0, 1.0, tire)
     surface(0.0, 0.0, PLANE)
     sample(np.zeros((1, 2)), PLANE, np.zeros((1, 3)))
     advanced(0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.01)

@@ -9,12 +9,19 @@ from vehicle_roll_sim.model.compiled.jit import kernel_argument, silently
 from vehicle_roll_sim.model.records import LF, OUTPUTS, RF, WHEEL_COUNT
 from vehicle_roll_sim.model.tire.coefficients import as_one, on_axles
 from vehicle_roll_sim.model.tire.magic_formula import tire_forces
-from vehicle_roll_sim.model.tire.radii import effective_rolling_radius, free_spin, loaded_radius
+from vehicle_roll_sim.model.tire.radii import radii_at
 from vehicle_roll_sim.vehicle.tire_file import Tire
 
 REFERENCE_SPEED = 16.7
 """m/s: speed of the evaluation if the tire file gives no LONGVL."""
 WHEELS = {"left": LF, "right": RF}
+FORCES = (
+    *("tire_longitudinal", "tire_lateral"),
+    *("overturning_moment", "rolling_resistance_moment", "aligning_moment"),
+)
+"""The forces and moments among OUTPUTS."""
+BLOCK = 100 * WHEEL_COUNT
+"""Points whose forces are found in one call of compiled code: its work space takes 1 MB."""
 
 
 class TireForces(NamedTuple):
@@ -57,55 +64,29 @@ def evaluate(
     speed = tire.coefficients.get("LONGVL") or REFERENCE_SPEED if speed is None else speed
     given = (normal_force, slip_ratio, slip_angle, inclination, speed)
     given = np.broadcast_arrays(*(np.asarray(each, float) for each in given))
-    shape, points = given[0].shape, np.array([each.ravel() for each in given]).T
-    record = tire.record(pressure, moments=True)
+    shape, points = given[0].shape, np.column_stack([each.ravel() for each in given])
+    record, radii = tire.record(pressure, moments=True), np.empty((len(points), 2))
+    wheel_side = float(record["side"][0, WHEELS[side]])
     if as_published:
         record["lowest_weight"] = -np.inf
     with silently():
-        rows = _forces(record, points, WHEELS[side])
-        radii = [
-            _radii(record, point, row, WHEELS[side])
-            for point, row in zip(points, rows, strict=True)
-        ]
-    columns = np.column_stack((rows, np.reshape(radii, (-1, 2)))).T
-    return TireForces(*(column.reshape(shape) for column in columns))
+        blocks = range(0, len(points), BLOCK)
+        rows = [_forces(record, points[at : at + BLOCK], wheel_side) for at in blocks]
+        forces = np.concatenate((*rows, np.empty((0, len(FORCES)))))
+        radii_at(points, forces, kernel_argument(record), wheel_side, radii)
+    return TireForces(*(column.reshape(shape) for column in (*forces.T, *radii.T)))
 
 
-def _forces(record: np.ndarray, points: np.ndarray, wheel: int) -> np.ndarray:
-    """Forces and moments, shape (n, 5), at points (n, 5); every batch is one of four wheels."""
-    (tires,), outputs = kernel_argument(as_one(on_axles(record, record))), np.zeros(1, OUTPUTS)
-    found, seen = np.empty((len(points), 5)), outputs[0]
-    for first in range(0, len(points), WHEEL_COUNT):
-        batch = points[first : first + WHEEL_COUNT]
-        fields = np.zeros((5, WHEEL_COUNT))
-        fields[:, : len(batch)] = batch.T
-        load, ratio, angle, inclination, speed = fields
-        outputs["normal_force"], outputs["slip_ratio"] = load, ratio
-        outputs["slip_tangent"], outputs["inclination"] = np.tan(angle), inclination
-        outputs["rolling"], outputs["tread"] = speed, speed + ratio * np.abs(speed)
-        outputs["side"], outputs["road_friction"] = record["side"][0, wheel], 1.0
-        tire_forces(tires, kernel_argument(outputs)[0])
-        rows = (
-            *(seen.tire_longitudinal, seen.tire_lateral, seen.overturning_moment),
-            *(seen.rolling_resistance_moment, seen.aligning_moment),
-        )
-        found[first : first + len(batch)] = np.transpose(rows)[: len(batch)]
-    return found
-
-
-def _radii(record: np.ndarray, point: np.ndarray, forces: np.ndarray, wheel: int) -> tuple:
-    """Loaded and effective rolling radius (m) at a point; nan where the file has none.
-
-    Off the ground the loaded radius is that of the free tire.
-    """
-    (tire,), side = kernel_argument(record), record["side"][0, wheel]
-    load, ratio, _, inclination, speed = (float(each) for each in point)
-    if not (tire.VERTICAL_STIFFNESS > 0.0 and tire.UNLOADED_RADIUS > 0.0 and tire.LONGVL > 0.0):
-        return np.nan, np.nan
-    spin = free_spin((1 + ratio) * speed, load, tire)
-    rolling = effective_rolling_radius(load, spin, tire)
-    effective = rolling if tire.rolls_on_own_radius else np.nan
-    if tire.version < 6.0:
-        return np.nan, effective
-    gamma, fx, fy = side * inclination, forces[0], side * forces[1]
-    return loaded_radius(max(load, 0.0), spin, gamma, float(fx), float(fy), tire), effective
+def _forces(record: np.ndarray, points: np.ndarray, side: float) -> np.ndarray:
+    """Forces and moments, shape (n, 5), at points (n, 5); each four are the wheels of a vehicle."""
+    count = -(-len(points) // WHEEL_COUNT)
+    fields = np.zeros((count * WHEEL_COUNT, points.shape[1]))
+    fields[: len(points)] = points
+    load, ratio, angle, inclination, speed = fields.T.reshape(-1, count, WHEEL_COUNT)
+    outputs = np.zeros(count, OUTPUTS)
+    outputs["normal_force"], outputs["slip_ratio"] = load, ratio
+    outputs["slip_tangent"], outputs["inclination"] = np.tan(angle), inclination
+    outputs["rolling"], outputs["tread"] = speed, speed + ratio * np.abs(speed)
+    outputs["side"], outputs["road_friction"] = side, 1.0
+    tire_forces(kernel_argument(as_one(on_axles(record, record))), kernel_argument(outputs))
+    return np.column_stack([outputs[name].ravel() for name in FORCES])[: len(points)]

@@ -28,7 +28,7 @@ def forces_of(tire, kappa: float, alpha: float, load: float, side: float = LEFT)
     outputs["slip_ratio"], outputs["slip_tangent"] = kappa, math.tan(alpha)
     outputs["normal_force"], outputs["side"], outputs["road_friction"] = load, side, 1.0
     tires = on_axles(tire.record(), tire.record())
-    tire_forces(kernel_argument(as_one(tires))[0], kernel_argument(outputs)[0])
+    tire_forces(kernel_argument(as_one(tires)), kernel_argument(outputs))
     return outputs[0]["tire_longitudinal"][LF], outputs[0]["tire_lateral"][LF]
 
 

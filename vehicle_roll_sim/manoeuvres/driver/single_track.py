@@ -62,12 +62,10 @@ def cornering_stiffnesses(vehicle: Vehicle) -> np.ndarray:
     tires, side = vehicle.tires(), np.ones(WHEEL_COUNT)
     side[:LR], side[LR:] = tires[FRONT]["side"][:LR], tires[REAR]["side"][LR:]
     loads = vehicle.static_tire_load
-    forces = []
-    for slip in (-SMALL_SLIP, SMALL_SLIP):
-        outputs = np.zeros(1, OUTPUTS)
-        outputs["side"], outputs["normal_force"] = side, loads
-        outputs["slip_tangent"], outputs["road_friction"] = slip, 1.0
-        tire_forces(kernel_argument(as_one(tires))[0], kernel_argument(outputs)[0])
-        forces.append(outputs["tire_lateral"][0])
-    slopes = (forces[0] - forces[1]) / (2 * SMALL_SLIP)
+    outputs = np.zeros(2, OUTPUTS)
+    outputs["side"], outputs["normal_force"], outputs["road_friction"] = side, loads, 1.0
+    outputs["slip_tangent"][0], outputs["slip_tangent"][1] = -SMALL_SLIP, SMALL_SLIP
+    tire_forces(kernel_argument(as_one(tires)), kernel_argument(outputs))
+    left, right = outputs["tire_lateral"]
+    slopes = (left - right) / (2 * SMALL_SLIP)
     return np.array([slopes[:LR].sum(), slopes[LR:].sum()])

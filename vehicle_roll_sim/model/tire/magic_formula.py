@@ -50,19 +50,22 @@ from vehicle_roll_sim.model.work_space import (
 
 @kernel
 def tire_forces(tires, outputs):
-    """Longitudinal and lateral force (N) and moments of every tire.
+    """Longitudinal and lateral force (N) and moments of every tire, without a vehicle.
 
-    tires: a TIRES record. Inputs in `outputs`: normal load, slip ratio, tangent of the slip angle
-    and inclination; for the moments also the speeds of rolling and of the tread. All are 0 without
-    load. Moments (N m) are 0 if they are switched off.
+    tires: an array of one TIRES record. outputs: an array of OUTPUTS records, with these inputs:
+    normal load, slip ratio, tangent of the slip angle and inclination; for the moments also the
+    speeds of rolling and of the tread. All are 0 without load. Moments (N m) are 0 if they are
+    switched off.
     """
-    terms_of_loads(tires, outputs)
-    forces_at_slips(tires, outputs)
+    both = tires[0]
+    for k in range(len(outputs)):
+        terms_of_loads(both, outputs[k])
+        forces_at_slips(both, outputs[k])
 
 
 @kernel
 def forces_at_slips(tires, outputs):
-    """As `tire_forces`, with `terms_of_loads` as input."""
+    """As `tire_forces`, of one TIRES and one OUTPUTS record, with `terms_of_loads` as input."""
     forces_of_tire(tires.front, 0, outputs)
     if tires.front.shared == 0.0:
         forces_of_tire(tires.rear, LR, outputs)

@@ -121,3 +121,28 @@ def loaded_radius(fz, spin, gamma, fx, fy, tire):
                     high = middle
             return low
     return math.nan
+
+
+@kernel
+def radii_at(points, forces, tires, side, radii):
+    """Loaded and effective rolling radius (m) of a tire at points; nan where its file has none.
+
+    Off the ground the loaded radius is that of the free tire. points: normal load (N), slip ratio,
+    slip angle, inclination (rad) and speed (m/s), shape (n, 5). forces: Fx and Fy (N) there come
+    first, shape (n, m). tires: an array of one TIRE record. side: that of the wheel. radii: set,
+    shape (n, 2).
+    """
+    tire = tires[0]
+    is_known = tire.VERTICAL_STIFFNESS > 0.0 and tire.UNLOADED_RADIUS > 0.0 and tire.LONGVL > 0.0
+    for k in range(len(points)):
+        radii[k, 0] = radii[k, 1] = math.nan
+        if is_known:
+            load, ratio, speed = float(points[k, 0]), float(points[k, 1]), float(points[k, 4])
+            spin = free_spin((1 + ratio) * speed, load, tire)
+            if tire.rolls_on_own_radius != 0.0:
+                radii[k, 1] = effective_rolling_radius(load, spin, tire)
+            if tire.version >= 6.0:
+                gamma = side * float(points[k, 3])
+                fx, fy = float(forces[k, 0]), side * float(forces[k, 1])
+                carried = 0.0 if load < 0.0 else load
+                radii[k, 0] = loaded_radius(carried, spin, gamma, fx, fy, tire)
