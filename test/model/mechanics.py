@@ -7,6 +7,7 @@ hide a term. Rates are taken along the model's own by a complex step, without tr
 import numpy as np
 from random_states import (
     attitude,
+    attitudes,
     inertia_tensor,
     strut_lengths,
     wheel_centres,
@@ -63,9 +64,9 @@ def external(vehicle, state, outputs) -> tuple[np.ndarray, np.ndarray]:
 def couples(state, outputs) -> np.ndarray:
     """Moments of the road on the wheels, beside those of the forces, over the ground (N m)."""
     names = ("overturning_moment", "rolling_resistance_moment", "aligning_moment")
-    along_wheels = np.column_stack([outputs[name] for name in names])
-    turned = [attitude(0.0, 0.0, state["yaw"] + angle) for angle in outputs["steering"]]
-    return np.array([axes @ one for axes, one in zip(turned, along_wheels, strict=True)])
+    along_wheels = np.stack([outputs[name] for name in names], axis=-1)
+    yaw = of_all_wheels(state["yaw"]) + outputs["steering"]
+    return (turned_by(yaw) @ along_wheels[..., None])[..., 0]
 
 
 def spin_axes(vehicle, state, outputs) -> np.ndarray:
@@ -73,13 +74,13 @@ def spin_axes(vehicle, state, outputs) -> np.ndarray:
 
     From the axis itself, turned by steering about the body's z axis, and by the static camber.
     """
-    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
+    rotation = pose(state)
     angle = outputs["steering"]
-    left = np.column_stack([-np.sin(angle), np.cos(angle), 0.0 * angle])
+    left = np.stack([-np.sin(angle), np.cos(angle), 0.0 * angle], axis=-1)
     camber = np.zeros(4)
     camber[:2] = -vehicle.front_camber, vehicle.front_camber
     camber[2:] = -vehicle.rear_camber, vehicle.rear_camber
-    return np.sin(np.arcsin((left @ rotation.T)[:, 2]) + camber)
+    return np.sin(np.arcsin((left @ rotation.swapaxes(-1, -2))[..., 2]) + camber)
 
 
 def drag(vehicle, state) -> float:
@@ -92,10 +93,10 @@ def unsprung(vehicle, state) -> np.ndarray:
     """Velocities of the wheel centres along the body's axes (m/s), a row each."""
     x, y = wheel_positions(vehicle).T
     lengths = strut_lengths(vehicle, state["suspension_compression"])
-    wx, wy, wz = (state[name] for name in ("roll_rate", "pitch_rate", "yaw_rate"))
-    ahead = state["u"] - y * wz - lengths * wy
-    across = state["v"] + x * wz + lengths * wx
-    return np.column_stack([ahead, across, state["unsprung_velocity"]])
+    names = ("u", "v", "roll_rate", "pitch_rate", "yaw_rate")
+    u, v, wx, wy, wz = (of_all_wheels(state[name]) for name in names)
+    ahead, across = u - y * wz - lengths * wy, v + x * wz + lengths * wx
+    return np.stack([ahead, across, state["unsprung_velocity"]], axis=-1)
 
 
 def energy(vehicle, road: Road, state) -> float:
@@ -120,17 +121,34 @@ def energy(vehicle, road: Road, state) -> float:
 def turning(state, outputs) -> np.ndarray:
     """Velocities of the contact points about the wheel centres along the body's axes (m/s)."""
     radius = outputs["loaded_radius"]
-    return np.column_stack([-state["pitch_rate"] * radius, state["roll_rate"] * radius, 0 * radius])
+    nodding, leaning = of_all_wheels(state["pitch_rate"]), of_all_wheels(state["roll_rate"])
+    return np.stack([-nodding * radius, leaning * radius, 0 * radius], axis=-1)
 
 
-def power_of_lever(state, outputs) -> float:
+def pose(state) -> np.ndarray:
+    """Body to ground, shape (..., 3, 3)."""
+    return attitudes(state["roll"], state["pitch"], state["yaw"])
+
+
+def turned_by(yaw) -> np.ndarray:
+    """The rotation about the vertical alone, shape (..., 3, 3)."""
+    return attitudes(0.0 * yaw, 0.0 * yaw, yaw)
+
+
+def of_all_wheels(value) -> np.ndarray:
+    """A value of the body beside those of its wheels, which are along the last axis."""
+    return np.asarray(value)[..., None]
+
+
+def power_of_lever(state, outputs) -> np.ndarray:
     """See `powers`."""
-    up = attitude(state["roll"], state["pitch"], state["yaw"])[2]
-    return outputs["normal_force"] @ (turning(state, outputs) @ up)
+    up = pose(state)[..., 2, :]
+    rise = (turning(state, outputs) * up[..., None, :]).sum(axis=-1)
+    return (outputs["normal_force"] * rise).sum(axis=-1)
 
 
-def powers(vehicle, state, outputs, command) -> dict[str, float]:
-    """What brings energy in (W), and what takes it away.
+def powers(vehicle, state, outputs, command) -> dict[str, np.ndarray]:
+    """What brings energy in (W), and what takes it away; of one record each, or of n (n,).
 
     slip: of the tire's force along the road at the contact point, less what goes into the spin.
     lever: of the load there, less what goes into the tire's spring; the source has that point on
@@ -138,27 +156,30 @@ def powers(vehicle, state, outputs, command) -> dict[str, float]:
     of the roll centre, whose load transfer is a force along the struts. contact moments: of the
     road on the turning body and on the spinning wheels.
     """
-    rotation = attitude(state["roll"], state["pitch"], state["yaw"])
-    yawed = attitude(0.0, 0.0, state["yaw"])
+    rotation, yawed = pose(state), turned_by(state["yaw"])
     radius, spin = outputs["loaded_radius"], state["wheel_speed"]
     # along axes of frame 2
-    contact = (unsprung(vehicle, state) + turning(state, outputs)) @ rotation.T @ yawed
+    contact = unsprung(vehicle, state) + turning(state, outputs)
+    contact = contact @ rotation.swapaxes(-1, -2) @ yawed
     load, struts = outputs["normal_force"], outputs["suspension_rate"]
-    slip = outputs["longitudinal_force"] @ contact[:, 0] + outputs["lateral_force"] @ contact[:, 1]
+    slip = outputs["longitudinal_force"] * contact[..., 0]
+    slip += outputs["lateral_force"] * contact[..., 1]
+    slip -= radius * outputs["tire_longitudinal"] * spin
     moments = couples(state, outputs)
-    turned = rotation @ [state["roll_rate"], state["pitch_rate"], state["yaw_rate"]]
+    rates = np.stack([state["roll_rate"], state["pitch_rate"], state["yaw_rate"]], axis=-1)
+    turned = (rotation @ rates[..., None])[..., 0]
     rise = spin_axes(vehicle, state, outputs)
     about_axes = outputs["rolling_resistance_moment"] * np.sqrt(1.0 - rise**2)
     about_axes += outputs["aligning_moment"] * rise
     friction = command["brake_torque"] + vehicle.rolling_resistance_coefficient * load * radius
     return {
-        "dampers": -vehicle.per_wheel("damping") @ struts**2,
-        "slip": slip - (radius * outputs["tire_longitudinal"]) @ spin,
+        "dampers": -(struts**2) @ vehicle.per_wheel("damping"),
+        "slip": slip.sum(axis=-1),
         "lever": power_of_lever(state, outputs),
-        "brakes": -np.maximum(friction, 0.0) @ np.abs(spin),
+        "brakes": -(np.maximum(friction, 0.0) * np.abs(spin)).sum(axis=-1),
         "drag": -drag(vehicle, state) * state["u"],
-        "torques": command["wheel_torque"] @ spin,
-        "active": -command["normal_force"] @ struts,
-        "contact moments": moments.sum(axis=0) @ turned + about_axes @ spin,
-        "links": -outputs["link_load_transfer"] @ struts,
+        "torques": (command["wheel_torque"] * spin).sum(axis=-1),
+        "active": -(command["normal_force"] * struts).sum(axis=-1),
+        "contact moments": (moments.sum(axis=-2) * turned).sum(-1) + (about_axes * spin).sum(-1),
+        "links": -(outputs["link_load_transfer"] * struts).sum(axis=-1),
     }

@@ -43,13 +43,20 @@ def inertia_tensor(vehicle: Vehicle) -> np.ndarray:
 @functools.lru_cache(16, typed=True)  # 0 is not 0j; an audit asks for one several times
 def attitude(roll, pitch, yaw) -> np.ndarray:
     """Rz(yaw) Ry(pitch) Rx(roll), also of complex angles: body to ground. Read only."""
-    (sr, sp, sy), (cr, cp, cy) = np.sin([roll, pitch, yaw]), np.cos([roll, pitch, yaw])
-    about_z = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
-    about_y = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
-    about_x = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
-    rotation = about_z @ about_y @ about_x
+    rotation = attitudes(roll, pitch, yaw)
     rotation.flags.writeable = False
     return rotation
+
+
+def attitudes(roll, pitch, yaw) -> np.ndarray:
+    """The same of arrays of angles of one shape, shape (..., 3, 3)."""
+    (sr, sp, sy), (cr, cp, cy) = np.sin([roll, pitch, yaw]), np.cos([roll, pitch, yaw])
+    no, one = np.zeros_like(sr), np.ones_like(sr)
+    about_z = np.array([[cy, -sy, no], [sy, cy, no], [no, no, one]])
+    about_y = np.array([[cp, no, sp], [no, one, no], [-sp, no, cp]])
+    about_x = np.array([[one, no, no], [no, cr, -sr], [no, sr, cr]])
+    z, y, x = (np.moveaxis(each, (0, 1), (-2, -1)) for each in (about_z, about_y, about_x))
+    return z @ y @ x
 
 
 def random_state(vehicle: Vehicle, rng: np.random.Generator) -> np.ndarray:

@@ -59,11 +59,8 @@ def audit(
 ) -> tuple[Run, float, dict[str, float]]:
     """A run; the energy that is unaccounted for (J), and the work of everything (J)."""
     run, road = record_run(simulation, programme, end), simulation.road
-    samples = [
-        powers(vehicle, state, outputs, command)
-        for state, outputs, command in zip(run.state, run.outputs, programme(run.time), strict=True)
-    ]
-    work = {name: float(np.trapezoid([s[name] for s in samples], run.time)) for name in samples[0]}
+    of_all = powers(vehicle, run.state, run.outputs, programme(run.time))
+    work = {name: float(np.trapezoid(power, run.time)) for name, power in of_all.items()}
     gained = energy(vehicle, road, run.state[-1]) - energy(vehicle, road, run.state[0])
     return run, gained - sum(work.values()), work
 

@@ -151,8 +151,7 @@ def test_energy_does_not_grow_without_drive_or_active_forces(
     options = Options(no_roll_centre=True, steady_state_slip=steady_state_slip)
     simulation = started(vehicle, options, speed, road)
     run = record_run(simulation, programme, 0.6)
-    samples = zip(run.state, run.outputs, strict=True)
-    lever = np.array([power_of_lever(*sample) for sample in samples])
+    lever = power_of_lever(run.state, run.outputs)
     work = np.cumsum((lever[1:] + lever[:-1]) / 2 * np.diff(run.time))
     held = np.array([energy(vehicle, road, state) for state in run.state])
     kinetic = vehicle.sprung_mass * 20.0**2 / 2
