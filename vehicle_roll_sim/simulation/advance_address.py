@@ -19,10 +19,7 @@ PLANT = (VEHICLE, TIRES, OPTIONS, LIMITS, COMMAND)
 
 @functools.cache
 def address_of_advance() -> int:
-    """The address for all simulations: their arguments have the same types.
-
-    At least one simulation must have been made before.
-    """
+    """The address for all simulations: their arguments have the same types."""
     plant = tuple(np.zeros(1, kind) for kind in PLANT)
     command, plant = np.zeros(1, COMMAND), (*plant, PLANE)
     memory = (np.zeros(1, OUTPUTS), no_events(), np.zeros((STAGE_VECTORS, STATE_SIZE)))

@@ -37,11 +37,13 @@ def caller_of(function):
 
 
 def address_of(function, arguments: tuple) -> int:
-    """Address of a kernel for arguments of these types, with which it has been called before.
+    """Address of a kernel for arguments of these types; 0 in plain Python.
 
-    0 in plain Python.
+    It is loaded or compiled for them, unless it has been before.
     """
     if not COMPILED:
         return 0
-    known = function.overloads[tuple(map(numba.typeof, arguments))]
+    types = tuple(map(numba.typeof, arguments))
+    function.compile(types)
+    known = function.overloads[types]
     return known.library.get_pointer_to_function(known.fndesc.llvm_func_name)
