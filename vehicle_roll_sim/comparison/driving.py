@@ -77,11 +77,12 @@ def drive(log: Log, simulation: Simulation, driving: Driving) -> Driven:
     commands = LogCommands(log, simulation.vehicle, driving.holds_speed, plan)
     simulation.reset(float(commands.speeds[0]))
     recorder = _Recorder(simulation)
+    duration = plan.periods * plan.period
     run(
         simulation,
         _Driver(commands, simulation, plan.period),
-        plan.periods * plan.period,
-        sample=plan.period,
+        duration,
+        sample=duration,  # its rows are not needed
         command_period=plan.period,
         observer=recorder,
     )
@@ -116,13 +117,17 @@ class _Driver(Feedback):
     def command(self, time: float, state) -> Command:
         given = self._commands
         place = min(round(time / self._period), len(given.steering) - 1)
-        command = Command(float(given.steering[place]), float(given.rear_steering[place]))
+        steering = {
+            "steering": float(given.steering[place]),
+            "rear_steering": float(given.rear_steering[place]),
+        }
         if given.is_held[place]:
             slope = float(self._simulation.outputs["slope_gravity"][0])
             target, speed = float(given.speeds[place]), float(state["u"])
+            command = Command(**steering)
             return given.controller.drive(command, target, speed, self._period, slope)
-        return dataclasses.replace(
-            command,
+        return Command(
+            **steering,
             wheel_torque=tuple(given.wheel_torques[place].tolist()),
             brake_torque=tuple(given.brake_torques[place].tolist()),
         )

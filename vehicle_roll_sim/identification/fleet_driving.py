@@ -58,7 +58,8 @@ def _drive(fleet: Fleet, places: list[_Place]) -> np.ndarray:
     commands = np.zeros(len(places), COMMAND)
     steps, held, given = _together(places)
     distribution = np.array([place.commands.controller.distribution for place in places])
-    first = _noted(fleet, places)
+    has_eight_dof = any(place.simulation.options.has_eight_dof for place in places)
+    first = _noted(fleet, places, has_eight_dof)
     table = np.empty((len(steps) + 1, *first.shape))
     table[0] = first
     for k in range(len(steps)):
@@ -68,7 +69,7 @@ def _drive(fleet: Fleet, places: list[_Place]) -> np.ndarray:
         if held[k]:
             _hold_speeds(commands, fleet, places, k, held[k], distribution)
         fleet.step(commands, steps[k])
-        table[k + 1] = _noted(fleet, places)
+        table[k + 1] = _noted(fleet, places, has_eight_dof)
     return table
 
 
@@ -90,7 +91,7 @@ def _together(places: list[_Place]) -> tuple[np.ndarray, list[list[int]], dict[s
     steps = stacked([np.full(place.plan.periods, place.plan.steps) for place in places])
     return (
         steps,
-        [np.flatnonzero(row).tolist() for row in is_held],
+        _places_of(is_held),
         {
             "steering": stacked([each.steering for each in given]),
             "rear": stacked([each.rear_steering for each in given]),
@@ -98,6 +99,14 @@ def _together(places: list[_Place]) -> tuple[np.ndarray, list[list[int]], dict[s
             "brakes": stacked([each.brake_torques for each in given]),
         },
     )
+
+
+def _places_of(is_held: np.ndarray) -> list[list[int]]:
+    """Where each row is true."""
+    found = [[] for _ in is_held]
+    for k in np.flatnonzero(is_held.any(axis=1)):
+        found[k] = np.flatnonzero(is_held[k]).tolist()
+    return found
 
 
 def _hold_speeds(
@@ -120,9 +129,9 @@ def _hold_speeds(
         commands["brake_torque"][i] = brake
 
 
-def _noted(fleet: Fleet, places: list[_Place]) -> np.ndarray:
-    """`noted` of all places, shape (places, quantities)."""
-    if any(place.simulation.options.has_eight_dof for place in places):
+def _noted(fleet: Fleet, places: list[_Place], has_eight_dof: bool) -> np.ndarray:
+    """`noted` of all places, shape (places, quantities). has_eight_dof: whether any model has."""
+    if has_eight_dof:
         pairs = zip(places, fleet.states, strict=True)
         motions = [place.simulation.cg_motion_at(state) for place, state in pairs]
         velocity = np.array(motions)[:, 3:]
