@@ -56,6 +56,7 @@ def test_known_delay_gain_and_noise_come_back(result_of):
     assert found["roll_rate"].shift == pytest.approx(0.0, abs=1e-4)
 
 
+@pytest.mark.usefixtures("unplaced")
 def test_aligning_removes_a_delay_that_would_be_rejected(result_of, tmp_path):
     log = gentle_log().late("yaw_rate", 0.2)
     assert not result_of(log).accepted
