@@ -1,4 +1,4 @@
-"""Many models driven by logs at the same time, each as `comparison.driving.drive` drives one."""
+"""Models driven by logs, many at the same time."""
 
 from collections.abc import Sequence
 
@@ -18,10 +18,10 @@ VELOCITY = [STATE_NAMES.index(name) for name in ("u", "v", "w")]
 def drive_all(
     pairs: Sequence[tuple[Log, Simulation]], driving: Driving, workers: int | None = None
 ) -> list[Driven]:
-    """Drive each simulation by its log; each result equals that of `drive` bit for bit.
+    """Drive each simulation by its log, from the run-up to its end or until the model stops.
 
-    All simulations have one integration step. workers: number of threads, by default one for each
-    processor. Raises InputError.
+    Each result is that of the simulation alone, bit for bit. All have one integration step.
+    workers: number of threads, by default one for each processor. Raises InputError.
     """
     places = [_Place(log, simulation, driving) for log, simulation in pairs]
     fleet = Fleet(len(places), pairs[0][1].step_ns, workers)
