@@ -5,6 +5,7 @@ import pytest
 
 from benchmarks.hidden_vehicles import log_of_run
 from vehicle_roll_sim import Options, Simulation, preset
+from vehicle_roll_sim.comparison import fleet_driving
 from vehicle_roll_sim.comparison.driving import Driven, Driving, driven_of, noted
 from vehicle_roll_sim.comparison.fleet_driving import drive_all
 from vehicle_roll_sim.comparison.log_commands import LogCommands, Plan
@@ -39,7 +40,8 @@ def drive(log, simulation, driving) -> Driven:
 
 
 @pytest.mark.parametrize("driving", [Driving(run_up=0.3), Driving(drive_by="torques", run_up=0.2)])
-def test_each_model_does_what_it_does_alone(driving):
+def test_each_model_does_what_it_does_alone(driving, monkeypatch):
+    monkeypatch.setattr(fleet_driving, "WORTH_A_THREAD", 1)  # so that there are two
     logs = [log_of_run(preset(), duration=1.0), log_of_run(preset(), duration=1.4)]
 
     def pairs():

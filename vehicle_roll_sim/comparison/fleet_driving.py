@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from vehicle_roll_sim.batch.evaluate import checked_workers
 from vehicle_roll_sim.batch.fleet import Fleet
 from vehicle_roll_sim.comparison.driving import Driven, Driving, driven_of, noted
 from vehicle_roll_sim.comparison.log_commands import LogCommands, Plan
@@ -13,6 +14,8 @@ from vehicle_roll_sim.model.records import COMMAND, STATE_NAMES
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 VELOCITY = [STATE_NAMES.index(name) for name in ("u", "v", "w")]
+WORTH_A_THREAD = 16
+"""Steps of models, 10 us each: to hand a period over to a thread and back takes 50 us."""
 
 
 def drive_all(
@@ -21,10 +24,12 @@ def drive_all(
     """Drive each simulation by its log, from the run-up to its end or until the model stops.
 
     Each result is that of the simulation alone, bit for bit. All have one integration step.
-    workers: number of threads, by default one for each processor. Raises InputError.
+    workers: number of threads at most, by default one for each processor. Raises InputError.
     """
     places = [_Place(log, simulation, driving) for log, simulation in pairs]
-    fleet = Fleet(len(places), pairs[0][1].step_ns, workers)
+    worth = sum(place.plan.steps for place in places) // WORTH_A_THREAD
+    threads = min(checked_workers(workers), max(worth, 1))
+    fleet = Fleet(len(places), pairs[0][1].step_ns, threads)
     try:
         for i, place in enumerate(places):
             place.simulation.reset(float(place.commands.speeds[0]))
