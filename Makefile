@@ -6,8 +6,6 @@ VENV := $(if $(filter jazzy,$(DISTRO)),.venv,.venv-$(DISTRO))
 BIN := $(VENV)/bin
 # Nodes mostly wait for one another, so four test processes suit two cores.
 PYTEST_OPTIONS := --numprocesses 4 --dist loadfile --no-loadscope-reorder
-# Compile the model once, rather than in every test process at the same time.
-COMPILE := 'from vehicle_roll_sim.simulation.compilation import compile_model; compile_model()'
 OLDEST := test/vehicle test/model/test_reference_conditions.py test/analysis/test_linear_model.py \
 	$(patsubst %,test/command_line/test_%.py,version run_results run_refusals plot_command \
 	replay_command linearize without_numba)
@@ -38,7 +36,6 @@ run: setup
 
 # COVERAGE=yes also measures line and branch coverage of the package, including subprocesses.
 test: setup
-	$(BIN)/python -c $(COMPILE)
 ifdef COVERAGE
 	$(BIN)/python -m coverage erase
 	$(BIN)/python -m coverage run -m pytest $(PYTEST_OPTIONS) $(TESTS)
@@ -51,7 +48,6 @@ endif
 # Under a minute on two cores, for use while editing. Left to `make test`: nodes, signals, start-up,
 # compilation, bags, figures, manoeuvres of the standards, the paper, and all that is marked slow.
 test-quick: setup
-	$(BIN)/python -c $(COMPILE)
 	$(BIN)/python -m pytest -q --numprocesses 2 --dist worksteal -m 'not slow and not unmeasured' $(QUICK)
 
 coverage:

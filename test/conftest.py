@@ -1,21 +1,26 @@
-"""For all tests: compiles the model first; profiles of random cases; coverage of processes."""
+"""For all tests: compiles the model; profiles of random cases; coverage of processes."""
 
+import contextlib
 import gc
 import importlib.util
 import os
 import signal
 import subprocess
+from pathlib import Path
 
 import pytest
+from collecting import one_at_a_time, without_kernels
 from hypothesis import settings
 
 from vehicle_roll_sim import Simulation, preset
-from vehicle_roll_sim.simulation.compilation import compile_model
+from vehicle_roll_sim.simulation.compilation import begin_compiling, compile_model
 
 HAS_ROS = importlib.util.find_spec("rclpy") is not None
 collect_ignore = [] if HAS_ROS else ["ros"]
 MEASURING = "COVERAGE_PROCESS_CONFIG"
 """In the environment where coverage is measured; processes that are started take part by it."""
+BEGUN = pytest.StashKey[subprocess.Popen | None]()
+"""The process that compiles the model."""
 
 LONGEST = (
     *("test_pages", "test_score", "test_driven_manoeuvres", "test_controllers"),
@@ -102,8 +107,29 @@ def study(tmp_path_factory):
 
 @pytest.fixture(scope="session", autouse=True)
 def compiled_model():
-    """On a fresh machine this takes some 40 s, and says so; no test should meet that by chance."""
+    """On a fresh machine the compilation is waited for; no test should meet that by chance."""
     compile_model()
+
+
+def pytest_sessionstart(session) -> None:
+    """On a fresh machine the model is compiled while the tests are collected, and unmeasured."""
+    if not (is_worker(session.config) or session.config.option.collectonly):
+        with pytest.MonkeyPatch.context() as patched:
+            patched.delenv(MEASURING, raising=False)
+            session.config.stash[BEGUN] = begin_compiling()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection(session):
+    """Workers take turns; the process that hands out the tests collects none and need not wait."""
+    turn = one_at_a_time(Path(__file__)) if is_worker(session.config) else contextlib.nullcontext()
+    with turn, without_kernels():
+        return (yield)
+
+
+def is_worker(config) -> bool:
+    """Whether this is one of several test processes that run together."""
+    return hasattr(config, "workerinput")
 
 
 def pytest_collection_modifyitems(items) -> None:

@@ -88,6 +88,13 @@ def test_the_package_imports_what_is_asked_for_when_it_is_asked_for(imports):
     assert not {"matplotlib", "rosbags", "mujoco", "control", "pandas"} & outside(modules)
 
 
+def test_the_compiled_model_is_loaded_without_what_compiles_python(imports):
+    """numba's implementations of Python and numpy (of numpy.sum, say) take longer than the rest."""
+    program = f"from {PACKAGE} import Simulation, preset; Simulation(preset()).reset()"
+    modules, status, _ = imports(program)
+    assert (status, {"numba.np.arraymath", "scipy.linalg"} & modules) == (0, set())
+
+
 @pytest.mark.parametrize(
     ("words", "expected"), [("--help", 0), ("--version", 0), ("rnu", 2), ("--hlep", 2), ("", 2)]
 )

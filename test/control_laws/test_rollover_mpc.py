@@ -12,18 +12,21 @@ from vehicle_roll_sim.control_laws.rollover_mpc import RolloverMpc, smallest_wit
 from vehicle_roll_sim.manoeuvres.criteria import two_wheel_lift
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio
 
-FISHHOOK = filled_in("nhtsa_fishhook", duration=4.0)
-"""At 35 mph, which lifts two wheels of the passive vehicle at 2.09 s."""
+
+@pytest.fixture(scope="module")
+def fishhook():
+    """At 35 mph, which lifts two wheels of the passive vehicle at 2.09 s."""
+    return filled_in("nhtsa_fishhook", duration=4.0)
 
 
 @pytest.fixture(scope="module")
-def without():
-    return driven(FISHHOOK)
+def without(fishhook):
+    return driven(fishhook)
 
 
 @pytest.fixture(scope="module")
-def found():
-    return driven(FISHHOOK, RolloverMpc())
+def found(fishhook):
+    return driven(fishhook, RolloverMpc())
 
 
 @pytest.fixture
@@ -31,10 +34,10 @@ def law():
     return begun(RolloverMpc())
 
 
-def test_wheels_stay_down_in_the_fishhook_that_lifts_the_passive_vehicle(without, found):
+def test_wheels_stay_down_in_the_fishhook_that_lifts_the_passive_vehicle(fishhook, without, found):
     assert two_wheel_lift(without) < 2.1
-    assert without["time"][-1] < FISHHOOK.duration  # rolled over
-    assert found["time"][-1] == FISHHOOK.duration
+    assert without["time"][-1] < fishhook.duration  # rolled over
+    assert found["time"][-1] == fishhook.duration
     assert math.isnan(two_wheel_lift(found))
     ratios = load_transfer_ratio(found.wheels("normal_force"))
     assert (
@@ -42,11 +45,11 @@ def test_wheels_stay_down_in_the_fishhook_that_lifts_the_passive_vehicle(without
     )  # never near the 1 at which the wheels of a side carry nothing
 
 
-def test_it_still_turns_as_it_is_steered(without, found):
+def test_it_still_turns_as_it_is_steered(fishhook, without, found):
     """At least half as fast as the passive vehicle, then to the other side, and not by stopping."""
     assert found["yaw_rate"].max() > 0.5 * without["yaw_rate"].max()
     assert found["yaw_rate"].min() < -0.5 * found["yaw_rate"].max()
-    assert found["u"][-1] > 0.6 * FISHHOOK.speed
+    assert found["u"][-1] > 0.6 * fishhook.speed
 
 
 def test_inputs_stay_within_their_bounds(found, law):

@@ -1,6 +1,7 @@
 """Processes started by tests end with the test, even if it fails, and react to SIGINT."""
 
 import ast
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -36,7 +37,8 @@ def test_that_fails(started):
     assert False
 """
     (tmp_path / "test_it.py").write_text(text)
-    (tmp_path / "conftest.py").write_text((root / "test" / "conftest.py").read_text())
+    for name in ("conftest.py", "collecting.py"):  # which it imports
+        shutil.copy(root / "test" / name, tmp_path)
     words = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "test_it.py"]
     result = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE)
     assert result.returncode == 1

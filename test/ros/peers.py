@@ -86,10 +86,16 @@ class Peer:
         )
 
     def newest(self, name: str):
-        """Wait for a message of a topic that comes from now on."""
+        """Wait for a message of a topic that is received from now on, whenever it was sent."""
         count = len(self.received[name])
         self.wait(lambda: len(self.received[name]) > count, f"a message on {name}")
         return self.received[name][-1][1]
+
+    def current(self, name: str):
+        """Wait for a message of a topic that is sent from now on; others may be on their way."""
+        received, now = self.received[name], time.time_ns()
+        self.wait(lambda: received and received[-1][0] >= now, f"a message on {name}")
+        return received[-1][1]
 
     def publisher(self, name: str):
         """A publisher that is matched."""

@@ -1,5 +1,6 @@
 """The names in the layouts exist: topics, fields, elements and frames."""
 
+import functools
 import json
 import re
 from xml.etree import ElementTree
@@ -18,13 +19,6 @@ from vehicle_roll_sim.ros.topics import message_class
 
 CONFIG = launch_files.PACKAGE / "config"
 TOPICS = {f"/{topic.name.lstrip('/')}": topic for topic in (*COMMANDS, *PUBLISHED)}
-LABELS = {
-    "/state": ("time", *Simulation(preset()).state_names),
-    "/applied_command": COMMAND_LABELS,
-    "/tire_normal_forces": WHEELS,
-    "/lift_off": WHEELS,
-}
-"""Names of the elements of the multi-arrays."""
 FRAMES = {"odom", "base_footprint", "base_link"}
 SHOWN_BY = {
     "Wrench": "WrenchStamped",
@@ -34,6 +28,17 @@ SHOWN_BY = {
 }
 """Message types of RViz's displays."""
 DEGREES = 57.29577951308232
+
+
+@functools.cache
+def labels() -> dict[str, tuple[str, ...]]:
+    """Names of the elements of the multi-arrays."""
+    return {
+        "/state": ("time", *Simulation(preset()).state_names),
+        "/applied_command": COMMAND_LABELS,
+        "/tire_normal_forces": WHEELS,
+        "/lift_off": WHEELS,
+    }
 
 
 def plotjuggler() -> ElementTree.Element:
@@ -91,7 +96,7 @@ def test_what_is_plotted_is_a_field_and_an_element_is_what_the_title_calls_it(ti
     message = message_class(TOPICS[topic].type)()
     if steps and steps[-1].isdigit():
         *steps, index = steps
-        label = LABELS[topic][int(index)]
+        label = labels()[topic][int(index)]
         assert re.sub(r" \(.*\)", "", title).split()[-1] == label or (title, label) in {
             ("path", "x"),
             ("path", "y"),
@@ -193,7 +198,7 @@ def test_a_recording_has_what_is_plotted(recorded, title, series):
     messages = recorded[topic]
     assert messages
     if steps and steps[-1].isdigit():
-        assert messages[0].layout.dim[int(steps[-1])].label == LABELS[topic][int(steps[-1])]
+        assert messages[0].layout.dim[int(steps[-1])].label == labels()[topic][int(steps[-1])]
     values = [value_in(message, steps) for message in messages]
     if steps:
         assert all(isinstance(value, (bool, int, float)) for value in values)

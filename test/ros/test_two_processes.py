@@ -65,12 +65,12 @@ def test_lift_off_flags_equal_zero_load_in_every_set(simulator, peer):
 def test_a_rollover_stops_time_latches_and_a_reset_recovers(simulator, peer):
     peer.listen("state", "rollover")
     roll_over(peer)
-    stopped_at = peer.newest("state").data
+    stopped_at = peer.current("state").data
     assert list(peer.newest("state").data) == list(stopped_at)  # goes on being published
 
     assert reset(peer).success
     peer.wait(lambda: peer.received["rollover"][-1][1].data is False, "rollover taken back")
-    peer.wait(lambda: peer.newest("state").data[0] > 0.0, "time to go on")
+    peer.wait(lambda: peer.current("state").data[0] > 0.0, "time to go on")
 
 
 def test_a_reset_returns_the_initial_state_to_the_bit(simulator, peer):
@@ -154,4 +154,4 @@ def test_two_vehicles_in_two_namespaces_are_independent(start, make_peer):
         return a.newest("state").data[ROLL] > 0.02
 
     a.command({"steering_cmd": 0.05}, a_leans, "a to lean")
-    assert b.newest("state").data[ROLL] == pytest.approx(0.0, abs=1e-9)  # still in equilibrium
+    assert b.current("state").data[ROLL] == pytest.approx(0.0, abs=1e-9)  # still in equilibrium

@@ -11,9 +11,10 @@ from pathlib import Path
 import pytest
 from patience import PATIENCE, wait_until
 
+from vehicle_roll_sim.model.compiled import jit
 from vehicle_roll_sim.model.compiled.code_cache import COMPLETE
 from vehicle_roll_sim.model.compiled.jit import CACHE
-from vehicle_roll_sim.simulation.compilation import COMPILING, LOCK
+from vehicle_roll_sim.simulation.compilation import COMPILING, LOCK, begin_compiling
 
 pytestmark = [
     pytest.mark.slow,
@@ -75,6 +76,21 @@ def test_an_interrupted_command_leaves_the_compiling_to_go_on(folder, start):
     assert second.returncode == 0
     assert "cached in" in out
     wait_until(lambda: not compiling_processes(folder), "the end of the compiling")
+
+
+def test_in_the_background_nobody_waits_and_the_second_finds_the_work_done(
+    folder, monkeypatch, capsys
+):
+    monkeypatch.setattr(jit, "CACHE", folder)
+    with (folder / LOCK).open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # as the first
+        second = begin_compiling()
+        assert capsys.readouterr().err == f"{COMPILING}\n"
+        wait_until(lambda: compiling_processes(folder), "the second")
+        (folder / COMPLETE).touch()
+    assert second.wait(PATIENCE) == 0
+    assert begin_compiling() is None
+    assert capsys.readouterr().err == ""
 
 
 def test_a_compiling_process_that_dies_keeps_nobody_waiting(folder, start):

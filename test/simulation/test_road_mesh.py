@@ -25,7 +25,12 @@ PATH = np.column_stack((np.linspace(0.0, 60.0, 200), np.zeros(200)))
 """m: straight ahead."""
 REACH = 40.0
 """m"""
-MESHES = {name: road_mesh(each, PATH, reach=REACH) for name, each in ROADS.items()}
+
+
+@pytest.fixture(scope="module")
+def meshed() -> dict[str, RoadMesh]:
+    """The meshes of the roads around the path."""
+    return {name: road_mesh(each, PATH, reach=REACH) for name, each in ROADS.items()}
 
 
 def flat(mesh: RoadMesh) -> np.ndarray:
@@ -41,8 +46,8 @@ def areas(mesh: RoadMesh) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", ROADS)
-def test_all_corners_are_on_the_road_and_the_triangles_face_up(name):
-    mesh, surface = MESHES[name], ROADS[name].surface
+def test_all_corners_are_on_the_road_and_the_triangles_face_up(meshed, name):
+    mesh, surface = meshed[name], ROADS[name].surface
     assert [surface(x, y)[0] for x, y, _ in mesh.vertices] == mesh.vertices[:, 2].tolist()
     assert areas(mesh).min() > 0.0
     middles = flat(mesh).mean(axis=1)
@@ -51,9 +56,9 @@ def test_all_corners_are_on_the_road_and_the_triangles_face_up(name):
 
 
 @pytest.mark.parametrize("name", ROADS)
-def test_the_triangles_cover_everything_around_the_path_once_and_without_a_gap(name):
+def test_the_triangles_cover_everything_around_the_path_once_and_without_a_gap(meshed, name):
     """Each side has its neighbour in the opposite sense, unless it is on the border of the box."""
-    mesh = MESHES[name]
+    mesh = meshed[name]
     box = np.array([[0.0 - REACH, -REACH], [60.0 + REACH, REACH]])
     covered = np.prod(np.diff(np.floor(box / UNIT) * UNIT, axis=0))
     assert areas(mesh).sum() == pytest.approx(covered, rel=1e-12)  # rounding of some 5000 numbers
@@ -68,12 +73,12 @@ def test_the_triangles_cover_everything_around_the_path_once_and_without_a_gap(n
 
 
 @pytest.mark.parametrize("name", ROADS)
-def test_close_to_the_path_the_mesh_is_the_road_within_a_centimetre(name):
+def test_close_to_the_path_the_mesh_is_the_road_within_a_centimetre(meshed, name):
     """Along each direction of a cell the deviation is limited; both together can be twice as much.
 
     The grid's heights are random from point to point, the steepest road here.
     """
-    mesh, generator = MESHES[name], np.random.default_rng(1)
+    mesh, generator = meshed[name], np.random.default_rng(1)
     points = generator.uniform((1.0, -1.5), (58.0, 1.5), (400, 2))
     surface = Triangulation(*mesh.vertices[:, :2].T, mesh.triangles)
     found = LinearTriInterpolator(surface, mesh.vertices[:, 2])(*points.T)
@@ -126,24 +131,25 @@ def test_a_patch_in_any_direction_is_seen_with_edges_finer_than_the_vehicle():
 
 
 @pytest.mark.parametrize("name", ["random profile", "banked curve", "curb"])
-def test_a_mesh_keeps_to_its_budget_and_is_the_same_each_time(name):
+def test_a_mesh_keeps_to_its_budget_and_is_the_same_each_time(meshed, name):
     few = road_mesh(ROADS[name], PATH, most_cells=100, reach=REACH)
     middles = len(few.vertices) - len(np.unique(few.triangles[:, 1:]))
     assert middles == 100  # each cell has one vertex that is the first of its triangles only
     again = road_mesh(ROADS[name], PATH, reach=REACH)
     for part in ("vertices", "triangles", "friction", "is_soft"):
-        assert getattr(again, part).tobytes() == getattr(MESHES[name], part).tobytes()
+        assert getattr(again, part).tobytes() == getattr(meshed[name], part).tobytes()
 
 
 def test_in_plain_python_only_a_banked_curve_is_coarser_and_close_to_the_path_it_is_as_good(
+    meshed,
     monkeypatch,
 ):
     """Plain Python takes some 8 ms for each of its cells; at the default limit, minutes."""
     monkeypatch.setattr(meshes, "COMPILED", False)
     curve, curb = (road_mesh(ROADS[name], PATH, reach=REACH) for name in ("banked curve", "curb"))
-    assert curb.vertices.tobytes() == MESHES["curb"].vertices.tobytes()
+    assert curb.vertices.tobytes() == meshed["curb"].vertices.tobytes()
     middles = len(curve.vertices) - len(np.unique(curve.triangles[:, 1:]))
-    assert middles == MOST_IN_PYTHON < len(MESHES["banked curve"].vertices) / 2
+    assert middles == MOST_IN_PYTHON < len(meshed["banked curve"].vertices) / 2
     points = np.random.default_rng(1).uniform((1.0, -1.5), (58.0, 1.5), (400, 2))
     surface = Triangulation(*curve.vertices[:, :2].T, curve.triangles)
     found = LinearTriInterpolator(surface, curve.vertices[:, 2])(*points.T)
@@ -172,9 +178,9 @@ def test_places_that_are_unknown_are_left_out_and_of_many_as_many_are_kept_as_ma
     assert np.diff(kept[:, 0]).max() <= 2 * 5e4 / MOST_PLACES + 1
 
 
-def test_features_with_heights_are_those_whose_meshes_have_some():
+def test_features_with_heights_are_those_whose_meshes_have_some(meshed):
     for name, each in ROADS.items():
-        assert has_heights(each) == MESHES[name].vertices[:, 2].any(), name
+        assert has_heights(each) == meshed[name].vertices[:, 2].any(), name
 
 
 @pytest.mark.parametrize("name", ROADS)

@@ -89,16 +89,16 @@ def places_of_wheels(history, places: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("viewed_run", "title"),
+    ("history", "title"),
     [
-        (viewed_history(of_columns(1), HOSTILE), HOSTILE),
-        (viewed_history(of_columns(50, x=math.nan, roll=math.nan, z=math.nan)), "nothing known"),
-        (viewed_history(of_columns(50, lateral_acceleration=math.inf, z=1e300)), "huge"),
+        (of_columns(1), HOSTILE),
+        (of_columns(50, x=math.nan, roll=math.nan, z=math.nan), "nothing known"),
+        (of_columns(50, lateral_acceleration=math.inf, z=1e300), "huge"),
     ],
     ids=["one row, hostile names", "nan", "infinite"],
 )
-def test_odd_runs_are_shown_and_nothing_in_them_is_run(opened, viewed_run, title):
-    page = opened(viewed_run, title=title)
+def test_odd_runs_are_shown_and_nothing_in_them_is_run(opened, history, title):
+    page = opened(viewed_history(history, title), title=title)
     assert page.complaints == []
     assert page("document.title") == title
     assert page("window.hacked") is None

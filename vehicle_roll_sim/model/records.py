@@ -3,11 +3,8 @@
 The order of wheels is lf, rf, lr, rr everywhere. SI units and radians.
 """
 
-from collections import namedtuple
-
 import numpy as np
 
-from vehicle_roll_sim.model.compiled.jit import constants
 from vehicle_roll_sim.model.layout import (
     AXLE_COUNT,
     CORNER_COUNT,
@@ -168,13 +165,6 @@ travel_knots, travel_origins, travel_curves: of each axle the ends of the interv
 inf for those that are not used), and for each interval the travel from which the polynomials of its
 curves are counted (m), and their coefficients, lowest power first.
 """
-
-VehicleConstants = namedtuple(
-    "VehicleConstants",
-    [name for name in VEHICLE.names if not VEHICLE[name].shape and not VEHICLE[name].names],
-)
-vehicle_constants = constants(VehicleConstants)
-"""Copies the scalar fields of a VEHICLE record, those that are not per wheel."""
 
 OPTION_NAMES = (
     "euler_terms",

@@ -34,13 +34,15 @@ LOOK = 0.05
 """s: interval at which the compiling process is polled."""
 COMPILE = f"""
 import fcntl, os, sys
-folder, sys.path[:] = sys.argv[1], sys.argv[2:]
+complete, sys.path[:] = sys.argv[1], sys.argv[2:]
+folder = os.path.dirname(complete)
 with open(os.path.join(folder, {LOCK!r}), "w") as lock:
     fcntl.flock(lock, fcntl.LOCK_EX)
-    from vehicle_roll_sim.simulation.compilation import fill_cache
-    fill_cache(folder)
+    if not os.path.exists(complete):
+        from vehicle_roll_sim.simulation.compilation import fill_cache
+        fill_cache(folder)
 """
-"""Large imports follow the lock: most processes find the work done once they hold it."""
+"""Most processes find the work done once they hold the lock, and then import nothing large."""
 
 
 def compile_model(wait: Callable[[subprocess.Popen], None] = subprocess.Popen.wait) -> None:
@@ -49,11 +51,21 @@ def compile_model(wait: Callable[[subprocess.Popen], None] = subprocess.Popen.wa
     Prints a line to stderr if it must be compiled. wait: function that waits for the compiling
     process; its exceptions propagate, and the process continues.
     """
-    if jit.CACHE and jit.is_to_be_compiled():
-        print(COMPILING, file=sys.stderr, flush=True)
-        if compiling := _compiling_process():
-            wait(compiling)
+    if compiling := begin_compiling():
+        wait(compiling)
     Simulation(preset())
+
+
+def begin_compiling() -> subprocess.Popen | None:
+    """Have the model compiled in the background, by a process that nobody needs to wait for.
+
+    Prints a line to stderr if it must be compiled. Returns the compiling process; None if there is
+    nothing to compile, or no process can be started.
+    """
+    if not (jit.CACHE and jit.is_to_be_compiled()):
+        return None
+    print(COMPILING, file=sys.stderr, flush=True)
+    return _compiling_process()
 
 
 def _compiling_process() -> subprocess.Popen | None:
@@ -63,7 +75,8 @@ def _compiling_process() -> subprocess.Popen | None:
     """
     if not sys.executable:
         return None
-    words = [sys.executable, "-c", COMPILE, str(jit.CACHE), *sys.path]
+    complete = jit.CACHE / jit.code_cache.COMPLETE
+    words = [sys.executable, "-c", COMPILE, str(complete), *sys.path]
     nothing = subprocess.DEVNULL
     try:
         return subprocess.Popen(

@@ -76,7 +76,7 @@ def test_a_full_disk_ends_the_recorder_with_one_line_and_nobody_else(recorder, p
     assert status == 1
     assert len(err.splitlines()) == 1
     assert err.startswith("recorder: error: ")
-    last = peer.newest("state").data[0]
+    last = peer.current("state").data[0]
     peer.wait(lambda: peer.newest("state").data[0] > last + 0.1, "the simulator to go on")
     assert read_bag(bag)["/state"]
 

@@ -122,7 +122,7 @@ def test_a_reset_to_a_speed_at_which_the_step_is_too_large_is_refused_and_the_ru
     answer = peer.call(Trigger, "simulator/reset")
     assert not answer.success
     assert "at most 0.006 s at 0 m/s" in answer.message
-    before = peer.newest("state").data[0]
+    before = peer.current("state").data[0]
     peer.wait(lambda: peer.newest("state").data[0] > before, "the run to go on")
 
 

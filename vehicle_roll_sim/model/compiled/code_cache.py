@@ -134,6 +134,11 @@ class CheckedCache(FunctionCache):
         base = plain._index_name.removesuffix(".nbi")
         self._cache_file = _CheckedFile(self._cache_path, base, plain._source_stamp)
 
+    def load_overload(self, signature, target_context):
+        """As in numba, but without loading first all that numba can compile, a third of a start."""
+        with self._guard_against_spurious_io_errors():
+            return self._load_overload(signature, target_context)
+
     def save_overload(self, signature, data):
         if isinstance(data.library, Part):
             return
