@@ -78,7 +78,7 @@ audit:
 bench: setup
 	$(BIN)/python -m benchmarks $(OPTIONS)
 
-# A million random messages, then twenty times the usual random cases for the model properties.
+# A million random messages, then forty times the usual random cases for the model properties.
 soak: setup
 	$(BIN)/python -m benchmarks.soak $(OPTIONS)
 	$(BIN)/python -m pytest --hypothesis-profile soak test/model/test_properties_of_rates.py \

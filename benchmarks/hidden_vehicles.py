@@ -6,7 +6,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from vehicle_roll_sim import Simulation, Vehicle
-from vehicle_roll_sim.comparison.driving import TORQUES_APPLIED, Driving, drive
+from vehicle_roll_sim.comparison.driving import TORQUES_APPLIED, Driving
+from vehicle_roll_sim.comparison.fleet_driving import drive_all
 from vehicle_roll_sim.logs.log import Log, log_of
 from vehicle_roll_sim.logs.map_file import map_of
 from vehicle_roll_sim.logs.quantities import QUANTITIES
@@ -114,6 +115,6 @@ def _driven(
     }
     wanted = Log(time, INTERVAL, {"speed": speed}, inputs, "body", 0.0, [], [])
     driving = Driving(drive_by=TORQUES_APPLIED, run_up=RUN_UP)
-    signals = drive(wanted, simulation, driving).signals
+    (driven,) = drive_all([(wanted, simulation)], driving, workers=1)
     count = len(time)
-    return {n: np.pad(each, (0, count - len(each)), "edge") for n, each in signals.items()}
+    return {n: np.pad(each, (0, count - len(each)), "edge") for n, each in driven.signals.items()}

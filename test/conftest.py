@@ -36,7 +36,7 @@ LONGEST = (
 """Files of 7 to 60 s of processor time, or of waiting."""
 
 settings.register_profile(
-    "suite", derandomize=True, database=None, deadline=None, max_examples=200, print_blob=False
+    "suite", derandomize=True, database=None, deadline=None, max_examples=100, print_blob=False
 )
 settings.register_profile(
     "soak", derandomize=False, database=None, deadline=None, max_examples=4000, print_blob=True
@@ -82,15 +82,14 @@ def started():
             process.kill()
 
 
-@pytest.fixture(scope="module")
-def unplaced():
+@pytest.fixture
+def unplaced(monkeypatch):
     """Figures are drawn without finding room for their panels, half of the time that they take.
 
     For tests in which it matters that a figure is drawn, and not how it looks.
     """
-    with pytest.MonkeyPatch.context() as patched:
-        patched.setattr("vehicle_roll_sim.analysis.drawing.SteadyLayout.execute", lambda *_: None)
-        yield
+    place = "vehicle_roll_sim.analysis.drawing.SteadyLayout.execute"
+    monkeypatch.setattr(place, lambda *_: None)
 
 
 @pytest.fixture(scope="session")

@@ -25,6 +25,7 @@ def row_of(result, name: str) -> list[str]:
     return next(line.split() for line in result.out.splitlines() if line.startswith(f"{name}  "))
 
 
+@pytest.mark.usefixtures("unplaced")
 def test_the_shipped_log_is_accepted_and_its_known_delay_is_told(command, log):
     result = command(*WORDS, "--csv", "out.csv", "--plot", "out.svg")
     assert (result.status, result.err) == (0, "")

@@ -11,6 +11,7 @@ import pytest
 from studies import Rerun
 from tqdm import tqdm
 
+from vehicle_roll_sim.analysis.drawing import SteadyLayout
 from vehicle_roll_sim.command_line import paper as paper_module
 from vehicle_roll_sim.command_line.main import main
 from vehicle_roll_sim.paper import figures
@@ -63,7 +64,7 @@ class Results:
 
 
 @pytest.fixture(scope="module")
-def complete(tmp_path_factory, study, unplaced) -> Results:
+def complete(tmp_path_factory, study) -> Results:
     """The command as a user types it, in an empty folder, with runs that are made already."""
     folder, studies = tmp_path_factory.mktemp("paper"), []
 
@@ -74,6 +75,7 @@ def complete(tmp_path_factory, study, unplaced) -> Results:
 
     with pytest.MonkeyPatch.context() as patched, contextlib.chdir(folder):
         patched.setattr(paper_module, "Study", keep)
+        patched.setattr(SteadyLayout, "execute", lambda *_: None)  # as `unplaced` does
         out, err = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             status = main(["paper", "--out", "results", "--strict"])

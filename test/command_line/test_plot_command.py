@@ -74,6 +74,7 @@ def test_a_figure_is_drawn_of_what_the_file_has_and_named_after_it(figure, histo
     assert "run" not in legend_of(drawn)
 
 
+@pytest.mark.usefixtures("unplaced")
 def test_what_run_writes_can_be_drawn_with_the_events_that_it_prints(command, folder):
     printed = command("run", "j_turn", "--csv", "j.csv")
     assert command("plot", "j.csv", "--output", "j.svg").status == 0
@@ -83,6 +84,7 @@ def test_what_run_writes_can_be_drawn_with_the_events_that_it_prints(command, fo
     assert "<!-- rollover" in text
 
 
+@pytest.mark.usefixtures("unplaced")
 def test_the_runs_of_every_kind_of_model_can_be_drawn(command, folder):
     """The one with the fewest signals alone, and with all others in one figure."""
     models = ("8dof", "1a", "1c-iii")
@@ -102,6 +104,7 @@ def test_a_run_that_diverged_can_be_drawn_too(command, folder):
     assert command("plot", "run.csv").status == 0
 
 
+@pytest.mark.usefixtures("unplaced")
 @pytest.mark.parametrize(("suffix", "times"), [(".png", 1), (".svg", 2), (".pdf", 1)])
 def test_the_format_is_that_of_the_name_and_the_bytes_are_the_same_twice(
     command, folder, history, monkeypatch, suffix, times

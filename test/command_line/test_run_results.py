@@ -131,6 +131,7 @@ def test_a_png_figure_shows_something(written):
     assert len(colours) > 10
 
 
+@pytest.mark.usefixtures("unplaced")
 def test_an_svg_figure_has_the_title_the_axes_and_the_wheels(command, folder):
     words = ("run", "j_turn", "--steady-state-slip", "--plot", "figure.svg")
     assert command(*words).status == 0
@@ -158,6 +159,7 @@ def test_a_pdf_figure_is_a_whole_pdf(written):
     assert content.rstrip().endswith(b"%%EOF")
 
 
+@pytest.mark.usefixtures("unplaced")
 def test_the_title_of_a_figure_of_a_command_file_is_its_name(command, folder):
     (folder / "in.csv").write_text("time,steering\n0,0\n1,0.02\n")
     assert command("run", "--commands", "in.csv", "--plot", "figure.svg").status == 0

@@ -4,7 +4,15 @@ import numpy as np
 import pytest
 from made_logs import gentle_log, made, overturning, severe
 
-from vehicle_roll_sim import Condition, InputError, Options, Simulation, compare, preset
+from vehicle_roll_sim import (
+    Condition,
+    InputError,
+    Options,
+    PlausibilityWarning,
+    Simulation,
+    compare,
+    preset,
+)
 
 FREE = {"drive_by": "torques", "run_up": 0.0}
 """As the logs were made: rolling freely."""
@@ -56,6 +64,7 @@ def test_known_delay_gain_and_noise_come_back(result_of):
     assert found["roll_rate"].shift == pytest.approx(0.0, abs=1e-4)
 
 
+@pytest.mark.usefixtures("unplaced")
 def test_aligning_removes_a_delay_that_would_be_rejected(result_of, tmp_path):
     log = gentle_log().late("yaw_rate", 0.2)
     assert not result_of(log).accepted
@@ -146,6 +155,13 @@ def test_a_log_without_motion_has_no_verdict(result_of):
     assert result.accepted is None
     assert "too small to judge" in result.summary
     assert result.gradients is None
+
+
+def test_steering_that_no_vehicle_has_is_warned_of(result_of):
+    log = gentle_log()
+    turned = log.with_(steering=30.0 * log.columns["steering"])
+    with pytest.warns(PlausibilityWarning, match="steering of the log: .* give the angle in rad"):
+        result_of(turned)
 
 
 def test_torques_that_the_log_does_not_have_are_refused(result_of):

@@ -59,6 +59,7 @@ def test_without_pandas_one_line_says_what_to_install(short, monkeypatch):
         short.to_pandas()
 
 
+@pytest.mark.usefixtures("unplaced")
 def test_a_run_is_drawn(short, folder):
     short.plot("figure.png", "short")
     assert min(imread("figure.png").shape[:2]) > 500
@@ -66,6 +67,7 @@ def test_a_run_is_drawn(short, folder):
         short.plot("figure.jpg")
 
 
+@pytest.mark.usefixtures("unplaced")
 def test_a_figure_has_the_size_in_mm_of_a_paper(short, folder):
     short.plot("figure.png", size="170x200")
     height, width = imread("figure.png").shape[:2]

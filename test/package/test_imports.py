@@ -22,7 +22,7 @@ MAY_IMPORT = {
     "batch": {*SIMULATED, "manoeuvres"},
     "analysis": {*SIMULATED},
     "control_laws": {*SIMULATED, "analysis"},
-    "comparison": {*SIMULATED, "logs", "analysis"},
+    "comparison": {*SIMULATED, "logs", "batch", "analysis"},
     "identification": {*SIMULATED, "manoeuvres", "logs", "batch", "analysis", "comparison"},
     "paper": {*SIMULATED, "manoeuvres", "analysis"},
     "viewer": {*SIMULATED, "manoeuvres", "analysis"},

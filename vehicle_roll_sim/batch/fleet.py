@@ -21,6 +21,8 @@ from vehicle_roll_sim.simulation.advance_address import PLANT, address_of_advanc
 from vehicle_roll_sim.simulation.sensors import NEVER, Sensors
 from vehicle_roll_sim.simulation.simulation import Simulation
 
+RUNNING = int(Condition.RUNNING)
+
 
 class Fleet:
     """Copies of simulations, stepped together; each equals `Simulation.step` to the bit.
@@ -88,7 +90,7 @@ class Fleet:
     @property
     def runs(self) -> np.ndarray:
         """Whether the simulation at each place can continue, shape (count,)."""
-        return self.conditions == Condition.RUNNING
+        return self.conditions == RUNNING
 
     def place(self, i: int, simulation: Simulation) -> None:
         """Copy a simulation to a place; raises InputError unless it has the step of the fleet."""

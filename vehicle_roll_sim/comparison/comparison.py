@@ -8,7 +8,8 @@ import numpy as np
 from vehicle_roll_sim.comparison import corridor, steady
 from vehicle_roll_sim.comparison.agreement import Agreement, agreement, shifted, time_shift
 from vehicle_roll_sim.comparison.corridor import Tolerances
-from vehicle_roll_sim.comparison.driving import TORQUES_APPLIED, Driven, Driving, drive
+from vehicle_roll_sim.comparison.driving import TORQUES_APPLIED, Driven, Driving
+from vehicle_roll_sim.comparison.fleet_driving import drive_all
 from vehicle_roll_sim.comparison.steady import Gradients
 from vehicle_roll_sim.input_errors import InputError
 from vehicle_roll_sim.logs.conditioning import FEWEST, low_pass
@@ -16,6 +17,7 @@ from vehicle_roll_sim.logs.log import Log
 from vehicle_roll_sim.logs.quantities import ACCELERATION, QUANTITIES, SPEED
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.simulation.simulation import Simulation
+from vehicle_roll_sim.vehicle.plausibility import LARGEST_STEERING, doubtful_steering, warn
 
 STEERING = "steering"
 NOT_STEADY = (ACCELERATION, "roll_rate")
@@ -96,7 +98,8 @@ def compare(
 
     align: whether to remove the time shift of each measured quantity first. Raises InputError.
     """
-    driven = drive(log, simulation, driving)
+    (driven,) = drive_all([(log, simulation)], driving, workers=1)
+    _warn_of_large_angles({STEERING: driven.steering} | _rear_steering(log))
     count = len(driven.steering)
     if count < FEWEST:
         allowed = f"a model that drives for at least {FEWEST} rows of the log"
@@ -114,6 +117,17 @@ def compare(
     aligned = measured | {name: each.measured for name, each in judged.items()}
     part = _steady_part(log, aligned, simulated, driven, simulation, tolerances)
     return Compared(log, log.time[:count], driven, driving, tolerances, judged, part)
+
+
+def _rear_steering(log: Log) -> dict[str, np.ndarray]:
+    return {name: values for name, (_, values) in log.inputs.items() if name == "rear_steering"}
+
+
+def _warn_of_large_angles(angles: dict[str, np.ndarray]) -> None:
+    """Issue a PlausibilityWarning for angles of road wheels that no vehicle has."""
+    for name, values in angles.items():
+        if (largest := np.abs(values).max(initial=0.0)) > LARGEST_STEERING:
+            warn([doubtful_steering(f"{name} of the log", float(largest))])
 
 
 def _judged(

@@ -1,4 +1,4 @@
-"""The model driven by a log: its steering, and its speed or its torques."""
+"""How a log drives the model, and what the model did: signals as a log has them."""
 
 import dataclasses
 
@@ -11,9 +11,6 @@ from vehicle_roll_sim.logs.quantities import BODY, SPEED
 from vehicle_roll_sim.model.integration.events import Condition
 from vehicle_roll_sim.model.records import OUTPUTS, STATE_NAMES, WHEEL_COUNT, WHEELS
 from vehicle_roll_sim.runs.metrics import sideslip_angle
-from vehicle_roll_sim.runs.run import run
-from vehicle_roll_sim.simulation.command import Command, Feedback
-from vehicle_roll_sim.simulation.simulation import Simulation
 
 
 def output_places(*wanted: tuple) -> list[int]:
@@ -71,23 +68,6 @@ class Driven:
     condition: Condition
 
 
-def drive(log: Log, simulation: Simulation, driving: Driving) -> Driven:
-    """Drive a simulation by a log from the run-up to its end, or until the model stops."""
-    plan = Plan.of(log, driving.run_up, simulation.step_ns)
-    commands = LogCommands(log, simulation.vehicle, driving.holds_speed, plan)
-    simulation.reset(float(commands.speeds[0]))
-    recorder = _Recorder(simulation)
-    run(
-        simulation,
-        _Driver(commands, simulation, plan.period),
-        plan.periods * plan.period,
-        sample=plan.period,
-        command_period=plan.period,
-        observer=recorder,
-    )
-    return driven_of(log, plan, commands, np.array(recorder.columns).T, simulation.condition)
-
-
 def driven_of(
     log: Log, plan: Plan, commands: LogCommands, columns: np.ndarray, condition: Condition
 ) -> Driven:
@@ -105,43 +85,6 @@ def driven_of(
         error = float(np.abs(signals[SPEED] - log.signals[SPEED][is_driven]).max())
     steering = np.interp(wanted, plan.middles, commands.steering)
     return Driven(signals, steering, error, commands.unused, condition)
-
-
-class _Driver(Feedback):
-    """The commands of a log, one for each period."""
-
-    def __init__(self, commands: LogCommands, simulation: Simulation, period: float):
-        self._commands, self._simulation, self._period = commands, simulation, period
-
-    def command(self, time: float, state) -> Command:
-        given = self._commands
-        place = min(round(time / self._period), len(given.steering) - 1)
-        command = Command(float(given.steering[place]), float(given.rear_steering[place]))
-        if given.is_held[place]:
-            slope = float(self._simulation.outputs["slope_gravity"][0])
-            target, speed = float(given.speeds[place]), float(state["u"])
-            return given.controller.drive(command, target, speed, self._period, slope)
-        return dataclasses.replace(
-            command,
-            wheel_torque=tuple(given.wheel_torques[place].tolist()),
-            brake_torque=tuple(given.brake_torques[place].tolist()),
-        )
-
-
-class _Recorder:
-    """Notes what the quantities of a log are computed from, at the end of each period."""
-
-    def __init__(self, simulation: Simulation):
-        self._simulation, self.columns = simulation, []
-
-    def on_set(self) -> None:
-        simulation = self._simulation
-        velocity = np.array(simulation.cg_motion[3:])
-        row = noted(simulation.state_vector, simulation.output_vector, velocity)
-        self.columns.append(row)
-
-    def on_command(self, command: Command) -> None:
-        """Commands are those of the log."""
 
 
 def noted(states: np.ndarray, outputs: np.ndarray, velocity: np.ndarray) -> np.ndarray:

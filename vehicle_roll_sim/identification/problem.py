@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from vehicle_roll_sim.comparison.driving import Driving
-from vehicle_roll_sim.identification.fleet_driving import drive_all
+from vehicle_roll_sim.comparison.fleet_driving import drive_all
 from vehicle_roll_sim.identification.free import applied
 from vehicle_roll_sim.identification.free_value import Free
 from vehicle_roll_sim.identification.sensors import Sensors

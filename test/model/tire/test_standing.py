@@ -6,10 +6,10 @@ import magic_formula
 import numpy as np
 import pytest
 from entries import entry
-from programmes import with_tire
+from programmes import Evaluation, with_tire
 
 from vehicle_roll_sim import Command, Options, Simulation
-from vehicle_roll_sim.model.compiled.jit import kernel_argument
+from vehicle_roll_sim.model.records import COMMAND
 from vehicle_roll_sim.model.tire import standing
 from vehicle_roll_sim.simulation.road import Road
 
@@ -41,18 +41,29 @@ def test_without_a_peak_it_has_a_limit():
         assert slip_at_peak(*parts) == standing.LARGEST_HELD
 
 
+def held_slips(vehicle, slip: float) -> tuple[float, float, float]:
+    """Normal load and slips that a standing tire holds where both slips are `slip`, the lateral
+    one the other way; of the wheel to whose side the tire belongs."""
+    simulation = Simulation(vehicle)
+    evaluation, state = Evaluation(vehicle, Options()), simulation.state.copy()
+    state.u, state.wheel_speed = 0.0, 0.0
+    state.longitudinal_slip, state.lateral_slip = slip, -slip
+    evaluation.rates(state, np.zeros(1, COMMAND)[0])
+    wheel = {"left": 0, "right": 1}[vehicle.tire.side]
+    terms, load = evaluation.outputs.tire_terms, evaluation.outputs.normal_force[wheel]
+    beyond = terms.longitudinal_release[wheel], terms.lateral_release[wheel]  # all of it, at 0 m/s
+    return load, slip - beyond[0], -slip - beyond[1]
+
+
 def test_what_a_tire_holds_gives_its_friction(reference):
-    tire, load = reference.tire, 4000.0
-    (record,) = kernel_argument(tire.record())
-    held_slips = entry(standing.held_slips)
-    kappa, tangent = held_slips(0.5, -0.5, 0.0, 1.0, load, 1.0, record)
-    p = tire.coefficients
+    load, kappa, tangent = held_slips(reference, 0.5)
+    p = reference.tire.coefficients
     assert magic_formula.pure_longitudinal(p, kappa, load) == pytest.approx(
         magic_formula.longitudinal_peak(p, load), rel=1e-9
     )
     force = magic_formula.pure_lateral(p, np.arctan(tangent), load)
     assert abs(force) == pytest.approx(abs(magic_formula.lateral_peak(p, load)), rel=1e-9)
-    assert held_slips(0.01, -0.01, 0.0, 1.0, load, 1.0, record) == pytest.approx((0.01, -0.01))
+    assert held_slips(reference, 0.01)[1:] == pytest.approx((0.01, -0.01))
 
 
 def moved(vehicle, road) -> float:

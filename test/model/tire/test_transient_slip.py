@@ -12,11 +12,7 @@ from programmes import Evaluation, ramp_and_hold, record_run, with_tire
 from random_states import random_command, random_state
 
 from vehicle_roll_sim import Command, Options, Simulation, load_tire
-from vehicle_roll_sim.model.compiled.jit import kernel_argument
-from vehicle_roll_sim.model.records import OUTPUTS, WHEEL_COUNT
-from vehicle_roll_sim.model.tire import transient_slip
-from vehicle_roll_sim.model.tire.coefficients import as_one, on_axles
-from vehicle_roll_sim.model.tire.loads import terms_of_loads
+from vehicle_roll_sim.model.records import COMMAND, WHEEL_COUNT
 
 DATA = Path(__file__).parent / "data"
 SPEED = 50 / 3.6
@@ -37,17 +33,22 @@ def lengths(vehicle, fz) -> tuple[np.ndarray, np.ndarray]:
     return np.maximum(along, floor), np.maximum(across, floor)
 
 
-def simulated_lengths(vehicle, tire, loads) -> np.ndarray:
-    """Relaxation lengths in the simulation, shape (2, n)."""
-    (tires,), found = kernel_argument(as_one(on_axles(tire, tire))), []
-    for batch in loads.reshape(-1, WHEEL_COUNT):
-        outputs = np.zeros(1, OUTPUTS)
-        outputs["normal_force"], outputs["unloaded_radius"] = batch, vehicle.tire_radius
-        (out,), terms = kernel_argument(outputs), outputs[0].tire_terms
-        terms_of_loads(tires, out)
-        transient_slip.relaxation_lengths(tires.front, vehicle.minimum_relaxation_length, out)
-        found.append((terms.longitudinal_relaxation, terms.lateral_relaxation))
-    return np.hstack(found)
+def simulated_lengths(vehicle, most: float) -> tuple[np.ndarray, np.ndarray]:
+    """200 normal loads up to about `most` (N), and the relaxation lengths at them, shape (2, 200).
+
+    They are those at which the model's rates are computed, of tires that are compressed so far.
+    """
+    evaluation, simulation = Evaluation(vehicle, Options()), Simulation(vehicle)
+    state, command = simulation.state.copy(), np.zeros(1, COMMAND)[0]
+    per_metre = simulation.outputs.normal_force[0] / state.tire_compression[0]
+    loads, found = [], []
+    for compression in np.linspace(1.0, most, 200).reshape(-1, WHEEL_COUNT) / per_metre:
+        state.tire_compression = compression
+        evaluation.rates(state, command)
+        terms = evaluation.outputs.tire_terms
+        loads.append(evaluation.outputs.normal_force.copy())
+        found.append((terms.longitudinal_relaxation.copy(), terms.lateral_relaxation.copy()))
+    return np.concatenate(loads), np.hstack(found)
 
 
 SCALED = {"LFZO": 0.8, "LSGKP": 0.7, "LSGAL": 1.3}
@@ -56,8 +57,9 @@ SCALED = {"LFZO": 0.8, "LSGKP": 0.7, "LSGAL": 1.3}
 @pytest.mark.parametrize("scaling", [{}, SCALED], ids=["file", "scaled"])
 def test_relaxation_lengths_are_those_of_the_magic_formula_with_a_floor(vehicle, scaling):
     vehicle = with_tire(vehicle, **scaling)
-    loads = np.linspace(1.0, 12_000.0, 200)
-    seen = simulated_lengths(vehicle, vehicle.tire.record(), loads)
+    loads, seen = simulated_lengths(vehicle, 12_000.0)
+    assert 0.0 < loads.min() < 50.0
+    assert loads.max() > 10_000.0
     np.testing.assert_allclose(seen, lengths(vehicle, loads), rtol=1e-13)
     assert (seen[:, 0] == vehicle.minimum_relaxation_length).all()
     assert seen.max() > 0.3  # m
@@ -66,9 +68,11 @@ def test_relaxation_lengths_are_those_of_the_magic_formula_with_a_floor(vehicle,
 @pytest.mark.parametrize("name", ["mf61", "mf62"])
 def test_files_of_version_6_give_relaxation_lengths_by_the_stiffness_of_the_carcass(vehicle, name):
     tire = load_tire(DATA / f"{name}.tir")
-    record = tire.record(1.1e5)
-    c, dp = tire.coefficients, record["pressure_change"]
-    load = np.linspace(500.0, 10_000.0, 28)
+    c, dp = tire.coefficients, tire.record(1.1e5)["pressure_change"]
+    vehicle = dataclasses.replace(vehicle, tire=tire).with_values({"tire_pressure": 1.1e5})
+    load, seen = simulated_lengths(vehicle, 10_000.0)
+    assert load.min() < 500.0
+    assert load.max() > 8_000.0
     dfz = magic_formula.relative_load(c, load)
     along = 1 + c["PCFX1"] * dfz + c["PCFX2"] * dfz**2
     along *= c["LONGITUDINAL_STIFFNESS"] * (1 + c["PCFX3"] * dp)
@@ -79,7 +83,6 @@ def test_files_of_version_6_give_relaxation_lengths_by_the_stiffness_of_the_carc
         magic_formula.longitudinal_stiffness(p, load, dp=dp) / along,
         -magic_formula.cornering_stiffness(p, load, dp=dp) / across,
     ]
-    seen = simulated_lengths(vehicle, record, load)
     floor = vehicle.minimum_relaxation_length
     np.testing.assert_allclose(seen, np.maximum(expected, floor), rtol=1e-12)
     assert 0.2 < seen[1].max() < 1.0  # m

@@ -1,9 +1,10 @@
-"""Many models driven by logs at the same time, each as `comparison.driving.drive` drives one."""
+"""Models driven by logs, many at the same time."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
+from vehicle_roll_sim.batch.evaluate import checked_workers
 from vehicle_roll_sim.batch.fleet import Fleet
 from vehicle_roll_sim.comparison.driving import Driven, Driving, driven_of, noted
 from vehicle_roll_sim.comparison.log_commands import LogCommands, Plan
@@ -13,18 +14,22 @@ from vehicle_roll_sim.model.records import COMMAND, STATE_NAMES
 from vehicle_roll_sim.simulation.simulation import Simulation
 
 VELOCITY = [STATE_NAMES.index(name) for name in ("u", "v", "w")]
+WORTH_A_THREAD = 16
+"""Steps of models, 10 us each: to hand a period over to a thread and back takes 50 us."""
 
 
 def drive_all(
     pairs: Sequence[tuple[Log, Simulation]], driving: Driving, workers: int | None = None
 ) -> list[Driven]:
-    """Drive each simulation by its log; each result equals that of `drive` bit for bit.
+    """Drive each simulation by its log, from the run-up to its end or until the model stops.
 
-    All simulations have one integration step. workers: number of threads, by default one for each
-    processor. Raises InputError.
+    Each result is that of the simulation alone, bit for bit. All have one integration step.
+    workers: number of threads at most, by default one for each processor. Raises InputError.
     """
     places = [_Place(log, simulation, driving) for log, simulation in pairs]
-    fleet = Fleet(len(places), pairs[0][1].step_ns, workers)
+    worth = sum(place.plan.steps for place in places) // WORTH_A_THREAD
+    threads = min(checked_workers(workers), max(worth, 1))
+    fleet = Fleet(len(places), pairs[0][1].step_ns, threads)
     try:
         for i, place in enumerate(places):
             place.simulation.reset(float(place.commands.speeds[0]))
@@ -58,7 +63,8 @@ def _drive(fleet: Fleet, places: list[_Place]) -> np.ndarray:
     commands = np.zeros(len(places), COMMAND)
     steps, held, given = _together(places)
     distribution = np.array([place.commands.controller.distribution for place in places])
-    first = _noted(fleet, places)
+    has_eight_dof = any(place.simulation.options.has_eight_dof for place in places)
+    first = _noted(fleet, places, has_eight_dof)
     table = np.empty((len(steps) + 1, *first.shape))
     table[0] = first
     for k in range(len(steps)):
@@ -68,7 +74,7 @@ def _drive(fleet: Fleet, places: list[_Place]) -> np.ndarray:
         if held[k]:
             _hold_speeds(commands, fleet, places, k, held[k], distribution)
         fleet.step(commands, steps[k])
-        table[k + 1] = _noted(fleet, places)
+        table[k + 1] = _noted(fleet, places, has_eight_dof)
     return table
 
 
@@ -90,7 +96,7 @@ def _together(places: list[_Place]) -> tuple[np.ndarray, list[list[int]], dict[s
     steps = stacked([np.full(place.plan.periods, place.plan.steps) for place in places])
     return (
         steps,
-        [np.flatnonzero(row).tolist() for row in is_held],
+        _places_of(is_held),
         {
             "steering": stacked([each.steering for each in given]),
             "rear": stacked([each.rear_steering for each in given]),
@@ -98,6 +104,14 @@ def _together(places: list[_Place]) -> tuple[np.ndarray, list[list[int]], dict[s
             "brakes": stacked([each.brake_torques for each in given]),
         },
     )
+
+
+def _places_of(is_held: np.ndarray) -> list[list[int]]:
+    """Where each row is true."""
+    found = [[] for _ in is_held]
+    for k in np.flatnonzero(is_held.any(axis=1)):
+        found[k] = np.flatnonzero(is_held[k]).tolist()
+    return found
 
 
 def _hold_speeds(
@@ -120,9 +134,9 @@ def _hold_speeds(
         commands["brake_torque"][i] = brake
 
 
-def _noted(fleet: Fleet, places: list[_Place]) -> np.ndarray:
-    """`noted` of all places, shape (places, quantities)."""
-    if any(place.simulation.options.has_eight_dof for place in places):
+def _noted(fleet: Fleet, places: list[_Place], has_eight_dof: bool) -> np.ndarray:
+    """`noted` of all places, shape (places, quantities). has_eight_dof: whether any model has."""
+    if has_eight_dof:
         pairs = zip(places, fleet.states, strict=True)
         motions = [place.simulation.cg_motion_at(state) for place, state in pairs]
         velocity = np.array(motions)[:, 3:]
