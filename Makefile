@@ -19,6 +19,8 @@ PINNED := requirements/base.txt requirements/$(DISTRO).txt requirements/test.txt
 export ROS_AUTOMATIC_DISCOVERY_RANGE ?= LOCALHOST
 # Hundreds of processes need not compile the package and the tests each for itself.
 export PYTHONDONTWRITEBYTECODE :=
+# Nor need each have its threads of BLAS, which spin for 0.1 s whenever they are made.
+export OPENBLAS_NUM_THREADS ?= 1
 
 .PHONY: setup run test test-quick coverage oldest kilted audit bench soak mutations identification controllers score tables viewer docs lint format build clean
 

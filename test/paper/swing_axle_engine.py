@@ -38,7 +38,7 @@ class SwingAxleEngine:
 
     def __init__(self, vehicle: Vehicle, speed: float):
         self.vehicle, (self.car,) = vehicle, vehicle.record()
-        (self.tires,) = kernel_argument(as_one(vehicle.tires()))
+        self._tires = kernel_argument(as_one(vehicle.tires()))
         self.heights = self.car.static_wheel_height - vehicle.cg_height
         self.engine = mujoco.MjModel.from_xml_string(self._bodies())
         self.data = mujoco.MjData(self.engine)
@@ -134,10 +134,10 @@ class SwingAxleEngine:
             outputs["rolling"][i], outputs["sliding"][i] = axes[i] @ velocity
         outputs["rolling_radius"] = outputs["loaded_radius"]
         outputs["tread"] = outputs["loaded_radius"] * spins
-        outputs["side"] = np.concatenate([self.tires.front.side[:2], self.tires.rear.side[2:]])
-        (seen,) = kernel_argument(self._outputs)
-        steady_state_slip(seen)
-        tire_forces(self.tires, seen)
+        tires, seen = self._tires[0], kernel_argument(self._outputs)
+        outputs["side"] = np.concatenate([tires.front.side[:2], tires.rear.side[2:]])
+        steady_state_slip(seen[0])
+        tire_forces(self._tires, seen)
         along, across = outputs["tire_longitudinal"], outputs["tire_lateral"]
         for i in range(4):
             force = along[i] * axes[i, 0] + across[i] * axes[i, 1] + outputs["normal_force"][i] * UP
