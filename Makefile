@@ -4,8 +4,8 @@ PYTHON ?= python3
 DISTRO ?= jazzy
 VENV := $(if $(filter jazzy,$(DISTRO)),.venv,.venv-$(DISTRO))
 BIN := $(VENV)/bin
-# Nodes mostly wait for one another, so four test processes suit two cores.
-PYTEST_OPTIONS := --numprocesses 4 --dist loadfile --no-loadscope-reorder
+# Nodes mostly wait for one another, so five test processes suit two cores.
+PYTEST_OPTIONS := --numprocesses 5 --dist loadfile --no-loadscope-reorder
 OLDEST := test/vehicle test/model/test_reference_conditions.py test/analysis/test_linear_model.py \
 	$(patsubst %,test/command_line/test_%.py,version run_results run_refusals plot_command \
 	replay_command linearize without_numba)

@@ -29,9 +29,9 @@ LONGEST = (
     *("test_multibody", "test_lockstep", "test_compilation", "test_mutated_tire_files"),
     *("test_waiting_in_lockstep", "test_run_results", "test_identification", "test_stopped"),
     *("test_first_launch", "test_bags_offline_and_recorded", "test_plain_python"),
-    *("test_double_lane_change", "test_vehicle_file", "test_energy", "test_drives", "test_compare"),
+    *("test_double_lane_change", "test_vehicle_file", "test_drives", "test_compare"),
     *("test_busy_machine", "test_in_browser", "test_standard_figure", "test_tire_command"),
-    *("test_install", "test_forked", "test_accepted_tire_files", "test_mirror"),
+    *("test_install", "test_forked", "test_accepted_tire_files"),
 )
 """Files of 7 to 60 s of processor time, or of waiting."""
 
@@ -134,7 +134,19 @@ def is_worker(config) -> bool:
 
 def pytest_collection_modifyitems(items) -> None:
     """Start with the files that take longest, so that no worker is left with one at the end."""
-    items.sort(key=lambda item: LONGEST.index(name) if (name := item.path.stem) in LONGEST else 99)
+    files = list(dict.fromkeys(item.path for item in items))
+    longest = sorted((f for f in files if f.stem in LONGEST), key=lambda f: LONGEST.index(f.stem))
+    others = [file for file in files if file.stem not in LONGEST]
+    places = {file: place for place, file in enumerate((*spread(longest), *spread(others)))}
+    items.sort(key=lambda item: places[item.path])
+
+
+def spread(files: list[Path]) -> list[Path]:
+    """The same files; those with nodes, which mostly wait, are spread evenly among the others."""
+    with_nodes = [file for file in files if file.is_relative_to(Path(__file__).with_name("ros"))]
+    groups = with_nodes, [file for file in files if file not in with_nodes]
+    shares = ((k / len(group), file) for group in groups for k, file in enumerate(group))
+    return [file for _, file in sorted(shares)]
 
 
 def pytest_collection_finish() -> None:
