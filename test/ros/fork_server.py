@@ -47,7 +47,7 @@ handles signals from its import on."""
 
 def preload() -> None:
     """Whatever a node does before it has a context of rcl, and with it threads."""
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # it has threads at once otherwise
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # its threads and forks do not get along
     usual = {each: signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)}
     for name in PRELOADED:
         importlib.import_module(name)
