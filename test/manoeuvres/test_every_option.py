@@ -3,6 +3,7 @@
 import dataclasses
 
 import numpy as np
+import pytest
 
 from vehicle_roll_sim import InputError, preset
 from vehicle_roll_sim.declaration import parameters_of
@@ -21,6 +22,7 @@ REFUSED = {
     ("wind_gust", "ramp_time"): "only with shape trapezoid",
 }
 """Options that say why they have no effect beside the defaults of the others."""
+TURNING_IN = ("iso_step_steer", "braking_in_a_turn")
 
 
 def winding_drive() -> History:
@@ -89,3 +91,22 @@ def test_every_option_of_every_manoeuvre_has_an_effect_or_is_refused_by_name():
     for case, why in REFUSED.items():
         assert refused[case].field == case[1]
         assert why in refused[case].allowed
+
+
+DRIVER = ("preview_time", "driver_delay", "handwheel_rate", "handwheel_limit")
+WITHOUT_EFFECT = (
+    *((name, "lateral_acceleration", {"handwheel_angle": 30.0}) for name in TURNING_IN),
+    *(("side_slope", option, {"steered_by": "fixed"}) for option in DRIVER),
+)
+"""Options that the value of another one leaves without effect."""
+
+
+@pytest.mark.parametrize(("name", "option", "beside"), WITHOUT_EFFECT)
+def test_an_option_that_another_one_leaves_without_effect_is_refused(name, option, beside):
+    manoeuvre = MANOEUVRES[name].with_values(beside)
+    value = other_value(parameters_of(manoeuvre)[option], getattr(manoeuvre, option))
+    assert driven(dataclasses.replace(manoeuvre, **{option: value})) == driven(manoeuvre)
+    with pytest.raises(InputError) as raised:
+        MANOEUVRES[name].with_values({option: value, **beside})
+    assert raised.value.field == option
+    assert next(iter(beside)) in raised.value.allowed

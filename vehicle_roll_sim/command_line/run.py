@@ -195,7 +195,7 @@ def _manoeuvre(chosen: argparse.Namespace) -> Manoeuvre | None:
 
 def _with_values(manoeuvre: Manoeuvre, values: dict) -> Manoeuvre:
     try:
-        return dataclasses.replace(manoeuvre, **values)
+        return manoeuvre.with_values(values)
     except InputError as error:
         raise as_option(error) from None
 

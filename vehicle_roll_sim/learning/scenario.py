@@ -1,6 +1,5 @@
 """What an episode begins with: vehicle, manoeuvre and speed, fixed or drawn at random."""
 
-import dataclasses
 import functools
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
@@ -106,7 +105,7 @@ class Scenario:
             for name, value in {**study.fixed, **drawn}.items()
             if name.startswith(MANOEUVRE)
         }
-        manoeuvre = dataclasses.replace(study.manoeuvre, **values)
+        manoeuvre = study.manoeuvre.with_values(values)
         manoeuvre = manoeuvre.for_vehicle(simulation.vehicle, simulation.options)
         whole_steps(manoeuvre.duration, simulation.step_ns, "duration")
         simulation.reset(manoeuvre.speed)

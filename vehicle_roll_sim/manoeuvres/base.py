@@ -3,6 +3,7 @@
 import abc
 import dataclasses
 import math
+from collections.abc import Mapping
 from typing import ClassVar
 
 import numpy as np
@@ -68,6 +69,22 @@ class Manoeuvre(abc.ABC):
 
     def __post_init__(self):
         keep_validated(self)
+
+    @property
+    def without_effect(self) -> Mapping[str, str]:
+        """Parameters that the values of others leave without effect, and when they have one."""
+        return {}
+
+    def with_values(self, values: Mapping) -> "Manoeuvre":
+        """A copy with other values of some parameters; raises InputError.
+
+        It is also raised for values without effect: nothing that is asked for is ignored.
+        """
+        manoeuvre = dataclasses.replace(self, **values)
+        for name, condition in manoeuvre.without_effect.items():
+            if name in values:
+                raise InputError(name, values[name], condition)
+        return manoeuvre
 
     @property
     def needs_vehicle(self) -> bool:

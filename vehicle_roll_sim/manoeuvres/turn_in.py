@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -42,6 +43,12 @@ class TurnIn(HandwheelProgramme):
         default=0.0,
     )
     rise: float = parameter("time in which the full handwheel angle is reached", "s", 1e-3, LONGEST)
+
+    @property
+    def without_effect(self) -> Mapping[str, str]:
+        if not self.handwheel_angle:
+            return {}
+        return {"lateral_acceleration": "only without a handwheel_angle"}
 
     @property
     def amplitude(self) -> float:

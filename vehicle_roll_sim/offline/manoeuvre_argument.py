@@ -67,7 +67,7 @@ def manoeuvre_of(asked, values: Mapping, step_ns: int) -> Manoeuvre:
     values = validated(type(manoeuvre), values)
     if isinstance(manoeuvre, CommandTable) and "duration" not in values:
         manoeuvre = manoeuvre.to_whole_steps(step_ns)
-    return dataclasses.replace(manoeuvre, **values)
+    return manoeuvre.with_values(values)
 
 
 def _named(asked) -> Manoeuvre:

@@ -79,7 +79,7 @@ def case_of(study: Study, values: Mapping[str, float | str]) -> Case:
         vehicle = vehicle.with_values(parts["vehicle"])
     return Case(
         vehicle=vehicle,
-        manoeuvre=dataclasses.replace(study.manoeuvre, **parts["manoeuvre"]),
+        manoeuvre=study.manoeuvre.with_values(parts["manoeuvre"]),
         controller=study.controller
         and dataclasses.replace(study.controller, **parts["controller"]),
         options=options_for(vehicle, **parts["options"]),

@@ -2,11 +2,13 @@
 
 import dataclasses
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
-from vehicle_roll_sim.declaration import parameter
+from vehicle_roll_sim.declaration import parameter, parameters_of
 from vehicle_roll_sim.manoeuvres.base import ADAPTED, SIDES
+from vehicle_roll_sim.manoeuvres.driver.path_following import DriverSettings
 from vehicle_roll_sim.manoeuvres.on_roads.straight_course import StraightCourse
 from vehicle_roll_sim.runs.history import History
 from vehicle_roll_sim.runs.metrics import load_transfer_ratio, steady
@@ -35,6 +37,11 @@ class SideSlopeDrive(StraightCourse):
         choices=(DRIVER, FIXED),
         default=DRIVER,
     )
+
+    @property
+    def without_effect(self) -> Mapping[str, str]:
+        names = parameters_of(DriverSettings) if self.steered_by == FIXED else ()
+        return dict.fromkeys(names, f"only if steered_by is {DRIVER}")
 
     def own_road(self) -> Road:
         return Road(bank=SIDES[self.side] * math.tan(math.radians(self.slope)))

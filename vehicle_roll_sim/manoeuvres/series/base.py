@@ -35,7 +35,7 @@ class Series(abc.ABC):
 
     def with_values(self, values: dict) -> "Series":
         """A copy with some of these options replaced."""
-        return dataclasses.replace(self, manoeuvre=dataclasses.replace(self.manoeuvre, **values))
+        return dataclasses.replace(self, manoeuvre=self.manoeuvre.with_values(values))
 
     def rows(self, vehicle: Vehicle, options: Options) -> Iterator[tuple]:
         """Drive the runs one by one; yields a row per run, direction first."""

@@ -123,7 +123,7 @@ def main() -> int:
 
     def body(arguments: argparse.Namespace) -> int:
         manoeuvre = manoeuvre_named(arguments.manoeuvre)
-        manoeuvre = dataclasses.replace(manoeuvre, **declared_values(arguments, manoeuvre))
+        manoeuvre = manoeuvre.with_values(declared_values(arguments, manoeuvre))
         if not arguments.simulator:
             raise InputError("--simulator", "", "the name of a node")
         csv, plot = named_file(arguments.csv, "--csv"), named_file(arguments.plot, "--plot")

@@ -1,7 +1,6 @@
 """The executable `compare`: a manoeuvre without and with your controller, side by side."""
 
 import argparse
-import dataclasses
 import os
 import signal
 import sys
@@ -53,7 +52,7 @@ def scenario_of(arguments: argparse.Namespace) -> Scenario:
     """The manoeuvre and the simulator that the arguments describe; raises InputError."""
     manoeuvre = manoeuvre_named(arguments.manoeuvre)
     values = declared_values(arguments, manoeuvre)
-    manoeuvre = dataclasses.replace(manoeuvre, **values)
+    manoeuvre = manoeuvre.with_values(values)
     words = [arguments.manoeuvre]
     for name, value in values.items():
         option = option_name(parameters_of(manoeuvre)[name])
