@@ -21,6 +21,13 @@ def record_dtype(*fields) -> np.dtype:
     return np.dtype((np.record, [_field(field) for field in fields]))
 
 
+def place_in(dtype: np.dtype, name: str) -> int | slice:
+    """Where the numbers of a field are among those of a record: an index, or a slice of several."""
+    field, offset = dtype.fields[name]
+    first = offset // 8
+    return slice(first, first + field.itemsize // 8) if field.shape else first
+
+
 def vectors(*names: str) -> tuple:
     """Fields with a vector (x, y, z) per wheel, shape (3, 4)."""
     return tuple((name, (3, WHEEL_COUNT)) for name in names)

@@ -3,6 +3,8 @@
 The order of wheels is lf, rf, lr, rr everywhere. SI units and radians.
 """
 
+import functools
+
 import numpy as np
 
 from vehicle_roll_sim.model.layout import (
@@ -11,6 +13,7 @@ from vehicle_roll_sim.model.layout import (
     WHEEL_COUNT,
     WHEELS,
     per_wheel,
+    place_in,
     record_dtype,
 )
 from vehicle_roll_sim.model.work_space import (
@@ -73,13 +76,7 @@ STATE_NAMES = element_names(STATE.names)
 """Name of every element of the state vector."""
 
 
-def _place(name: str):
-    """Position of a field in the flat state vector: an index, or a slice of four."""
-    dtype, offset = STATE.fields[name]
-    first = offset // 8
-    return slice(first, first + WHEEL_COUNT) if dtype.shape else first
-
-
+_place = functools.partial(place_in, STATE)
 X, Y, Z = _place("x"), _place("y"), _place("z")
 ROLL, PITCH, YAW = _place("roll"), _place("pitch"), _place("yaw")
 U, V, W = _place("u"), _place("v"), _place("w")

@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from vehicle_roll_sim.declaration import InputError, number_of
+from vehicle_roll_sim.model.layout import place_in
 from vehicle_roll_sim.model.records import COMMAND, WHEELS
 from vehicle_roll_sim.roads.commanded import NOT_COMMANDED
 from vehicle_roll_sim.simulation.memory import Remembering
@@ -21,15 +22,8 @@ STILL_AIR = (0.0, 0.0)
 OWN_FRICTION = (1.0,) * len(WHEELS)
 
 
-def _place(field: str):
-    """Where the numbers of a field are among those of a COMMAND record: an index or a slice."""
-    dtype, offset = COMMAND.fields[field]
-    first = offset // 8
-    return slice(first, first + dtype.itemsize // 8) if dtype.shape else first
-
-
 _NUMBERS = struct.Struct(f"{COMMAND.itemsize // 8}d")
-_of = operator.itemgetter(*map(_place, COMMAND.names))
+_of = operator.itemgetter(*(place_in(COMMAND, name) for name in COMMAND.names))
 """The numbers of a COMMAND record, and its fields from these: numpy takes ten times as long."""
 
 
